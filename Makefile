@@ -1,0 +1,161 @@
+# Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
+
+CC      ?= cc
+CONFIG  ?= release
+OPT     ?= -O2
+OUT     := build/$(CONFIG)
+PREFIX  ?= /usr/local
+GAME    := roms/glasstide
+
+# -fwrapv and -ffp-contract=off are semantics: results may not depend on overflow rules or fused multiplications.
+SEMANTIC := -std=c11 -fwrapv -ffp-contract=off
+WARN     := -Wall -Wextra -Wshadow -Wconversion
+LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
+LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
+SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
+SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
+CFLAGS   ?=
+ALL_C    := $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
+LIBS     := $(LUA_L) -lm
+
+BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
+CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
+STD_LUA   := $(wildcard scripts/*.lua)
+BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
+CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
+CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o
+GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
+
+UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
+MACHINE   := $(patsubst tests/machine/%.c,$(OUT)/machine/%,$(wildcard tests/machine/test_*.c))
+
+.SECONDARY:
+.DELETE_ON_ERROR:
+.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs
+
+all: deps
+	@$(MAKE) --no-print-directory build/curtain build/curtain-null
+
+help:
+	@echo "make play     build and play the built-in game (without a display: render its demo to PNG)"
+	@echo "make test     all tests          make golden   render the golden frames anew"
+	@echo "make all      build/curtain and build/curtain-null     make null   only the latter, without SDL2"
+	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
+	@echo "make torture  snapshot, spoil RAM and restore after every frame"
+	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
+	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
+
+deps:
+	@tools/deps.sh
+
+null: deps
+	@$(MAKE) --no-print-directory build/curtain-null
+
+build/curtain: $(OUT)/curtain
+	@cp $< $@
+build/curtain-null: $(OUT)/curtain-null
+	@cp $< $@
+
+# ---- programs ----
+
+$(OUT)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) -MMD -MP -c $< -o $@
+
+$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+$(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
+
+$(OUT)/embed: tools/embed.c
+	@mkdir -p $(@D)
+	$(CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
+
+$(OUT)/gen/std.c: $(STD_LUA) $(OUT)/embed
+	@mkdir -p $(@D)
+	$(OUT)/embed std $(foreach f,$(STD_LUA),$(basename $(notdir $f))=$f) > $@
+
+$(OUT)/gen/no_rom.c: $(OUT)/embed
+	@mkdir -p $(@D)
+	$(OUT)/embed rom > $@
+
+$(OUT)/gen/%.o: $(OUT)/gen/%.c
+	$(CC) $(ALL_C) -c $< -o $@
+
+# The program that packs the built-in game has none itself.
+$(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+$(OUT)/game.rom: $(OUT)/curtain-bare $(GAME_SRC)
+	$(OUT)/curtain-bare pack $(GAME) -o $@
+
+$(OUT)/gen/rom.c: $(OUT)/game.rom
+	$(OUT)/embed rom $(OUT)/game.rom > $@
+
+$(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/rom.o
+	$(CC) $(ALL_C) $^ $(LIBS) $(SDL_L) -o $@
+
+$(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
+	$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
+
+play: deps
+	@$(MAKE) --no-print-directory build/curtain
+	@tools/play.sh
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/curtain
+	install -m 755 build/curtain build/curtain-null $(DESTDIR)$(PREFIX)/bin
+	install -m 644 README.md docs/*.md $(DESTDIR)$(PREFIX)/share/doc/curtain
+
+# ---- art: the pictures of the games in roms/ are made by a program ----
+
+$(OUT)/art: $(wildcard tools/art*.c)
+	@mkdir -p $(@D)
+	$(CC) $(SEMANTIC) -O2 -Wno-unused-function $^ -lm -o $@
+
+# ---- tests ----
+
+$(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+
+$(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
+
+programs: $(OUT)/curtain $(OUT)/curtain-null $(UNIT) $(MACHINE)
+
+test: deps
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
+	@OUT=$(OUT) tests/run.sh
+
+torture: deps
+	@$(MAKE) --no-print-directory -j2 programs
+	@OUT=$(OUT) tests/run.sh torture
+
+golden: deps
+	@$(MAKE) --no-print-directory build/curtain-null
+	@tests/golden/run.sh --update
+
+asan: deps
+	@$(MAKE) --no-print-directory -j2 CONFIG=asan OPT="-O1 -fsanitize=address -fno-omit-frame-pointer" programs
+	@OUT=build/asan tests/run.sh sanitizer
+
+ubsan: deps
+	@$(MAKE) --no-print-directory -j2 CONFIG=ubsan OPT="-O1 -fsanitize=undefined -fno-sanitize-recover=undefined" programs
+	@OUT=build/ubsan tests/run.sh sanitizer
+
+fuzz: deps
+	@tests/fuzz/run.sh
+
+mutants: deps
+	@tests/mutants.sh
+
+bench: all
+	@tools/bench.sh
+
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h')
+
+clean:
+	rm -rf build
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)

@@ -1,0 +1,153 @@
+/*
+ * fb.c - see fb.h. Coordinates come as any int and are widened to 64 bits before they are added, so nothing overflows;
+ * what is left after clipping is small.
+ */
+#include "fb.h"
+#include <assert.h>
+#include <stdbool.h>
+#include <string.h>
+
+static int pitch_of(int w)
+{
+    return (w + 2 * FB_GUARD + 7) / 8 * 8;
+}
+
+size_t fb_size(int w, int h)
+{
+    assert(w >= 1 && w <= FB_MAX && h >= 1 && h <= FB_MAX);
+    return (size_t)pitch_of(w) * (size_t)(h + 2 * FB_GUARD) + 2 * FB_SLACK;
+}
+
+void fb_init(struct fb *fb, void *mem, int w, int h)
+{
+    memset(mem, 0, fb_size(w, h));
+    fb->pitch = pitch_of(w);
+    fb->w = w;
+    fb->h = h;
+    fb->pix = (uint8_t *)mem + FB_SLACK + FB_GUARD * fb->pitch + FB_GUARD;
+    fb_clip_all(fb);
+}
+
+static int clamp(int64_t v, int hi)
+{
+    return v < 0 ? 0 : v > hi ? hi : (int)v;
+}
+
+void fb_clip(struct fb *fb, int x, int y, int w, int h)
+{
+    fb->x0 = clamp(x, fb->w);
+    fb->y0 = clamp(y, fb->h);
+    fb->x1 = clamp((int64_t)x + w, fb->w);
+    fb->y1 = clamp((int64_t)y + h, fb->h);
+    if (fb->x0 >= fb->x1 || fb->y0 >= fb->y1) {
+        fb->x0 = fb->y0 = fb->x1 = fb->y1 = 0;
+        fb->sx0 = fb->sy0 = fb->sx1 = fb->sy1 = 0;
+        return;
+    }
+    fb->sx0 = fb->x0 == 0 ? -FB_GUARD : fb->x0;
+    fb->sy0 = fb->y0 == 0 ? -FB_GUARD : fb->y0;
+    fb->sx1 = fb->x1 == fb->w ? fb->w + FB_GUARD : fb->x1;
+    fb->sy1 = fb->y1 == fb->h ? fb->h + FB_GUARD : fb->y1;
+}
+
+void fb_clip_all(struct fb *fb)
+{
+    fb_clip(fb, 0, 0, fb->w, fb->h);
+}
+
+void fb_fill(struct fb *fb, uint8_t c)
+{
+    for (int y = 0; y < fb->h; y++)
+        memset(fb->pix + y * fb->pitch, c, (size_t)fb->w);
+}
+
+/* The pixels with x in [x0, x1) and y in [y0, y1). */
+static void rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t y1, uint8_t c)
+{
+    x0 = x0 < fb->x0 ? fb->x0 : x0;
+    y0 = y0 < fb->y0 ? fb->y0 : y0;
+    x1 = x1 > fb->x1 ? fb->x1 : x1;
+    y1 = y1 > fb->y1 ? fb->y1 : y1;
+    if (x0 >= x1)
+        return;
+    for (int64_t y = y0; y < y1; y++)
+        memset(fb->pix + y * fb->pitch + x0, c, (size_t)(x1 - x0));
+}
+
+void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c)
+{
+    rect(fb, x, y, (int64_t)x + w, (int64_t)y + h, c);
+}
+
+void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
+{
+    int64_t x1 = (int64_t)x + w, y1 = (int64_t)y + h;
+
+    if (w < 1 || h < 1)
+        return;
+    rect(fb, x, y, x1, (int64_t)y + 1, c);
+    rect(fb, x, y1 - 1, x1, y1, c);
+    rect(fb, x, y, (int64_t)x + 1, y1, c);
+    rect(fb, x1 - 1, y, x1, y1, c);
+}
+
+/* One axis of a line: where it starts, which way it goes, how far, and the steps that are inside the clip. */
+struct axis {
+    int64_t from, sign, length; /* 0 <= length < 2^32 */
+    int64_t lo, hi;             /* inside: lo <= steps <= hi */
+};
+
+static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip1)
+{
+    if (to >= from)
+        return (struct axis){ from, 1, to - from, clip0 - from, clip1 - 1 - from };
+    return (struct axis){ from, -1, from - to, from - (clip1 - 1), from - clip0 };
+}
+
+/* Narrows the long axis' steps [lo, hi] to those inside the clip on both axes. False: none is left. Products stay below
+ * 2^64, since a step count multiplied is never above its axis' length. */
+static bool visible(struct axis *along, const struct axis *across)
+{
+    uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length, half = n / 2;
+
+    along->lo = along->lo < 0 ? 0 : along->lo;
+    along->hi = along->hi > along->length ? along->length : along->hi;
+    if (across->lo > across->length || across->hi < 0)
+        return false;
+    if (across->lo > 0) {
+        int64_t first = (int64_t)(((uint64_t)across->lo * n - half + m - 1) / m);
+        along->lo = first > along->lo ? first : along->lo;
+    }
+    if (across->hi < across->length) {
+        int64_t last = (int64_t)((((uint64_t)across->hi + 1) * n - half - 1) / m);
+        along->hi = last < along->hi ? last : along->hi;
+    }
+    return along->lo <= along->hi;
+}
+
+void fb_line(struct fb *fb, int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint8_t c)
+{
+    struct axis x = axis_of(x0, x1, fb->x0, fb->x1), y = axis_of(y0, y1, fb->y0, fb->y1);
+    bool steep = y.length > x.length;
+    struct axis *along = steep ? &y : &x, *across = steep ? &x : &y;
+
+    if (!visible(along, across))
+        return;
+    uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length;
+    uint64_t rest = (uint64_t)along->lo * m + n / 2, side = n ? rest / n : 0;
+    int64_t a = along->from + along->sign * along->lo, b = across->from + across->sign * (int64_t)side;
+    int64_t step = along->sign * (steep ? fb->pitch : 1), aside = across->sign * (steep ? 1 : fb->pitch);
+    uint8_t *p = fb->pix + (steep ? a : b) * fb->pitch + (steep ? b : a);
+
+    rest = n ? rest % n : 0;
+    *p = c;
+    for (int64_t i = along->lo; i < along->hi; i++) {
+        p += step;
+        rest += m;
+        if (rest >= n) {
+            rest -= n;
+            p += aside;
+        }
+        *p = c;
+    }
+}

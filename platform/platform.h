@@ -1,0 +1,145 @@
+/*
+ * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
+ * functions. floor: platform    used by: src/cab/
+ *
+ * To port: copy template.c, write its six functions. The other ten have defaults in stdio.c, which is linked with every
+ * port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says so by
+ * doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
+ * an override.
+ *
+ * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
+ * and nothing else of ours. Everything is called from one thread.
+ */
+#ifndef PLATFORM_PLATFORM_H
+#define PLATFORM_PLATFORM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    PLAT_KEYS = 256, /* keyboard switches: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
+    PLAT_CONTROLLERS = 2,
+    PLAT_TEXT = 64
+};
+
+/* Switches of a controller, named by where they are, as bit numbers. A stick or trigger pushed over halfway is a
+ * switch. */
+enum plat_switch {
+    PLAT_DPAD_UP,
+    PLAT_DPAD_DOWN,
+    PLAT_DPAD_LEFT,
+    PLAT_DPAD_RIGHT,
+    PLAT_SOUTH,
+    PLAT_EAST,
+    PLAT_WEST,
+    PLAT_NORTH,
+    PLAT_SHOULDER_LEFT,
+    PLAT_SHOULDER_RIGHT,
+    PLAT_TRIGGER_LEFT,
+    PLAT_TRIGGER_RIGHT,
+    PLAT_START,
+    PLAT_SELECT,
+    PLAT_GUIDE,
+    PLAT_STICK_LEFT, /* pressed in */
+    PLAT_STICK_RIGHT,
+    PLAT_LEFT_UP, /* the left stick's directions */
+    PLAT_LEFT_DOWN,
+    PLAT_LEFT_LEFT,
+    PLAT_LEFT_RIGHT,
+    PLAT_RIGHT_UP,
+    PLAT_RIGHT_DOWN,
+    PLAT_RIGHT_LEFT,
+    PLAT_RIGHT_RIGHT,
+    PLAT_SWITCHES
+};
+
+struct plat_want {
+    int w, h;  /* the picture */
+    int scale; /* window pixels a picture pixel; 0: the largest that is comfortable on this screen */
+    bool fullscreen;
+    bool text;         /* plat_input.text is wanted; else input methods stay out of the way */
+    const char *title; /* NULL: none */
+    int rate;          /* sound frames a second; 0: no sound */
+};
+
+/* "Held" means down now, or pressed since the last poll, so that no tap is lost however slow the poll. */
+struct plat_input {
+    uint8_t keys[PLAT_KEYS / 8];            /* held: usage u is bit u & 7 of byte u >> 3 */
+    uint32_t controllers[PLAT_CONTROLLERS]; /* held: bit numbers of enum plat_switch; 0 when there is none */
+    bool quit;                              /* the host wants us gone: stays set */
+    bool focus;                             /* keys reach us */
+    int mouse_x, mouse_y;                   /* picture pixels; -1, -1: not on the picture */
+    uint8_t mouse;                          /* held: bit 0 left, 1 right, 2 middle */
+    int wheel;                              /* notches since the last poll, up is positive */
+    char text[PLAT_TEXT]; /* what was typed since the last poll: UTF-8, whole characters, ends in NUL */
+};
+
+static inline bool plat_key(const struct plat_input *in, unsigned usage)
+{
+    return in->keys[usage >> 3 & 31] >> (usage & 7) & 1;
+}
+
+/* ---- the six of a port ---- */
+
+/* Opens the window, or changes the open one to `want`: another picture, scale, title, or fullscreen. False after a
+ * plat_log that says why. A missing sound card is not a failure. */
+bool plat_open(const struct plat_want *want);
+
+/* Gives everything back. Harmless when nothing is open. */
+void plat_close(void);
+
+/* Fills *in. Never blocks. */
+void plat_poll(struct plat_input *in);
+
+/* Shows a picture of palette indices; colours are 0xRRGGBB. Scaled by a whole number, the rest of the window black. */
+void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
+
+/* Microseconds from any fixed moment, never going back. Works before plat_open. */
+uint64_t plat_usec(void);
+
+/* Returns when plat_usec() has reached `until`, or at once where the host calls us (plat_loop). */
+void plat_wait(uint64_t until);
+
+/* ---- those with defaults ---- */
+
+/* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
+ * from here, so what must happen at the end, frame does before it returns false. */
+void plat_loop(bool (*frame)(void));
+
+/* Calls fn once, ms from now, on the thread that armed it (from a signal handler: fn may do little); 0 cancels. One
+ * alarm at a time. fn may come just after a cancel that was too late. False: the host has no alarms. */
+bool plat_alarm(int ms, void (*fn)(void));
+
+/* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before; -1: no
+ * speaker. */
+int plat_sound(const int16_t *lr, int frames);
+
+/* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder
+ * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain). Saving makes the folders a name asks for. */
+
+/* Bytes of a file; -1: no such file (a folder is none). */
+long plat_size(const char *name);
+
+/* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
+long plat_load(const char *name, void *buf, size_t cap);
+
+/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. */
+bool plat_save(const char *name, const void *buf, size_t len);
+
+/* Adds to a file's end, on its way to the disk when this returns. */
+bool plat_append(const char *name, const void *buf, size_t len);
+
+struct plat_file {
+    const char *name; /* without the folder */
+    bool folder;
+    int64_t time; /* of the last change; only good to compare */
+};
+
+/* Calls each for every entry of a folder, in any order, but . and .. ; returns how many, -1: cannot be read. */
+int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
+
+/* One line, without its end, for whoever reads logs (desktop: stderr). */
+void plat_log(const char *line);
+
+#endif

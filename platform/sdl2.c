@@ -1,0 +1,411 @@
+/*
+ * sdl2.c - the desktop port, on SDL 2.0.10 or later.
+ * floor: platform    used by: linking
+ *
+ * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest and by a whole
+ * number. SDL's scancodes are USB HID usages, so keys need no table. Pictures are not held for the vertical blank
+ * unless the user sets SDL_RENDER_VSYNC=1. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
+ */
+#include <SDL.h>
+#include <stdio.h>
+#include <string.h>
+#include "platform.h"
+
+enum {
+    QUEUE_FRAMES = 9600, /* sound that waits longer than this (0.2 s) is too much: new sound is dropped */
+    FRAME_BYTES = 4,
+    PUSHED = 16384, /* a stick or trigger over half of its way */
+};
+
+static struct {
+    SDL_Window *window;
+    SDL_Renderer *renderer;
+    SDL_Texture *texture;
+    struct plat_want want;
+    int scale;
+    int texture_w, texture_h;
+    SDL_Rect on; /* where the picture is, in window pixels */
+    SDL_AudioDeviceID speaker;
+} port;
+
+/* Switches: `down` follows press and release, `seen` gathers presses until a poll hands them out. */
+static struct {
+    uint8_t down[PLAT_KEYS / 8], seen[PLAT_KEYS / 8];
+    uint32_t pad_down[PLAT_CONTROLLERS], pad_seen[PLAT_CONTROLLERS];
+    SDL_GameController *controller[PLAT_CONTROLLERS];
+    uint8_t mouse_down, mouse_seen;
+    int wheel;
+    bool quit;
+    char text[PLAT_TEXT];
+} in;
+
+static bool failed(const char *what)
+{
+    char line[512];
+    snprintf(line, sizeof line, "%s: %s", what, SDL_GetError());
+    plat_log(line);
+    return false;
+}
+
+/* ---- window ---- */
+
+/* The largest whole number that leaves a fifth of the desktop free. */
+static int comfortable(int w, int h)
+{
+    SDL_Rect r;
+    if (SDL_GetDisplayUsableBounds(0, &r) != 0)
+        return 1;
+    int sx = r.w * 4 / 5 / w, sy = r.h * 4 / 5 / h, s = sx < sy ? sx : sy;
+    return s < 1 ? 1 : s;
+}
+
+static bool open_window(const struct plat_want *want)
+{
+    const char *title = want->title ? want->title : "";
+    Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+    if (want->fullscreen)
+        flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+    int w = want->w * port.scale, h = want->h * port.scale;
+    port.window = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
+    if (!port.window)
+        return failed("cannot open a window");
+    SDL_SetWindowMinimumSize(port.window, want->w, want->h);
+    port.renderer = SDL_CreateRenderer(port.window, -1, 0);
+    if (!port.renderer)
+        return failed("cannot draw in a window");
+    return true;
+}
+
+static void change_window(const struct plat_want *want)
+{
+    if (want->title)
+        SDL_SetWindowTitle(port.window, want->title);
+    if (want->fullscreen != port.want.fullscreen)
+        SDL_SetWindowFullscreen(port.window, want->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    if (want->w == port.want.w && want->h == port.want.h && want->scale == port.want.scale)
+        return;
+    SDL_SetWindowMinimumSize(port.window, want->w, want->h);
+    SDL_SetWindowSize(port.window, want->w * port.scale, want->h * port.scale);
+}
+
+static void open_speaker(int rate)
+{
+    SDL_AudioSpec spec = { .freq = rate, .format = AUDIO_S16SYS, .channels = 2, .samples = 512 };
+    if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0)
+        port.speaker = SDL_OpenAudioDevice(0, 0, &spec, 0, 0);
+    if (port.speaker)
+        SDL_PauseAudioDevice(port.speaker, 0);
+    else
+        failed("no sound");
+}
+
+bool plat_open(const struct plat_want *want)
+{
+    bool open = port.window != 0;
+    if (!open && SDL_Init(SDL_INIT_VIDEO) != 0)
+        return failed("cannot open a window");
+    port.scale = want->scale > 0 ? want->scale : comfortable(want->w, want->h);
+    if (open) {
+        change_window(want);
+    } else if (!open_window(want)) {
+        plat_close();
+        return false;
+    }
+    if (!open && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
+        failed("no controllers");
+    if (want->rate > 0 && !open)
+        open_speaker(want->rate);
+    if (want->text)
+        SDL_StartTextInput();
+    else
+        SDL_StopTextInput();
+    SDL_ShowCursor(want->fullscreen ? SDL_DISABLE : SDL_ENABLE);
+    port.want = *want;
+    return true;
+}
+
+void plat_close(void)
+{
+    if (port.speaker)
+        SDL_CloseAudioDevice(port.speaker);
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        if (in.controller[i])
+            SDL_GameControllerClose(in.controller[i]);
+    if (port.texture)
+        SDL_DestroyTexture(port.texture);
+    if (port.renderer)
+        SDL_DestroyRenderer(port.renderer);
+    if (port.window)
+        SDL_DestroyWindow(port.window);
+    memset(&port, 0, sizeof port);
+    memset(&in, 0, sizeof in);
+    SDL_Quit();
+}
+
+/* ---- switches ---- */
+
+static void set_bit(uint8_t *bits, unsigned i, bool on)
+{
+    uint8_t bit = (uint8_t)(1u << (i & 7));
+    bits[i >> 3] = (uint8_t)(on ? bits[i >> 3] | bit : bits[i >> 3] & ~bit);
+}
+
+static void key(unsigned scancode, bool down)
+{
+    if (scancode >= PLAT_KEYS)
+        return;
+    set_bit(in.down, scancode, down);
+    if (down)
+        set_bit(in.seen, scancode, true);
+}
+
+static void release_all(void)
+{
+    memset(in.down, 0, sizeof in.down);
+    in.mouse_down = 0;
+}
+
+static int controller_of(SDL_JoystickID id)
+{
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        if (in.controller[i] && SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(in.controller[i])) == id)
+            return i;
+    return -1;
+}
+
+static void controller_comes(int device)
+{
+    if (controller_of(SDL_JoystickGetDeviceInstanceID(device)) >= 0)
+        return;
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        if (!in.controller[i]) {
+            in.controller[i] = SDL_GameControllerOpen(device);
+            return;
+        }
+}
+
+static void controller_goes(SDL_JoystickID id)
+{
+    int i = controller_of(id);
+    if (i < 0)
+        return;
+    SDL_GameControllerClose(in.controller[i]);
+    in.controller[i] = 0;
+    in.pad_down[i] = 0;
+}
+
+static void controller_switch(SDL_JoystickID id, int which, bool down)
+{
+    int i = controller_of(id);
+    if (i < 0 || which < 0)
+        return;
+    uint32_t bit = (uint32_t)1 << which;
+    in.pad_down[i] = down ? in.pad_down[i] | bit : in.pad_down[i] & ~bit;
+    in.pad_seen[i] |= down ? bit : 0;
+}
+
+static int button_switch(unsigned button)
+{
+    static const signed char of[] = {
+        [SDL_CONTROLLER_BUTTON_A] = PLAT_SOUTH,
+        [SDL_CONTROLLER_BUTTON_B] = PLAT_EAST,
+        [SDL_CONTROLLER_BUTTON_X] = PLAT_WEST,
+        [SDL_CONTROLLER_BUTTON_Y] = PLAT_NORTH,
+        [SDL_CONTROLLER_BUTTON_BACK] = PLAT_SELECT,
+        [SDL_CONTROLLER_BUTTON_GUIDE] = PLAT_GUIDE,
+        [SDL_CONTROLLER_BUTTON_START] = PLAT_START,
+        [SDL_CONTROLLER_BUTTON_LEFTSTICK] = PLAT_STICK_LEFT,
+        [SDL_CONTROLLER_BUTTON_RIGHTSTICK] = PLAT_STICK_RIGHT,
+        [SDL_CONTROLLER_BUTTON_LEFTSHOULDER] = PLAT_SHOULDER_LEFT,
+        [SDL_CONTROLLER_BUTTON_RIGHTSHOULDER] = PLAT_SHOULDER_RIGHT,
+        [SDL_CONTROLLER_BUTTON_DPAD_UP] = PLAT_DPAD_UP,
+        [SDL_CONTROLLER_BUTTON_DPAD_DOWN] = PLAT_DPAD_DOWN,
+        [SDL_CONTROLLER_BUTTON_DPAD_LEFT] = PLAT_DPAD_LEFT,
+        [SDL_CONTROLLER_BUTTON_DPAD_RIGHT] = PLAT_DPAD_RIGHT,
+    };
+    return button < sizeof of ? of[button] : -1;
+}
+
+static void controller_axis(SDL_JoystickID id, unsigned axis, int v)
+{
+    static const signed char of[SDL_CONTROLLER_AXIS_MAX][2] = {
+        /* towards minus, towards plus */
+        [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_LEFT, PLAT_LEFT_RIGHT },
+        [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_UP, PLAT_LEFT_DOWN },
+        [SDL_CONTROLLER_AXIS_RIGHTX] = { PLAT_RIGHT_LEFT, PLAT_RIGHT_RIGHT },
+        [SDL_CONTROLLER_AXIS_RIGHTY] = { PLAT_RIGHT_UP, PLAT_RIGHT_DOWN },
+        [SDL_CONTROLLER_AXIS_TRIGGERLEFT] = { -1, PLAT_TRIGGER_LEFT },
+        [SDL_CONTROLLER_AXIS_TRIGGERRIGHT] = { -1, PLAT_TRIGGER_RIGHT },
+    };
+    if (axis >= SDL_CONTROLLER_AXIS_MAX)
+        return;
+    controller_switch(id, of[axis][0], v < -PUSHED);
+    controller_switch(id, of[axis][1], v > PUSHED);
+}
+
+/* Whole characters only: SDL hands out UTF-8 that ends at one. */
+static void typed(const char *utf8)
+{
+    size_t have = strlen(in.text), more = strlen(utf8);
+    if (have + more < sizeof in.text)
+        memcpy(in.text + have, utf8, more + 1);
+}
+
+static uint8_t mouse_bit(unsigned button)
+{
+    return button == SDL_BUTTON_LEFT ? 1 : button == SDL_BUTTON_RIGHT ? 2 : button == SDL_BUTTON_MIDDLE ? 4 : 0;
+}
+
+static void event(const SDL_Event *e)
+{
+    switch (e->type) {
+    case SDL_QUIT:
+        in.quit = true;
+        break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+        key((unsigned)e->key.keysym.scancode, e->type == SDL_KEYDOWN);
+        break;
+    case SDL_TEXTINPUT:
+        typed(e->text.text);
+        break;
+    case SDL_MOUSEBUTTONDOWN:
+        in.mouse_down |= mouse_bit(e->button.button);
+        in.mouse_seen |= in.mouse_down;
+        break;
+    case SDL_MOUSEBUTTONUP:
+        in.mouse_down &= (uint8_t)~mouse_bit(e->button.button);
+        break;
+    case SDL_MOUSEWHEEL:
+        in.wheel += e->wheel.y;
+        break;
+    case SDL_WINDOWEVENT:
+        if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+            release_all();
+        break;
+    case SDL_CONTROLLERDEVICEADDED:
+        controller_comes(e->cdevice.which);
+        break;
+    case SDL_CONTROLLERDEVICEREMOVED:
+        controller_goes(e->cdevice.which);
+        break;
+    case SDL_CONTROLLERBUTTONDOWN:
+    case SDL_CONTROLLERBUTTONUP:
+        controller_switch(e->cbutton.which, button_switch(e->cbutton.button), e->type == SDL_CONTROLLERBUTTONDOWN);
+        break;
+    case SDL_CONTROLLERAXISMOTION:
+        controller_axis(e->caxis.which, e->caxis.axis, e->caxis.value);
+        break;
+    }
+}
+
+/* Window coordinates to picture pixels; both differ on a display with fine pixels. */
+static void find_mouse(struct plat_input *to)
+{
+    int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
+    to->mouse_x = to->mouse_y = -1;
+    if (!port.on.w || SDL_GetMouseFocus() != port.window)
+        return;
+    SDL_GetMouseState(&x, &y);
+    SDL_GetWindowSize(port.window, &ww, &wh);
+    SDL_GetRendererOutputSize(port.renderer, &ow, &oh);
+    x = x * ow / (ww ? ww : 1) - port.on.x;
+    y = y * oh / (wh ? wh : 1) - port.on.y;
+    if (x < 0 || y < 0 || x >= port.on.w || y >= port.on.h)
+        return;
+    to->mouse_x = x * port.texture_w / port.on.w;
+    to->mouse_y = y * port.texture_h / port.on.h;
+}
+
+void plat_poll(struct plat_input *to)
+{
+    memset(to, 0, sizeof *to);
+    for (SDL_Event e; port.window && SDL_PollEvent(&e);)
+        event(&e);
+    for (int i = 0; i < PLAT_KEYS / 8; i++)
+        to->keys[i] = in.down[i] | in.seen[i];
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        to->controllers[i] = in.pad_down[i] | in.pad_seen[i];
+    to->mouse = in.mouse_down | in.mouse_seen;
+    to->wheel = in.wheel;
+    to->quit = in.quit;
+    to->focus = port.window && (SDL_GetWindowFlags(port.window) & SDL_WINDOW_INPUT_FOCUS);
+    memcpy(to->text, in.text, sizeof to->text);
+    find_mouse(to);
+    memset(in.seen, 0, sizeof in.seen);
+    memset(in.pad_seen, 0, sizeof in.pad_seen);
+    in.mouse_seen = 0;
+    in.wheel = 0;
+    in.text[0] = 0;
+}
+
+/* ---- picture ---- */
+
+static bool fit_texture(int w, int h)
+{
+    if (port.texture && port.texture_w == w && port.texture_h == h)
+        return true;
+    if (port.texture)
+        SDL_DestroyTexture(port.texture);
+    SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
+    port.texture = SDL_CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
+    port.texture_w = w;
+    port.texture_h = h;
+    return port.texture != 0;
+}
+
+/* In the middle, by a whole number; a window smaller than the picture shows its middle. */
+static void place(int w, int h)
+{
+    int ow = w, oh = h;
+    SDL_GetRendererOutputSize(port.renderer, &ow, &oh);
+    int s = ow / w < oh / h ? ow / w : oh / h;
+    s = s < 1 ? 1 : s;
+    port.on = (SDL_Rect){ (ow - w * s) / 2, (oh - h * s) / 2, w * s, h * s };
+}
+
+void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
+{
+    void *to;
+    int to_pitch;
+    if (!port.renderer || !fit_texture(w, h) || SDL_LockTexture(port.texture, 0, &to, &to_pitch) != 0)
+        return;
+    for (int y = 0; y < h; y++) {
+        uint32_t *row = (uint32_t *)(void *)((uint8_t *)to + (ptrdiff_t)y * to_pitch);
+        const uint8_t *from = pix + (ptrdiff_t)y * pitch;
+        for (int x = 0; x < w; x++)
+            row[x] = rgb[from[x]] | 0xFF000000u;
+    }
+    SDL_UnlockTexture(port.texture);
+    place(w, h);
+    SDL_SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
+    SDL_RenderClear(port.renderer);
+    SDL_RenderCopy(port.renderer, port.texture, 0, &port.on);
+    SDL_RenderPresent(port.renderer);
+}
+
+/* ---- clock and speaker ---- */
+
+uint64_t plat_usec(void)
+{
+    uint64_t f = SDL_GetPerformanceFrequency(), c = SDL_GetPerformanceCounter();
+    return c / f * 1000000 + c % f * 1000000 / f;
+}
+
+/* SDL sleeps whole milliseconds and rarely too short; what is left under one is spun. */
+void plat_wait(uint64_t until)
+{
+    for (uint64_t now; (now = plat_usec()) < until;)
+        if (until - now >= 1000)
+            SDL_Delay((Uint32)((until - now) / 1000));
+}
+
+int plat_sound(const int16_t *lr, int frames)
+{
+    if (!port.speaker)
+        return -1;
+    int waiting = (int)(SDL_GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
+    if (waiting <= QUEUE_FRAMES)
+        SDL_QueueAudio(port.speaker, lr, (Uint32)frames * FRAME_BYTES);
+    return waiting;
+}

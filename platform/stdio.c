@@ -1,0 +1,337 @@
+/*
+ * stdio.c - the defaults of the seam: ISO C files, and what POSIX adds where it is there.
+ * floor: platform    used by: ports, by linking
+ *
+ * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
+ * out that the port has, with -DPLAT_OWN_LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and append
+ * together).
+ */
+#if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__)
+#define _XOPEN_SOURCE 700
+#define POSIX         1
+#endif
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "platform.h"
+
+#ifdef POSIX
+#include <dirent.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <unistd.h>
+#endif
+
+#if defined(__GNUC__) || defined(__clang__)
+#define DEFAULT __attribute__((weak))
+#else
+#define DEFAULT
+#endif
+
+#ifndef PLAT_OWN_LOOP
+DEFAULT void plat_loop(bool (*frame)(void))
+{
+    while (frame())
+        ;
+}
+#endif
+
+#ifndef PLAT_OWN_SOUND
+DEFAULT int plat_sound(const int16_t *lr, int frames)
+{
+    (void)lr;
+    (void)frames;
+    return -1;
+}
+#endif
+
+#ifndef PLAT_OWN_LOG
+DEFAULT void plat_log(const char *line)
+{
+    fprintf(stderr, "%s\n", line);
+}
+#endif
+
+/* ---- alarm ---- */
+
+#ifndef PLAT_OWN_ALARM
+#ifdef POSIX
+/* SIGALRM is sent to the process and may land on any thread (SDL has some), so the handler passes it on to the one that
+ * armed. */
+static pthread_t alarm_thread;
+static void (*volatile alarm_call)(void);
+
+static void alarm_rings(int sig)
+{
+    int saved = errno;
+    if (!pthread_equal(pthread_self(), alarm_thread)) {
+        pthread_kill(alarm_thread, sig);
+    } else {
+        void (*fn)(void) = alarm_call;
+        alarm_call = 0;
+        if (fn)
+            fn();
+    }
+    errno = saved;
+}
+
+DEFAULT bool plat_alarm(int ms, void (*fn)(void))
+{
+    struct itimerval when = { 0 };
+    if (ms <= 0) {
+        alarm_call = 0;
+        return setitimer(ITIMER_REAL, &when, 0) == 0;
+    }
+    struct sigaction act = { 0 };
+    act.sa_handler = alarm_rings;
+    act.sa_flags = SA_RESTART;
+    alarm_thread = pthread_self();
+    if (sigaction(SIGALRM, &act, 0) != 0)
+        return false;
+    alarm_call = fn;
+    when.it_value.tv_sec = ms / 1000;
+    when.it_value.tv_usec = ms % 1000 * 1000;
+    return setitimer(ITIMER_REAL, &when, 0) == 0;
+}
+#else
+DEFAULT bool plat_alarm(int ms, void (*fn)(void))
+{
+    (void)ms;
+    (void)fn;
+    return false;
+}
+#endif
+#endif
+
+/* ---- names ---- */
+
+#ifndef PLAT_OWN_FILES
+enum { MAX_PATH_BYTES = 2048 };
+
+static bool starts(const char *s, const char *with)
+{
+    return strncmp(s, with, strlen(with)) == 0;
+}
+
+/* The path of a name; false when it is too long or the user has no folder. */
+static bool path_of(char path[MAX_PATH_BYTES], const char *name)
+{
+    if (!starts(name, "user:"))
+        return snprintf(path, MAX_PATH_BYTES, "%s", name) < MAX_PATH_BYTES;
+#ifdef POSIX
+    const char *data = getenv("XDG_DATA_HOME"), *below = "";
+    if (!data || data[0] != '/') { /* the XDG rule: a relative one counts as unset */
+        data = getenv("HOME");
+        below = "/.local/share";
+    }
+#else
+    const char *data = getenv("APPDATA"), *below = "";
+#endif
+    if (!data || !data[0])
+        return false;
+    return snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")) < MAX_PATH_BYTES;
+}
+
+#ifdef POSIX
+static void make_folders(char *path)
+{
+    for (char *p = path + 1; (p = strchr(p, '/')) != 0; p++) {
+        *p = 0;
+        mkdir(path, 0777);
+        *p = '/';
+    }
+}
+
+static bool to_disk(FILE *f)
+{
+    return fsync(fileno(f)) == 0 || errno == EINVAL; /* EINVAL: something that has no disk, like a pipe */
+}
+
+/* A rename lasts once the folder itself is on the disk. */
+static void folder_to_disk(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (slash)
+        slash[slash == path] = 0;
+    int fd = open(slash ? path : ".", O_RDONLY);
+    if (fd < 0)
+        return;
+    fsync(fd);
+    close(fd);
+}
+
+static bool is_folder(FILE *f)
+{
+    struct stat st;
+    return fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode);
+}
+
+static long process(void)
+{
+    return (long)getpid();
+}
+
+static bool replace(const char *from, const char *to)
+{
+    return rename(from, to) == 0;
+}
+#else
+static void make_folders(char *path)
+{
+    (void)path;
+}
+
+static bool to_disk(FILE *f)
+{
+    (void)f;
+    return true;
+}
+
+static void folder_to_disk(char *path)
+{
+    (void)path;
+}
+
+static bool is_folder(FILE *f)
+{
+    (void)f;
+    return false;
+}
+
+static long process(void)
+{
+    return 0;
+}
+
+/* ISO C lets rename refuse a name that is taken. */
+static bool replace(const char *from, const char *to)
+{
+    if (rename(from, to) == 0)
+        return true;
+    remove(to);
+    return rename(from, to) == 0;
+}
+#endif
+
+/* ---- files ---- */
+
+static FILE *open_named(const char *name, const char *mode)
+{
+    char path[MAX_PATH_BYTES];
+    if (!path_of(path, name))
+        return 0;
+    if (mode[0] != 'r')
+        make_folders(path);
+    FILE *f = fopen(path, mode);
+    if (f && is_folder(f)) {
+        fclose(f);
+        return 0;
+    }
+    return f;
+}
+
+DEFAULT long plat_size(const char *name)
+{
+    FILE *f = open_named(name, "rb");
+    if (!f)
+        return -1;
+    long size = fseek(f, 0, SEEK_END) == 0 ? ftell(f) : -1;
+    fclose(f);
+    return size;
+}
+
+DEFAULT long plat_load(const char *name, void *buf, size_t cap)
+{
+    FILE *f = open_named(name, "rb");
+    if (!f)
+        return -1;
+    size_t n = fread(buf, 1, cap, f);
+    bool good = !ferror(f);
+    fclose(f);
+    return good ? (long)n : -1;
+}
+
+static bool write_all(FILE *f, const void *buf, size_t len)
+{
+    bool good = fwrite(buf, 1, len, f) == len;
+    good = fflush(f) == 0 && good;
+    good = to_disk(f) && good;
+    return fclose(f) == 0 && good;
+}
+
+DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
+{
+    char path[MAX_PATH_BYTES], temp[MAX_PATH_BYTES + 32];
+    if (!path_of(path, name))
+        return false;
+    make_folders(path);
+    snprintf(temp, sizeof temp, "%s.%ld.tmp", path, process());
+    FILE *f = fopen(temp, "wb");
+    if (!f)
+        return false;
+    if (!write_all(f, buf, len) || !replace(temp, path)) {
+        remove(temp);
+        return false;
+    }
+    folder_to_disk(path);
+    return true;
+}
+
+DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
+{
+    FILE *f = open_named(name, "ab");
+    if (!f)
+        return false;
+    bool good = fwrite(buf, 1, len, f) == len;
+    return fclose(f) == 0 && good;
+}
+
+#ifdef POSIX
+static bool entry(struct plat_file *file, const char *folder, const char *name)
+{
+    char path[2 * MAX_PATH_BYTES];
+    struct stat st;
+    if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
+        return false;
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path || stat(path, &st) != 0)
+        return false;
+    file->name = name;
+    file->folder = S_ISDIR(st.st_mode);
+    file->time = (int64_t)st.st_mtim.tv_sec * 1000000000 + st.st_mtim.tv_nsec;
+    return true;
+}
+
+DEFAULT int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user)
+{
+    char folder[MAX_PATH_BYTES];
+    if (!path_of(folder, dir))
+        return -1;
+    DIR *d = opendir(folder[0] ? folder : ".");
+    if (!d)
+        return -1;
+    int n = 0;
+    for (struct dirent *e; (e = readdir(d)) != 0;) {
+        struct plat_file file;
+        if (!entry(&file, folder[0] ? folder : ".", e->d_name))
+            continue;
+        each(user, &file);
+        n++;
+    }
+    closedir(d);
+    return n;
+}
+#else
+DEFAULT int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user)
+{
+    (void)dir;
+    (void)each;
+    (void)user;
+    return -1;
+}
+#endif
+#endif

@@ -1,0 +1,32 @@
+-- main.lua - Glass Tide: two small craft dive through a tide of glass creatures.
+require "kinds"
+require "players/heron"
+require "players/petrel"
+require "stages/one"
+local sea = require "sea"
+
+local GRAZE = 40 -- points
+
+hud.banks.plain, hud.banks.bright, hud.banks.faint = 0, 3, 13
+
+on.graze(function(p, _)
+  score.add(GRAZE, p)
+  spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 }
+end)
+
+-- The handlers see the craft where it was hit; it starts anew afterwards.
+on.death(function(p)
+  spark.burst { kind = "blaze", from = p, speed = 0 }
+  spark.burst { kind = "shock", from = p, speed = 0 }
+  spark.burst { kind = "crumb", from = p, n = 32, speed = 4 }
+  bullet.clear { spark = "glint" }
+  p.bombs = 3
+end)
+
+on.extend(function(p) spark.burst { kind = "glint", from = p, n = 24, speed = 3 } end)
+on.phase(function(e, _, _) if e.alive then spark.burst { kind = "shock", from = e, speed = 0 } end end)
+on.stage(function(_, state) sea.speed(state == "start" and 1.6 or 0.6) end)
+on.game_over(function() sea.speed(0.4) end)
+
+task.go(sea.run)
+boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract" }

@@ -1,0 +1,97 @@
+-- players/craft.lua - what both craft share: the dot and halo of focus, two beads that fly along, and the undertow.
+local craft = {}
+
+local BOMBS = 3
+
+-- Puts a sprite, or puts it again when the field was wiped.
+local function keep(set, key, spec)
+  local s = set[key]
+  if not (s and s.alive) then
+    s = sprite.put(spec)
+    set[key] = s
+  end
+  return s
+end
+
+local function remove_all(set)
+  for _, s in pairs(set) do s:remove() end
+end
+
+-- Everything a craft wears; closed with its task, so nothing of it stays on the field.
+local function wardrobe() return setmetatable({}, { __close = remove_all }) end
+
+-- A wave runs out from the craft: bullets turn to light, and creatures crack.
+local function undertow(p)
+  local x, y = p.x, p.y
+  p.bombs = p.bombs - 1
+  p.safe = 150
+  spark.burst { kind = "shock", x = x, y = y, speed = 0 }
+  for i = 1, 36 do
+    local radius = 10 * i
+    bullet.clear { x = x, y = y, radius = radius, spark = "glint" }
+    for _, e in ipairs(query.near { what = "enemy", x = x, y = y, radius = radius }) do e:hurt(2) end
+    if i % 3 == 0 then
+      for k = 0, 11 do
+        local a = 30 * k + 7 * i
+        spark.burst { kind = "fizz", x = x + radius * angle.cos(a), y = y + radius * angle.sin(a), n = 2, speed = 1 }
+      end
+    end
+    wait(1)
+  end
+end
+
+local function show_bombs(set, p, bead)
+  for i = 1, BOMBS do
+    local x = p.index == 1 and 12 * i - 2 or rom.screen.w - 12 * i + 2
+    local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 9, screen = true })
+    s.hidden = i > p.bombs
+  end
+end
+
+local function show_focus(set, x, y, focused)
+  local halo = keep(set, "halo", { sprite = "halo", x = x, y = y, bank = 5, layer = "middle" })
+  local dot = keep(set, "dot", { sprite = "dot", x = x, y = y, bank = 1 })
+  halo.x, halo.y, halo.hidden = x, y, not focused
+  dot.x, dot.y, dot.hidden = x, y, not focused
+end
+
+-- Beads swing to their places: apart and a little behind, or close before the bow while focused.
+local function swing(beads, x, y, focused)
+  local wide, ahead = focused and 11 or 22, focused and -15 or 5
+  for side = -1, 1, 2 do
+    local b = beads[side]
+    b.x = b.x + (x + side * wide - b.x) * 0.35
+    b.y = b.y + (y + ahead - b.y) * 0.35
+  end
+end
+
+-- Flies p until it is out of the game. ship: bead (a sprite), fire(p, beads, focused, beat), called each frame while it fires.
+function craft.fly(p, ship)
+  local set <close> = wardrobe()
+  local x, y, beat = p.x, p.y, 0
+  local beads = { [-1] = { x = x, y = y }, [1] = { x = x, y = y } }
+  while true do
+    -- Tasks run before the craft moves, so what follows it leads by its last step.
+    local dx, dy = p.x - x, p.y - y
+    if dx * dx + dy * dy > 64 then dx, dy = 0, 0 end
+    x, y = p.x, p.y
+    local focused = pad.down("focus", p)
+    swing(beads, x + dx, y + dy, focused)
+    for side = -1, 1, 2 do
+      local s = keep(set, "bead" .. side, { sprite = ship.bead, x = x, y = y, layer = "middle" })
+      s.x, s.y = beads[side].x, beads[side].y
+    end
+    show_focus(set, x + dx, y + dy, focused)
+    show_bombs(set, p, ship.bead)
+    if pad.down("fire", p) then
+      ship.fire(p, beads, focused, beat)
+      beat = beat + 1
+    else
+      beat = 0
+    end
+    if pad.pressed("bomb", p) and p.bombs > 0 and p.safe < 60 then task.own(p, undertow) end
+    wait(1)
+  end
+end
+
+return craft

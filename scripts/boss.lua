@@ -1,0 +1,123 @@
+-- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts belongs to the phase's
+-- scope, and that to the enemy: both ends of it are cleaned up by the board.
+local sys = ...
+local boss = {}
+
+local ABOVE = -48  -- where it comes from and leaves to, y
+local FLIGHT = 60  -- frames it takes
+
+local bosses = {}  -- name -> definition
+local status       -- what the hud shows of the fight: enemy, title, spell, hp, ends, left; nil between fights
+
+local function checked(entry, ids)
+  local phase = sys.check("boss.def phase", entry)
+  if ids[phase.id] then sys.fail("boss.def", ('phase "%s" is there twice'):format(phase.id)) end
+  if not (phase.hp or phase.survive) then
+    sys.fail("boss.def", ('phase "%s": hp: expected a whole number, got nil'):format(phase.id))
+  end
+  ids[phase.id] = true
+  return phase
+end
+
+function boss.def(name, def)
+  local b, phases, ids = sys.check("boss.def", name, def), {}, {}
+  if not sys.loading() then sys.fail("boss.def", "a boss is declared while scripts load, not later") end
+  if bosses[b.name] then sys.fail("boss.def", ('boss "%s" is declared twice'):format(b.name)) end
+  if #b.phases == 0 then sys.fail("boss.def", "phases: expected at least one phase") end
+  for i, entry in ipairs(b.phases) do phases[i] = checked(entry, ids) end
+  b.phases = phases
+  bosses[b.name] = b
+end
+
+local function find(api, name)
+  local b = bosses[name]
+  if b then return b end
+  local list = {}
+  for known in pairs(bosses) do list[#list + 1] = known end
+  sys.unknown(api, "boss", name, list)
+end
+
+local function fly_in(b)
+  local e = enemy.spawn { kind = b.kind, x = b.x, y = ABOVE }
+  sys.hold(e, true) -- its hp stop at 0, so that a phase can end without the end of the boss
+  e.safe = forever
+  e:move { x = b.x, y = b.y, over = FLIGHT, ease = "out" }
+  wait(FLIGHT)
+  return e
+end
+
+local function leave(e, beaten)
+  sys.hold(e, false)
+  if beaten then return e:kill() end
+  e:move { x = e.x, y = ABOVE, over = FLIGHT, ease = "in" }
+  wait(FLIGHT)
+  e:remove()
+end
+
+-- True if the phase was beaten. The task that fights is older than the phase's own: at the end it has the first word.
+local function play(e, phase)
+  e.hp = phase.hp or 1
+  e.safe = phase.survive and forever or 0
+  local scope = task.scope(e)
+  task.own(scope, function() phase.run(e) end)
+  wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
+  local won = e.alive and (phase.survive or e.hp <= 0)
+  task.stop(scope)
+  bullet.clear()
+  e.safe = forever
+  if won and phase.bonus > 0 then
+    player.each(function(p) score.add(phase.bonus, p) end)
+  end
+  sys.emit("phase", e, phase.id, won)
+  return won
+end
+
+-- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
+local function fight(b, phases)
+  local e, all, won = fly_in(b), true, false
+  for i, phase in ipairs(phases) do
+    status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
+               hp = not phase.survive and phase.hp, ends = sys.clock() + phase.time }
+    won = play(e, phase)
+    all = all and won
+    status.spell, status.hp, status.ends = nil, nil, nil
+    if i < #phases and phase.rest > 0 then
+      e:move { x = b.x, y = b.y, over = phase.rest, ease = "both" }
+      wait(phase.rest)
+    end
+    if not e.alive then
+      all = false -- a script took it off the field
+      break
+    end
+  end
+  status = nil
+  if e.alive then leave(e, won) end
+  return all
+end
+
+function boss.fight(name)
+  local b = find("boss.fight", sys.check("boss.fight", name).name)
+  if stage.skipping() then return true end
+  stage.stop_clock()
+  local all = fight(b, b.phases)
+  stage.start_clock()
+  return all
+end
+
+-- The rest is for hud.lua and boot.lua.
+
+function boss.status() return status and status.enemy.alive and status or nil end
+
+-- A function that fights one phase alone.
+function boss.practice(api, name, id)
+  local b, ids = find(api, name), {}
+  for i, phase in ipairs(b.phases) do
+    if phase.id == id then
+      return function() return fight(b, { phase }) end
+    end
+    ids[i] = phase.id
+  end
+  sys.unknown(api, "phase", id, ids)
+end
+
+return boss

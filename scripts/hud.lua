@@ -1,0 +1,169 @@
+-- hud.lua - what stands on the screen during play, as rows of text: scores and lives, the boss, the stage's banner.
+-- Also the few words for putting text that the menus share. A field that leaves room to its right gets a side panel.
+local sys = ...
+local hud = {}
+
+hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
+hud.banks = { plain = 0, bright = 0, faint = 0 } -- a game with coloured text sets these in main.lua
+
+-- The font's own picture for a code from 128 on, or else a plain character.
+function hud.glyph(code, plain) return code - 32 < sys.glyphs() and string.char(code) or plain end
+
+function hud.put(col, row, s, bank)
+  if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
+  text.put { col = col, row = row, text = s:sub(1, hud.cols - col), bank = bank or hud.banks.plain }
+end
+
+-- Breaks s between words into lines of at most `width` characters; what fits stays as it is.
+function hud.wrap(s, width)
+  if #s <= width then return { s } end
+  local lines, line = {}, ""
+  for word in s:gmatch("%S+") do
+    if line == "" then
+      line = word
+    elseif #line + 1 + #word <= width then
+      line = line .. " " .. word
+    else
+      lines[#lines + 1], line = line, word
+    end
+  end
+  lines[#lines + 1] = line
+  return lines
+end
+
+-- Puts s in the middle of the screen, broken into lines; returns the row below.
+function hud.centre(row, s, bank)
+  for _, line in ipairs(hud.wrap(s, hud.cols)) do
+    hud.put(math.max(0, (hud.cols - #line) // 2), row, line, bank)
+    row = row + 1
+  end
+  return row
+end
+
+local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
+local left = room >= 10 and hud.cols - room + 1 or 0
+local width = room >= 10 and room - 1 or hud.cols
+
+local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
+local BANNER_ROW = hud.rows // 3
+
+local players = 0 -- how many play
+local seen = {}   -- each player's last score: one who is out reads as dead
+local shown = {}  -- each row's text: a row is written when it changes, and not before it has something to say
+local banner      -- lines, rows and the frame it ends, or nil
+local record = 0  -- the best score of the table
+
+local function points(n) return ("%09d"):format(n) end
+
+function hud.score(i)
+  seen[i] = player.get(i).score or seen[i] or 0
+  return seen[i]
+end
+
+-- The best score of the table and of those who play.
+function hud.best()
+  local best = record
+  for i = 1, players do best = math.max(best, hud.score(i)) end
+  return best
+end
+
+local function lives(i)
+  local n = player.get(i).lives or 0
+  if n > 6 then return LIFE .. "x" .. n end
+  return LIFE:rep(n)
+end
+
+-- One row with a left, a middle and a right part; in a narrow panel, a row for each.
+local function add(rows, first, middle, last)
+  if #first + #middle + #last + 2 > width then
+    for _, s in ipairs { first, middle, last } do
+      if s ~= "" then rows[#rows + 1] = s:sub(1, width) end
+    end
+    return
+  end
+  local before = (width - #middle) // 2 - #first
+  if before < 1 then before = 1 end
+  local line = first .. (" "):rep(before) .. middle
+  rows[#rows + 1] = line .. (" "):rep(width - #line - #last) .. last
+end
+
+local function play_rows(rows)
+  local best = points(hud.best())
+  if players > 1 then
+    add(rows, points(hud.score(1)), best, points(hud.score(2)))
+    add(rows, lives(1), "", lives(2))
+  else
+    add(rows, points(hud.score(1)), "", "HI " .. best)
+    add(rows, lives(1), "", GRAZE .. (player.get(1).grazes or 0))
+  end
+end
+
+-- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
+local function bar(value, full, cells)
+  local eighths = math.min(value, full) * cells * 8 // full
+  if value > 0 and eighths < 1 then eighths = 1 end
+  local whole, rest = eighths // 8, eighths % 8
+  if hud.glyph(136, "") == "" then
+    whole = math.min(cells, (eighths + 7) // 8)
+    return ("="):rep(whole) .. ("-"):rep(cells - whole)
+  end
+  local s = string.char(136):rep(whole)
+  if rest > 0 then s = s .. string.char(128 + rest) end
+  return s .. string.char(128):rep(cells - #s)
+end
+
+local function boss_rows(rows)
+  local b = boss.status()
+  if not b then return end
+  local seconds = b.ends and ("%3d"):format((b.ends - sys.clock() + 59) // 60) or ""
+  rows[#rows + 1] = (b.hp and bar(b.enemy.hp, b.hp, width - 4) or (" "):rep(width - 4)) .. " " .. seconds
+  add(rows, b.title, "", GRAZE:rep(math.min(b.left, 6)))
+  for _, line in ipairs(b.spell and hud.wrap(b.spell, width) or {}) do
+    rows[#rows + 1] = (" "):rep(width - #line) .. line
+  end
+end
+
+local function show(row, s)
+  s = s .. (" "):rep(width - #s)
+  local before = shown[row] or (" "):rep(width)
+  shown[row] = s
+  if s ~= before then hud.put(left, row - 1, s) end
+end
+
+local function draw()
+  local rows = {}
+  play_rows(rows)
+  boss_rows(rows)
+  for i = 1, math.max(#rows, #shown) do show(i, rows[i] or "") end
+  if banner and sys.clock() >= banner.ends then hud.banner() end
+end
+
+-- Shows lines in the middle of the screen for so many frames; without lines, ends that.
+function hud.banner(lines, over)
+  if banner then text.clear { col = 0, row = BANNER_ROW, w = hud.cols, h = banner.h } end
+  banner = nil
+  if not lines then return end
+  local row = BANNER_ROW
+  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright) + 1 end
+  banner = { h = row - BANNER_ROW, ends = sys.clock() + over, lines = lines }
+end
+
+-- Writes all again after something else was written over it.
+function hud.refresh()
+  shown = {}
+  if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
+end
+
+-- Draws every frame for n players, until the owner ends.
+function hud.start(owner, n)
+  local top = score.rows(board.difficulty())[1]
+  players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
+  task.own(owner, function()
+    while true do
+      draw()
+      wait(1)
+    end
+  end)
+end
+
+return hud

@@ -1,0 +1,73 @@
+-- path.lua - routes for enemies: a list of points, each reached exactly after its `over` frames.
+local sys = ...
+local path = {}
+
+local known = {} -- the routes path.def made: nothing else is taken for one
+
+-- The first entry is the start; every later one is a point to reach, or a wait.
+local function checked(i, entry)
+  local a = sys.check("path.def point", entry)
+  local start, moves = i == 1, a.x or a.y or a.over or entry.ease
+  local good
+  if start then
+    good = a.x and a.y and not (a.over or a.wait or entry.ease)
+  elseif a.wait then
+    good = not moves
+  else
+    good = a.x and a.y and a.over
+  end
+  if not good then
+    local want = start and "{ x=, y= }" or "{ x=, y=, over= } or { wait= }"
+    sys.fail("path.def", ("point %d: expected %s"):format(i, want))
+  end
+  return a
+end
+
+function path.def(list)
+  if not sys.loading() then sys.fail("path.def", "a route is declared while scripts load, not later") end
+  if type(list) ~= "table" or #list == 0 then sys.fail("path.def", "expected a list of points") end
+  for key in pairs(list) do
+    if type(key) ~= "number" then sys.fail("path.def", ('unknown argument "%s"'):format(key)) end
+  end
+  local route = {}
+  for i, entry in ipairs(list) do route[i] = checked(i, entry) end
+  known[route] = true
+  return route
+end
+
+function path.known(route) return known[route] == true end
+
+-- Where a point lies for one that flies dx, dy beside the route. A mirrored wave is the whole wave's mirror image, dx included.
+function path.place(point, mirror, dx, dy)
+  local x = point.x + dx
+  return mirror and rom.field.w - x or x, point.y + dy
+end
+
+local function follow(e, route, mirror, dx, dy)
+  e.x, e.y = path.place(route[1], mirror, dx, dy)
+  for i = 2, #route do
+    local point = route[i]
+    if point.wait then
+      wait(point.wait)
+    else
+      local x, y = path.place(point, mirror, dx, dy)
+      e:move { x = x, y = y, over = point.over, ease = point.ease }
+      wait(point.over)
+    end
+    if not e.alive then return end
+  end
+end
+
+function path.run(e, route, mirror)
+  local a = sys.check("path.run", e, route, mirror)
+  if not path.known(a.route) then sys.fail("path.run", "route: expected what path.def returned") end
+  follow(a.e, a.route, a.mirror, 0, 0)
+end
+
+-- The task of an enemy spawned on a route: it goes where the route ends.
+function path.travel(e, route, mirror, dx, dy)
+  follow(e, route, mirror, dx or 0, dy or 0)
+  e:remove()
+end
+
+return path

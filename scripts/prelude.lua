@@ -1,0 +1,54 @@
+-- prelude.lua - words every script knows: wait_until, wait_for, by_difficulty.
+local sys = ...
+
+-- Ends the run over a name that nobody declared, and offers the nearest that somebody did.
+function sys.unknown(api, what, word, list)
+  local near = sys.near(word, list)
+  local hint = near and (' (did you mean "%s"?)'):format(near) or ""
+  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, hint))
+end
+
+local function wait_until(f, limit)
+  local left = sys.check("wait_until", f, limit).limit or forever
+  wait(0) -- refuses an event handler even when f() holds at once
+  while not f() do
+    if left == 0 then return false end
+    wait(1)
+    left = left - 1
+  end
+  return true
+end
+
+-- The dead never come back, so one after the other is the same as all together.
+local function wait_for(...)
+  local list = { ... }
+  for i = 1, select("#", ...) do
+    if math.type(list[i]) ~= "integer" then
+      sys.fail("wait_for", ("argument %d: expected a task or a thing, got %s"):format(i, type(list[i])))
+    end
+  end
+  wait(0)
+  for _, h in ipairs(list) do
+    while h.alive do wait(1) end
+  end
+end
+
+-- Walks from easy to hard. What it has when it gets to the present difficulty is the answer; with nothing yet, the next it meets.
+local function by_difficulty(values)
+  local names, value, reached = sys.difficulties(), nil, false
+  if sys.loading() then sys.fail("by_difficulty", "the difficulty is not chosen yet; call it where the game runs") end
+  if type(values) ~= "table" then sys.fail("by_difficulty", "expected a table, got " .. type(values)) end
+  local known = {}
+  for _, name in ipairs(names) do known[name] = true end
+  for name in pairs(values) do
+    if not known[name] then sys.unknown("by_difficulty", "difficulty", tostring(name), names) end
+  end
+  for _, name in ipairs(names) do
+    if values[name] ~= nil then value = values[name] end
+    if name == board.difficulty() then reached = true end
+    if reached and value ~= nil then return value end
+  end
+  sys.fail("by_difficulty", "no value is given")
+end
+
+return { wait_until = wait_until, wait_for = wait_for, by_difficulty = by_difficulty }

@@ -1,0 +1,119 @@
+-- stage.lua - a stage is one task: plain code, from top to bottom. What it starts belongs to its scope and stops with it.
+--
+-- A practice start runs the same code with `skip` set: until that mark, stage.at only sets the clock, and waves, clears and
+-- boss fights are passed over.
+local sys = ...
+local stage = {}
+
+local stages = {} -- name -> function
+local now         -- the stage being played: name, scope, base, fights, stopped, skip, marks, waves
+
+local function names()
+  local list = {}
+  for name in pairs(stages) do list[#list + 1] = name end
+  return list
+end
+
+local function current(api)
+  if not (now and task.alive(now.scope)) then sys.fail(api, "no stage is running") end
+  return now
+end
+
+-- The stage's clock: frames since its start, without those of boss fights.
+local function clock(s) return (s.fights > 0 and s.stopped or sys.clock()) - s.base end
+
+function stage.def(name, f)
+  local a = sys.check("stage.def", name, f)
+  if not sys.loading() then sys.fail("stage.def", "a stage is declared while scripts load, not later") end
+  if stages[a.name] then sys.fail("stage.def", ('stage "%s" is declared twice'):format(a.name)) end
+  stages[a.name] = a.f
+end
+
+-- Fails unless the stage is declared.
+function stage.expect(api, name)
+  if not stages[name] then sys.unknown(api, "stage", name, names()) end
+end
+
+function stage.at(n)
+  local frame, s = sys.check("stage.at", n).n, current("stage.at")
+  local time = clock(s)
+  if time > frame then sys.fail("stage.at", ("frame %d is past: the stage's clock is at %d"):format(frame, time)) end
+  if s.skip then
+    s.base = s.base - (frame - time)
+    return
+  end
+  while clock(s) < frame do wait(frame - clock(s)) end -- again when a boss fight stopped the clock meanwhile
+end
+
+local function fly_wave(a)
+  for i = 0, a.n - 1 do
+    local dx, dy = i * a.dx, i * a.dy
+    local x, y = path.place(a.path[1], a.mirror, dx, dy)
+    local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run }
+    task.own(e, path.travel, a.path, a.mirror, dx, dy)
+    if i < a.n - 1 then wait(a.every) end
+  end
+end
+
+function stage.wave(args)
+  local a = sys.check("stage.wave", args)
+  if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
+  if stage.skipping() then return end
+  local t = task.go(fly_wave, a)
+  if now then now.waves[#now.waves + 1] = t end
+end
+
+-- A wave that still sends enemies counts: right after stage.wave there is none on the field yet.
+local function cleared(s)
+  for i = #s.waves, 1, -1 do
+    if not task.alive(s.waves[i]) then table.remove(s.waves, i) end
+  end
+  return #s.waves == 0 and enemy.count() == 0
+end
+
+function stage.clear(limit)
+  local a, s = sys.check("stage.clear", limit), current("stage.clear")
+  if s.skip then return true end
+  return wait_until(function() return cleared(s) end, a.limit)
+end
+
+function stage.mark(name)
+  local a, s = sys.check("stage.mark", name), current("stage.mark")
+  s.marks[#s.marks + 1] = a.name
+  if s.skip ~= a.name then return end
+  s.skip = nil
+  sys.wipe() -- what the stage made by its own hands on the way here
+  hud.refresh()
+end
+
+-- The rest is for boss.lua and boot.lua.
+
+function stage.skipping() return now ~= nil and task.alive(now.scope) and now.skip ~= nil end
+
+function stage.stop_clock()
+  if not now then return end
+  if now.fights == 0 then now.stopped = sys.clock() end
+  now.fights = now.fights + 1
+end
+
+function stage.start_clock()
+  if not now then return end
+  now.fights = now.fights - 1
+  if now.fights == 0 then now.base = now.base + sys.clock() - now.stopped end
+end
+
+-- Starts a stage, from a mark if one is given. Returns its scope, which ends when the stage does.
+function stage.play(name, owner, mark)
+  local s = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = mark, marks = {}, waves = {} }
+  now = s
+  sys.emit("stage", name, "start")
+  task.own(s.scope, function()
+    stages[name]()
+    if s.skip then sys.unknown("stage " .. name, "mark", s.skip, s.marks) end
+    sys.emit("stage", name, "clear")
+    task.stop(s.scope)
+  end)
+  return s.scope
+end
+
+return stage

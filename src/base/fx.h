@@ -1,0 +1,174 @@
+/*
+ * fx.h - Q15.16 fixed point: 65536 is one.
+ * floor: base    used by: everyone
+ *
+ * The rounding law: a result is the exact value rounded once to the nearest representable one, ties to the even one,
+ * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and
+ * their bits depend on no compiler and no processor: where a double makes the first guess, integers decide.
+ *
+ * Relied upon: IEEE 754 doubles in the default rounding mode, -fwrapv, arithmetic right shifts.
+ */
+#ifndef BASE_FX_H
+#define BASE_FX_H
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "build without -ffast-math and its parts: results must be the same everywhere"
+#endif
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || !(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 16) /* 16: _Float16 alone */
+#error "doubles must be IEEE 754 binary64, evaluated without excess precision (on i386: -msse2 -mfpmath=sse)"
+#endif
+
+typedef int32_t fx;   /* Q15.16 */
+typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
+
+#define FX_ONE 65536
+#define FX_MAX INT32_MAX
+#define FX_MIN INT32_MIN
+
+/* v clamped to what an fx holds. */
+static inline fx fx_sat(int64_t v)
+{
+    return v > FX_MAX ? FX_MAX : v < FX_MIN ? FX_MIN : (fx)v;
+}
+
+/* The high half of the 128-bit product; the low half is a * b. */
+static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
+{
+#if defined(__SIZEOF_INT128__) && !defined(FX_NO_INT128)
+    return (uint64_t)((unsigned __int128)a * b >> 64);
+#else
+    uint64_t al = a & 0xffffffffu, ah = a >> 32, bl = b & 0xffffffffu, bh = b >> 32;
+    uint64_t mid = ah * bl + (al * bl >> 32), mid2 = al * bh + (mid & 0xffffffffu);
+
+    return ah * bh + (mid >> 32) + (mid2 >> 32);
+#endif
+}
+
+/* The whole number nearest to v, ties to even, for |v| < 2^62. */
+static inline int64_t fx_nearest(double v)
+{
+    int64_t i = (int64_t)v;   /* towards 0, */
+    double f = v - (double)i; /* so f has v's sign and fewer bits: exact */
+    int odd = (int)(i & 1);
+
+    return i + ((f > 0.5) | ((f == 0.5) & odd)) - ((f < -0.5) | ((f == -0.5) & odd));
+}
+
+/* sqrt(n) to about 52 bits, n <= 2^63: where exact tests start from. */
+static inline double fx_root_guess(uint64_t n)
+{
+    return sqrt((double)(int64_t)(n - (n >> 63)));
+}
+
+/*
+ * The whole number nearest to sqrt(n), n <= 2^63. (r + 1/2)^2 is never whole, so there are no ties: r is right when
+ * r*r - r < n <= r*r + r. The guess is off by less than 2^-20; cut to a whole number it is r or r - 1.
+ */
+static inline uint64_t fx_root(uint64_t n)
+{
+    uint64_t r = (uint64_t)(int64_t)fx_root_guess(n);
+
+    return r + (n > r * r + r);
+}
+
+/* n whole units; clamped. */
+static inline fx fx_int(int n)
+{
+    return fx_sat((int64_t)n * FX_ONE);
+}
+
+/* The greatest whole number that is not above v. */
+static inline int fx_floor(fx v)
+{
+    return v >> 16;
+}
+
+static inline fx fx_add(fx a, fx b)
+{
+    return fx_sat((int64_t)a + b);
+}
+
+static inline fx fx_sub(fx a, fx b)
+{
+    return fx_sat((int64_t)a - b);
+}
+
+static inline fx fx_mul(fx a, fx b)
+{
+    int64_t p = (int64_t)a * b;
+
+    return fx_sat((p + 0x7fff + (p >> 16 & 1)) >> 16);
+}
+
+/* a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. */
+static inline fx fx_div(fx a, fx b)
+{
+    if (b == 0)
+        return a > 0 ? FX_MAX : a < 0 ? FX_MIN : 0;
+
+    int64_t wa = a, wb = b;
+    uint64_t n = (uint64_t)(a < 0 ? -wa : wa) << 16, d = (uint64_t)(b < 0 ? -wb : wb);
+    uint64_t q = n / d, twice = (n - q * d) * 2;
+
+    q += (twice > d) | ((twice == d) & (q & 1));
+    return fx_sat((a ^ b) < 0 ? -(int64_t)q : (int64_t)q);
+}
+
+/* The square root; 0 for x < 0. */
+static inline fx fx_sqrt(fx x)
+{
+    return x > 0 ? (fx)fx_root((uint64_t)x << 16) : 0;
+}
+
+/*
+ * 1/sqrt(x); FX_MAX for x = 0, and 0 for x < 0. In units: 2^24/sqrt(x), and r is right when
+ * (2r - 1)^2 x < 2^50 < (2r + 1)^2 x; an odd square times x < 2^31 is never 2^50, so there are no ties.
+ */
+static inline fx fx_rsqrt(fx x)
+{
+    if (x <= 0)
+        return x < 0 ? 0 : FX_MAX;
+
+    uint64_t r = (uint64_t)(int64_t)(16777216.0 / sqrt((double)x)), m = 2 * r + 1;
+
+    return (fx)(r + (m * m * (uint64_t)x < (uint64_t)1 << 50));
+}
+
+/* The length of (x, y); clamped, for it can reach 46341. */
+static inline fx fx_hypot(fx x, fx y)
+{
+    return fx_sat((int64_t)fx_root((uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y)));
+}
+
+/* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */
+static inline fx fx_lerp(fx a, fx b, fx t)
+{
+    int64_t p = ((int64_t)b - a) * t; /* |p| < 2^63 */
+    int64_t q = (p >> 16) + a, rest = p & 0xffff;
+
+    return fx_sat(q + ((rest > 0x8000) | ((rest == 0x8000) & (q & 1))));
+}
+
+/* The fx nearest to v into *out. False, and *out untouched, for NaN and for v that rounds outside FX_MIN..FX_MAX. */
+static inline bool fx_from_double(double v, fx *out)
+{
+    double units = v * FX_ONE; /* exact, or infinite */
+
+    if (!(units >= -2147483648.5 && units < 2147483647.5))
+        return false;
+    *out = (fx)fx_nearest(units);
+    return true;
+}
+
+/* Exact. */
+static inline double fx_to_double(fx v)
+{
+    return v / 65536.0;
+}
+
+#endif

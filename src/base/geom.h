@@ -1,0 +1,51 @@
+/*
+ * geom.h - do two shapes touch? Exactly, with integers only; one common point is touching.
+ * floor: base    used by: board/ chips/
+ *
+ * All lengths are in one unit, whichever. A negative radius or half extent touches nothing.
+ */
+#ifndef BASE_GEOM_H
+#define BASE_GEOM_H
+
+#include "fx.h"
+
+/* |a - b| */
+static inline uint32_t geom_gap(fx a, fx b)
+{
+    return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
+/* Are two points at most r apart? For circles r is the sum of their radii. Every input; no branches. */
+static inline bool geom_circles(fx x1, fx y1, fx x2, fx y2, fx r)
+{
+    uint64_t dx = geom_gap(x1, x2), dy = geom_gap(y1, y2), limit = (uint64_t)(int64_t)r;
+
+    return (r >= 0) & (dx <= limit) & (dy <= limit) & (dx * dx + dy * dy <= limit * limit);
+}
+
+/* Two boxes given by their centres and half extents. Every input. */
+static inline bool geom_boxes(fx x1, fx y1, fx hw1, fx hh1, fx x2, fx y2, fx hw2, fx hh2)
+{
+    uint32_t dx = geom_gap(x1, x2), dy = geom_gap(y1, y2);
+    uint32_t w = (uint32_t)hw1 + (uint32_t)hw2, h = (uint32_t)hh1 + (uint32_t)hh2;
+
+    return ((hw1 | hh1 | hw2 | hh2) >= 0) & (dx <= w) & (dy <= h);
+}
+
+/* A circle and a box given by its centre and half extents. Every input. */
+bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh);
+
+/*
+ * A point starts at (dx, dy), seen from the centre of a circle of radius r, and moves in a straight line by (wx, wy):
+ * does it touch the circle on the way, both ends included? For two moving circles: d is the difference of their starts,
+ * w of their motions, r the sum of their radii. Exact for |dx|, |dy| <= 2^61, |wx|, |wy| <= 2^31, r <= 2^30.
+ */
+bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r);
+
+/*
+ * The same against a box of half extents hw and hh grown by r, its corners round: a moving circle of radius r against
+ * a box. Exact for |dx|, |dy| <= 2^61, |wx|, |wy| <= 2^31, r, hw, hh <= 2^30.
+ */
+bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh);
+
+#endif

@@ -1,0 +1,33 @@
+/*
+ * hash.h - the 64-bit state hash and the CRC32 of files.
+ * floor: base    used by: everyone
+ *
+ * The state hash folds 64-bit values, never memory, so it is the same on every host whatever its byte order.
+ * It tells states apart; it does not resist an adversary.
+ */
+#ifndef BASE_HASH_H
+#define BASE_HASH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum { HASH_START = 0x43555254 }; /* any constant; "CURT" */
+
+/* Folds v into h. Order matters: fold(fold(h,a),b) differs from fold(fold(h,b),a). Finaliser: the murmur3 mix. */
+static inline uint64_t hash_fold(uint64_t h, uint64_t v)
+{
+    h = (h ^ v) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+    h *= 0xff51afd7ed558ccdu;
+    return h ^ h >> 29;
+}
+
+/* Folds n bytes, and n itself, into h. */
+uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n);
+
+/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). crc32_of(p, n) starts and ends one; crc32_add goes on.
+ */
+uint32_t crc32_add(uint32_t crc, const void *bytes, size_t n);
+uint32_t crc32_of(const void *bytes, size_t n);
+
+#endif

@@ -1,0 +1,653 @@
+/*
+ * heap.c - see heap.h. Two layers. Small sizes (to 512 bytes) come in classes from 4 KiB slabs: a block has no header,
+ * its slab is found by its offset, and a bitmap of pages tells slab from not. All else, slabs included, is blocks of
+ * 16-byte units with an 8-byte header, coalesced at once and found by two-level segregated fit (Masmano, Ripoll,
+ * Crespo, Real: TLSF, 2004), so every call is O(1) but for copying. What no block fits is cut from untouched memory
+ * above `top`.
+ *
+ * Places are unit numbers (byte offset / 16), not pointers: half the size, and the same wherever the block is.
+ * A block is named by its payload's unit; its header is the 8 bytes below. So payloads are aligned, a block of n units
+ * holds 16n-8 bytes, and slabs, whose payloads start at multiples of 4096, lie back to back.
+ */
+#include "heap.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum {
+    UNIT = HEAP_ALIGN,
+    SMALL = 512, /* the largest size that comes from a slab */
+    CLASSES = 16,
+    PAGE = 4096,
+    PAGE_UNITS = PAGE / UNIT,
+    SLAB_ROOM = PAGE - 8, /* the last 8 bytes are the next block's header */
+    ROWS = 26,            /* row 0: sizes 0..15 units; row r: 2^(r+3) <= size < 2^(r+4), in 16 steps */
+    COLUMNS_A_ROW = 16
+};
+
+struct heap {
+    size_t size; /* of the block in bytes */
+    size_t used;
+    uint64_t work;
+    uint32_t first; /* the first block */
+    uint32_t top;   /* where the next block would be */
+    uint32_t limit; /* top's highest value */
+    uint32_t last;  /* units of the block just below top; 0: none */
+    uint32_t rows;  /* bit r: row r has a free block */
+    uint16_t columns[ROWS];
+    uint16_t pad;
+    uint32_t partial[CLASSES]; /* slabs with room, a list a class; 0: none */
+    uint32_t bin[ROWS][COLUMNS_A_ROW];
+    uint64_t slabs[]; /* bit p: page p is a slab */
+};
+
+struct head {
+    uint32_t prev; /* units of the block below; 0: this is the first */
+    uint32_t size; /* units << 1 | free */
+};
+
+/* In a free block's payload. */
+struct link {
+    uint32_t next, prev;
+};
+
+/* At a slab's start. Offsets are in bytes from there. */
+struct slab {
+    uint32_t next, prev;
+    uint16_t free;  /* a list through the blocks' first two bytes; 0: empty */
+    uint16_t fresh; /* blocks from here on were never used */
+    uint16_t used;  /* live blocks */
+    uint16_t class;
+};
+
+static const uint16_t class_bytes[CLASSES] = {
+    16, 32, 48, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512
+};
+
+/* By size in units, rounded up. */
+static const uint8_t class_of[SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,  9,  9,  10, 10, 11, 11,
+                                                    12, 12, 12, 12, 13, 13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
+
+static uint32_t lowest(uint32_t bits)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctz(bits);
+#else
+    uint32_t n = 0;
+    for (; !(bits & 1); bits >>= 1)
+        n++;
+    return n;
+#endif
+}
+
+static uint32_t highest(uint32_t bits)
+{
+#ifdef __GNUC__
+    return 31u - (uint32_t)__builtin_clz(bits);
+#else
+    uint32_t n = 0;
+    while (bits >>= 1)
+        n++;
+    return n;
+#endif
+}
+
+static void *at(const struct heap *h, uint32_t unit)
+{
+    return (char *)(uintptr_t)h + (size_t)unit * UNIT;
+}
+
+static struct head *head(const struct heap *h, uint32_t b)
+{
+    return (struct head *)at(h, b) - 1;
+}
+
+static uint32_t units_of(const struct heap *h, uint32_t b)
+{
+    return head(h, b)->size >> 1;
+}
+
+static bool is_free(const struct heap *h, uint32_t b)
+{
+    return head(h, b)->size & 1;
+}
+
+static size_t offset_of(const struct heap *h, const void *p)
+{
+    return (size_t)((const char *)p - (const char *)h);
+}
+
+static bool in_slab(const struct heap *h, const void *p)
+{
+    size_t page = offset_of(h, p) / PAGE;
+
+    return h->slabs[page >> 6] >> (page & 63) & 1;
+}
+
+/* ---- blocks ---- */
+
+struct place {
+    uint32_t row, column;
+};
+
+static struct place bin_of(uint32_t units)
+{
+    if (units < COLUMNS_A_ROW)
+        return (struct place){ 0, units };
+    uint32_t log = highest(units);
+    return (struct place){ log - 3, units >> (log - 4) & (COLUMNS_A_ROW - 1) };
+}
+
+static void unlink_free(struct heap *h, uint32_t b)
+{
+    const struct link *l = at(h, b);
+
+    if (l->next)
+        ((struct link *)at(h, l->next))->prev = l->prev;
+    if (l->prev) {
+        ((struct link *)at(h, l->prev))->next = l->next;
+        return;
+    }
+    struct place at_bin = bin_of(units_of(h, b));
+    h->bin[at_bin.row][at_bin.column] = l->next;
+    if (l->next)
+        return;
+    h->columns[at_bin.row] &= (uint16_t) ~(1u << at_bin.column);
+    if (!h->columns[at_bin.row])
+        h->rows &= ~(1u << at_bin.row);
+}
+
+static void link_free(struct heap *h, uint32_t b)
+{
+    struct place p = bin_of(units_of(h, b));
+    uint32_t *bin = &h->bin[p.row][p.column];
+    struct link *l = at(h, b);
+
+    *l = (struct link){ *bin, 0 };
+    if (*bin)
+        ((struct link *)at(h, *bin))->prev = b;
+    *bin = b;
+    h->columns[p.row] |= (uint16_t)(1u << p.column);
+    h->rows |= 1u << p.row;
+}
+
+/* Sets b's size and tells the block above. */
+static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
+{
+    head(h, b)->size = units << 1 | free;
+    if (b + units == h->top)
+        h->last = units;
+    else
+        head(h, b + units)->prev = units;
+}
+
+/* Gives back a block that is in no bin, joined with its free neighbours. */
+static void free_block(struct heap *h, uint32_t b)
+{
+    uint32_t units = units_of(h, b), below = head(h, b)->prev;
+
+    if (b + units != h->top && is_free(h, b + units)) {
+        unlink_free(h, b + units);
+        units += units_of(h, b + units);
+    }
+    if (below && is_free(h, b - below)) {
+        b -= below;
+        unlink_free(h, b);
+        units += below;
+    }
+    set_size(h, b, units, true);
+    link_free(h, b);
+}
+
+/* Cuts b, in no bin, down to `units`; the rest is freed. */
+static void trim(struct heap *h, uint32_t b, uint32_t units)
+{
+    uint32_t all = units_of(h, b);
+
+    if (all == units) {
+        head(h, b)->size = units << 1;
+        return;
+    }
+    head(h, b)->size = units << 1;
+    head(h, b + units)->prev = units;
+    set_size(h, b + units, all - units, false);
+    free_block(h, b + units);
+}
+
+/* A free block of at least `units`, or 0. Any block of a bin above the size's own fits; of its own, one is tried. */
+static uint32_t find(const struct heap *h, uint32_t units)
+{
+    struct place own = bin_of(units), p = own;
+    uint32_t bits;
+
+    if (units >= COLUMNS_A_ROW && units & ((1u << (highest(units) - 4)) - 1))
+        p.column++;
+    bits = p.column < COLUMNS_A_ROW ? (uint32_t)h->columns[p.row] >> p.column << p.column : 0;
+    if (!bits) {
+        bits = h->rows & ~((2u << p.row) - 1);
+        if (bits) {
+            p.row = lowest(bits);
+            bits = h->columns[p.row];
+        }
+    }
+    if (bits)
+        return h->bin[p.row][lowest(bits)];
+    uint32_t b = h->bin[own.row][own.column];
+    return b && units_of(h, b) >= units ? b : 0;
+}
+
+/* Moves top up by `units`: a block in no bin. The caller checked the limit. */
+static uint32_t cut(struct heap *h, uint32_t units)
+{
+    uint32_t b = h->top;
+
+    head(h, b)->prev = h->last;
+    h->top += units;
+    set_size(h, b, units, false);
+    return b;
+}
+
+/* Makes the topmost block, in no bin, `units` large. False: no room. */
+static bool stretch(struct heap *h, uint32_t b, uint32_t units)
+{
+    if (units > h->limit - b)
+        return false;
+    h->top = b + units;
+    set_size(h, b, units, false);
+    return true;
+}
+
+static uint32_t take_block(struct heap *h, uint32_t units)
+{
+    uint32_t b = units < h->limit ? find(h, units) : 0;
+
+    if (b) {
+        unlink_free(h, b);
+        trim(h, b, units);
+        return b;
+    }
+    b = h->top - h->last;
+    if (h->last && is_free(h, b)) {
+        if (units > h->limit - b)
+            return 0;
+        unlink_free(h, b);
+        stretch(h, b, units);
+        return b;
+    }
+    return units <= h->limit - h->top ? cut(h, units) : 0;
+}
+
+static bool holds_page(const struct heap *h, uint32_t b)
+{
+    uint32_t page = (b + PAGE_UNITS - 1) / PAGE_UNITS * PAGE_UNITS;
+
+    return b && page + PAGE_UNITS <= b + units_of(h, b);
+}
+
+/* A block of exactly one page, aligned to pages, or 0. */
+static uint32_t take_page(struct heap *h)
+{
+    uint32_t b = find(h, PAGE_UNITS);
+
+    if (!holds_page(h, b))
+        b = find(h, 2 * PAGE_UNITS - 1);
+    if (holds_page(h, b)) {
+        unlink_free(h, b);
+    } else {
+        uint32_t skip = (0u - h->top) & (PAGE_UNITS - 1);
+        if (skip + PAGE_UNITS > h->limit - h->top)
+            return 0;
+        b = cut(h, skip + PAGE_UNITS);
+    }
+    uint32_t skip = (0u - b) & (PAGE_UNITS - 1), all = units_of(h, b);
+    if (skip) {
+        head(h, b)->size = skip << 1;
+        head(h, b + skip)->prev = skip;
+        set_size(h, b + skip, all - skip, false);
+        free_block(h, b);
+        b += skip;
+    }
+    trim(h, b, PAGE_UNITS);
+    return b;
+}
+
+/* ---- slabs ---- */
+
+static void show(struct heap *h, uint32_t page, struct slab *s)
+{
+    uint32_t *list = &h->partial[s->class];
+
+    s->prev = 0;
+    s->next = *list;
+    if (*list)
+        ((struct slab *)at(h, *list))->prev = page;
+    *list = page;
+}
+
+static void hide(struct heap *h, const struct slab *s)
+{
+    if (s->next)
+        ((struct slab *)at(h, s->next))->prev = s->prev;
+    if (s->prev)
+        ((struct slab *)at(h, s->prev))->next = s->next;
+    else
+        h->partial[s->class] = s->next;
+}
+
+static void mark_page(struct heap *h, uint32_t page)
+{
+    h->slabs[page / PAGE_UNITS >> 6] ^= (uint64_t)1 << (page / PAGE_UNITS & 63);
+}
+
+static struct slab *new_slab(struct heap *h, unsigned class)
+{
+    uint32_t page = take_page(h);
+
+    if (!page)
+        return NULL;
+    struct slab *s = at(h, page);
+    *s = (struct slab){ .fresh = sizeof *s, .class = (uint16_t) class };
+    mark_page(h, page);
+    show(h, page, s);
+    return s;
+}
+
+static bool slab_full(const struct slab *s)
+{
+    return !s->free && s->fresh + class_bytes[s->class] > SLAB_ROOM;
+}
+
+static void *take_small(struct heap *h, size_t size)
+{
+    unsigned class = class_of[(size + UNIT - 1) / UNIT];
+    uint32_t page = h->partial[class];
+    struct slab *s = page ? at(h, page) : new_slab(h, class);
+
+    if (!s)
+        return NULL;
+    char *p = (char *)s;
+    if (s->free) {
+        p += s->free;
+        memcpy(&s->free, p, sizeof s->free);
+    } else {
+        p += s->fresh;
+        s->fresh = (uint16_t)(s->fresh + class_bytes[class]);
+    }
+    s->used++;
+    if (slab_full(s))
+        hide(h, s);
+    return p;
+}
+
+static void drop_slab(struct heap *h, uint32_t page)
+{
+    hide(h, at(h, page));
+    mark_page(h, page);
+    free_block(h, page);
+}
+
+static bool is_empty_slab(const struct heap *h, uint32_t page)
+{
+    return page && !((const struct slab *)at(h, page))->used;
+}
+
+/* A class with one slab that has room keeps it even when it is empty, so that one block taken and freed again does not
+ * cost a slab. So an empty slab is alone in its list. */
+static void free_small(struct heap *h, char *p)
+{
+    uint32_t page = (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS);
+    struct slab *s = at(h, page);
+    bool was_full = slab_full(s);
+
+    memcpy(p, &s->free, sizeof s->free);
+    s->free = (uint16_t)(p - (char *)s);
+    s->used--;
+    if (was_full) {
+        if (is_empty_slab(h, h->partial[s->class]))
+            drop_slab(h, h->partial[s->class]);
+        show(h, page, s);
+    }
+    if (!s->used && (s->next || s->prev))
+        drop_slab(h, page);
+}
+
+/* Gives up the empty slabs that classes keep: when nothing else is left. */
+static bool drop_empty_slabs(struct heap *h)
+{
+    bool any = false;
+
+    for (int c = 0; c < CLASSES; c++) {
+        if (!is_empty_slab(h, h->partial[c]))
+            continue;
+        drop_slab(h, h->partial[c]);
+        any = true;
+    }
+    return any;
+}
+
+/* ---- Lua's allocator ---- */
+
+static uint32_t units_for(size_t size)
+{
+    return (uint32_t)((size + sizeof(struct head) + UNIT - 1) / UNIT);
+}
+
+static void *try_take(struct heap *h, size_t size)
+{
+    if (size <= SMALL)
+        return take_small(h, size);
+    uint32_t b = size < h->size ? take_block(h, units_for(size)) : 0;
+    return b ? at(h, b) : NULL;
+}
+
+static void *take(struct heap *h, size_t size)
+{
+    void *p = try_take(h, size);
+
+    if (!p && drop_empty_slabs(h))
+        p = try_take(h, size);
+    if (p) {
+        h->used += size;
+        h->work += size;
+    }
+    return p;
+}
+
+static void release(struct heap *h, void *p, size_t old)
+{
+    h->used -= old;
+    if (old <= SMALL && in_slab(h, p))
+        free_small(h, p);
+    else
+        free_block(h, (uint32_t)(offset_of(h, p) / UNIT));
+}
+
+/* Makes block b hold `units` where it lies, if it can. */
+static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
+{
+    uint32_t have = units_of(h, b), above = b + have;
+
+    if (units > have && above == h->top)
+        return stretch(h, b, units);
+    if (units > have) {
+        if (!is_free(h, above))
+            return false;
+        uint32_t more = units_of(h, above);
+        bool topmost = above + more == h->top;
+        if (have + more < units && (!topmost || units > h->limit - b))
+            return false;
+        unlink_free(h, above);
+        set_size(h, b, have + more, false);
+        if (have + more < units)
+            return stretch(h, b, units);
+    }
+    trim(h, b, units);
+    return true;
+}
+
+/* Bytes that the slab block p can hold; 0: p is not in a slab. */
+static size_t small_room(const struct heap *h, const void *p, size_t old)
+{
+    if (old > SMALL || !in_slab(h, p))
+        return 0;
+    const struct slab *s = at(h, (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS));
+    return class_bytes[s->class];
+}
+
+/* A slab block that would be at most half full moves to a smaller class if it can. */
+static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
+{
+    if (room)
+        return size <= room && (size > room / 2 || room == UNIT);
+    return size < h->size && resize_block(h, (uint32_t)(offset_of(h, p) / UNIT), units_for(size));
+}
+
+static void *resize(struct heap *h, void *p, size_t old, size_t size)
+{
+    size_t room = small_room(h, p, old);
+
+    if (!resize_here(h, p, room, size)) {
+        void *moved = take(h, size);
+        if (moved) {
+            memcpy(moved, p, old < size ? old : size);
+            release(h, p, old);
+            return moved;
+        }
+        if (size > room)
+            return NULL;
+    }
+    h->used += size - old;
+    h->work += size >= old ? size : 0;
+    return p;
+}
+
+void *heap_realloc(struct heap *h, void *p, size_t old, size_t size)
+{
+    if (!p)
+        return size ? take(h, size) : NULL;
+    if (size)
+        return resize(h, p, old, size);
+    release(h, p, old);
+    return NULL;
+}
+
+struct heap *heap_init(void *block, size_t size)
+{
+    struct heap *h = block;
+    size_t words = (size / PAGE + 64) / 64, header = sizeof *h + words * sizeof h->slabs[0];
+
+    assert((uintptr_t)block % HEAP_ALIGN == 0 && size >= HEAP_MIN && size - 1 <= UINT32_MAX);
+    memset(h, 0, header);
+    h->size = size;
+    h->first = h->top = units_for(header);
+    h->limit = (uint32_t)((size + sizeof(struct head)) / UNIT);
+    return h;
+}
+
+size_t heap_used(const struct heap *h)
+{
+    return h->used;
+}
+
+uint64_t heap_work(const struct heap *h)
+{
+    return h->work;
+}
+
+size_t heap_extent(const struct heap *h)
+{
+    return (size_t)h->top * UNIT - sizeof(struct head);
+}
+
+void heap_clear_tail(struct heap *h, size_t old_extent)
+{
+    size_t extent = heap_extent(h);
+
+    if (old_extent > h->size)
+        old_extent = h->size;
+    if (old_extent > extent)
+        memset((char *)h + extent, 0, old_extent - extent);
+}
+
+/* ---- checking ---- */
+
+static bool check_slab(const struct heap *h, uint32_t page, size_t *room)
+{
+    const struct slab *s = at(h, page);
+    unsigned bytes = class_bytes[s->class], count = 0, listed = 0;
+
+    for (uint16_t f = s->free; f; count++) {
+        if (f >= s->fresh || (f - sizeof *s) % bytes || count > SLAB_ROOM / UNIT)
+            return false;
+        memcpy(&f, (const char *)s + f, sizeof f);
+    }
+    for (uint32_t p = h->partial[s->class]; p; p = ((const struct slab *)at(h, p))->next)
+        listed += p == page;
+    *room += (size_t)s->used * bytes;
+    if (!s->used && (s->next || s->prev))
+        return false;
+    return s->used + count == (s->fresh - sizeof *s) / bytes && listed == !slab_full(s);
+}
+
+static bool check_listed(const struct heap *h, uint32_t b)
+{
+    struct place p = bin_of(units_of(h, b));
+    uint32_t before = 0;
+
+    if (!(h->rows >> p.row & 1) || !(h->columns[p.row] >> p.column & 1))
+        return false;
+    for (uint32_t i = h->bin[p.row][p.column]; i; before = i, i = ((const struct link *)at(h, i))->next) {
+        if (((const struct link *)at(h, i))->prev != before)
+            return false;
+        if (i == b)
+            return true;
+    }
+    return false;
+}
+
+static bool check_bins(const struct heap *h, uint32_t free_blocks)
+{
+    uint32_t n = 0;
+
+    for (uint32_t r = 0; r < ROWS; r++) {
+        if (!h->columns[r] != !(h->rows >> r & 1))
+            return false;
+        for (uint32_t c = 0; c < COLUMNS_A_ROW; c++) {
+            if (!h->bin[r][c] != !(h->columns[r] >> c & 1))
+                return false;
+            for (uint32_t i = h->bin[r][c]; i; i = ((const struct link *)at(h, i))->next)
+                n++;
+        }
+    }
+    return n == free_blocks;
+}
+
+bool heap_check(const struct heap *h)
+{
+    uint32_t prev = 0, free_blocks = 0, slabs = 0, marked = 0;
+    size_t room = 0;
+    bool was_free = false;
+
+    if (h->top > h->limit)
+        return false;
+    for (uint32_t b = h->first; b != h->top; b += prev) {
+        if (b > h->top || head(h, b)->prev != prev || !units_of(h, b) || (was_free && is_free(h, b)))
+            return false;
+        prev = units_of(h, b);
+        was_free = is_free(h, b);
+        free_blocks += was_free;
+        if (was_free && !check_listed(h, b))
+            return false;
+        if (!was_free && b % PAGE_UNITS == 0 && in_slab(h, at(h, b))) {
+            if (prev != PAGE_UNITS || !check_slab(h, b, &room))
+                return false;
+            slabs++;
+        } else if (!was_free) {
+            room += (size_t)prev * UNIT - sizeof(struct head);
+        }
+    }
+    for (size_t w = 0; w < (h->size / PAGE + 64) / 64; w++)
+        for (uint64_t bits = h->slabs[w]; bits; bits &= bits - 1)
+            marked++;
+    return h->last == prev && marked == slabs && h->used <= room && check_bins(h, free_blocks);
+}

@@ -1,0 +1,298 @@
+/*
+ * trig.c - sines by polynomial, arc tangents by table and series with an exact test near ties.
+ * floor: base
+ *
+ * Sines: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
+ * 2^-62 of one. The polynomials in t = (u / 2^29)^2 interpolate sin(x)/x and (1 - cos x)/x^2 at the Chebyshev nodes,
+ * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few lie near enough to a
+ * tie to be in doubt, and each of those was checked.
+ *
+ * Arc tangents: doubles estimate the angle to about 2^-60 of a turn. That decides unless it is near halfway between two
+ * angs; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
+ * irrational, so no vector lies on one.
+ */
+#include "trig.h"
+
+/* A step of Horner's rule. Terms are in units of 2^-(64 + n), to keep 64 bits busy; n falls by `shift` a step. */
+static inline uint64_t less(uint64_t term, uint64_t t, uint64_t sum, int shift)
+{
+    return term - (fx_mul_high(t, sum) >> shift);
+}
+
+/* t in Q64, where one is 2^64 - 1. */
+static inline uint64_t squared(uint32_t u)
+{
+    return ((uint64_t)u * u << 6) - (u >> 29);
+}
+
+/* The sine of u < 2^29, an eighth of a turn, in Q64. */
+static uint64_t eighth_sine(uint32_t u)
+{
+    uint64_t t = squared(u), sum;
+
+    sum = less(0xf477689770051973, t, 0xb62dc3aea739c886, 8);
+    sum = less(0xf183a5a7f982be39, t, sum, 8);
+    sum = less(0xa83c1a42e5ec1adc, t, sum, 8);
+    sum = less(0x996966731561123c, t, sum, 7);
+    sum = less(0xa335e33bad56c907, t, sum, 6);
+    sum = less(0xa55de7312df295db, t, sum, 5);
+    sum = less(0xc90fdaa22168c235, t, sum, 3);
+    return fx_mul_high((uint64_t)u << 35, sum);
+}
+
+/* The cosine of u <= 2^29 in Q64; one is 2^64 - 1. */
+static uint64_t eighth_cosine(uint32_t u)
+{
+    uint64_t t = squared(u), sum;
+
+    sum = less(0xdb6f45c74dd0407c, t, 0x8f3a2f2f04fb6540, 8);
+    sum = less(0xfce9c384388ca3fc, t, sum, 8);
+    sum = less(0xd368f95043648007, t, sum, 8);
+    sum = less(0xf0fa83448d74a895, t, sum, 7);
+    sum = less(0xaae9e3f1e5ffb798, t, sum, 7);
+    sum = less(0x81e0f840dad61d96, t, sum, 6);
+    sum = less(0x9de9e64df22ef2d2, t, sum, 4);
+    return ~(fx_mul_high(t, sum) >> 1);
+}
+
+/* |sin a| in Q64. */
+static uint64_t sine(ang a)
+{
+    uint32_t u = a & 0x7fffffff;
+
+    u = u > 0x40000000 ? 0x80000000 - u : u;
+    return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(0x40000000 - u);
+}
+
+/* -v if so asked, without a branch: signs of angles are hard to predict. */
+static inline int64_t negate_if(bool so, int64_t v)
+{
+    return (v ^ -(int64_t)so) + so;
+}
+
+/* The magnitude q in Q64 rounded to so many bits, with the sign of sin a. */
+static int32_t rounded(uint64_t q, int bits, ang a)
+{
+    return (int32_t)negate_if(a >> 31, (int64_t)((q >> (64 - bits)) + (q >> (63 - bits) & 1)));
+}
+
+static uint32_t magnitude(fx v)
+{
+    return v < 0 ? 0 - (uint32_t)v : (uint32_t)v;
+}
+
+int32_t trig_sin30(ang a)
+{
+    return rounded(sine(a), 30, a);
+}
+
+int32_t trig_cos30(ang a)
+{
+    return trig_sin30(a + 0x40000000);
+}
+
+fx trig_sin(ang a)
+{
+    return rounded(sine(a), 16, a);
+}
+
+fx trig_cos(ang a)
+{
+    return trig_sin(a + 0x40000000);
+}
+
+/* speed * q, q in Q64; the other way if `back`. */
+static fx scaled(fx speed, uint64_t q, bool back)
+{
+    uint64_t m = magnitude(speed);
+    int64_t v = (int64_t)(fx_mul_high(q, m) + (q * m >> 63));
+
+    return fx_sat(negate_if(back != (speed < 0), v));
+}
+
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    uint32_t u = dir & 0x3fffffff;
+    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
+    uint32_t v = past ? 0x40000000 - u : u;
+    bool swap = past != (dir >> 30 & 1);
+    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
+    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
+
+    *vx = scaled(speed, c ^ change, (dir + 0x40000000) >> 31);
+    *vy = scaled(speed, s ^ change, dir >> 31);
+}
+
+/* A fraction of 128 bits. */
+struct wide {
+    uint64_t hi, lo;
+};
+
+static struct wide wide_add(struct wide a, struct wide b)
+{
+    uint64_t lo = a.lo + b.lo;
+
+    return (struct wide){ a.hi + b.hi + (lo < a.lo), lo };
+}
+
+static struct wide wide_sub(struct wide a, struct wide b)
+{
+    return (struct wide){ a.hi - b.hi - (a.lo < b.lo), a.lo - b.lo };
+}
+
+/* a * m / 2^64, less at most 2^-128. */
+static struct wide wide_scale(struct wide a, uint64_t m)
+{
+    return wide_add((struct wide){ fx_mul_high(a.hi, m), a.hi * m }, (struct wide){ 0, fx_mul_high(a.lo, m) });
+}
+
+/* a * b, less at most 3 * 2^-128. */
+static struct wide wide_mul(struct wide a, struct wide b)
+{
+    return wide_add(wide_scale(a, b.hi), (struct wide){ 0, fx_mul_high(a.hi, b.lo) });
+}
+
+/* a / n, rounded down, n < 2^32. */
+static struct wide wide_div(struct wide a, uint32_t n)
+{
+    uint64_t high = a.hi % n << 32 | a.lo >> 32, low = high % n << 32 | (a.lo & 0xffffffffu);
+
+    return (struct wide){ a.hi / n, (high / n << 32) + low / n };
+}
+
+/*
+ * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Sine and cosine by Taylor's series, to 2^-120. The nearest of
+ * 2^62 vectors to one of 2^29 rays has to be expected 2^-60 units off it, 2^-91 of its length.
+ */
+static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+{
+    static const struct wide EIGHTH_TURN = { 0xc90fdaa22168c234, 0xc4c6628b80dc1cd1 }; /* pi / 4 */
+    struct wide x = wide_scale(EIGHTH_TURN, (uint64_t)(2 * k + 1) << 34);
+    struct wide part[2] = { { 0, 0 }, x }, term = x; /* cosine, less one; sine */
+
+    for (uint32_t i = 2; term.hi | term.lo; i++) {
+        term = wide_div(wide_mul(term, x), i);
+        part[i & 1] = i & 2 ? wide_sub(part[i & 1], term) : wide_add(part[i & 1], term);
+    }
+    part[0] = wide_scale(part[0], (uint64_t)n << 32);
+    part[1] = wide_scale(part[1], (uint64_t)d << 32);
+    return part[0].hi > part[1].hi || (part[0].hi == part[1].hi && part[0].lo > part[1].lo);
+}
+
+/* atan(i / 32) in 2^-64 turns. */
+static const uint64_t ATAN[33] = {
+    0x0000000000000000, 0x0145d7e159046278, 0x028b0d430e589aed, 0x03ceff89ac340906, 0x051111d41ddd9a1b,
+    0x0650acb69b4fe3ae, 0x078d3fce842e72ec, 0x08c64325576561a1, 0x09fb385b5ee39e8e, 0x0b2bab954758b68a,
+    0x0c57342a84c77619, 0x0d7d7514ea1efdba, 0x0e9e1d24179d5a77, 0x0fb8e6f93f4ca68f, 0x10cd98d1293ee442,
+    0x11dc042355a3c0dd, 0x12e4051d9df30866, 0x13e58203d3c358a8, 0x14e06a7aa3c7ddee, 0x15d4b6c4888c7725,
+    0x16c266f6edfc1e3e, 0x17a9822cde870c11, 0x188a15bbbca863e4, 0x1964346db496e206, 0x1a37f5c4c419ef33,
+    0x1b05754878e5b08c, 0x1bccd1dfdd02723f, 0x1c8e2d3876e8e159, 0x1d49ab3ac8b1bb50, 0x1dff718c563e1741,
+    0x1eafa71eebf23a7b, 0x1f5a73cca450a08d, 0x2000000000000000,
+};
+
+/*
+ * atan(n / d) in 2^-64 turns, give or take 20 of them; n <= d <= 2^31, d > 0.
+ * atan(n/d) = atan(i/32) + atan(q), q = (32n - id) / (32d + in), |q| <= 1/64: five terms of the series do.
+ */
+static uint64_t atan_guess(uint32_t n, uint32_t d)
+{
+    double fn = n, fd = d;
+    int i = (int)(32 * fn / fd + 0.5);
+    double q = (32 * fn - i * fd) / (32 * fd + i * fn), z = q * q; /* numerator and denominator are exact */
+    double series = z * (-1 / 3.0 + z * (1 / 5.0 + z * (-1 / 7.0 + z * (1 / 9.0))));
+    double turns = 2935890503282001226.5; /* 2^64 / (2 pi) */
+
+    return ATAN[i] + (uint64_t)(int64_t)(turns * (q + q * series));
+}
+
+/* atan(n / d), correctly rounded. */
+static ang atan_eighth(uint32_t n, uint32_t d)
+{
+    enum { DOUBT = 64 };
+    uint64_t guess = atan_guess(n, d);
+    uint32_t k = (uint32_t)(guess >> 32), rest = (uint32_t)guess;
+
+    if (rest - (0x80000000 - DOUBT) < 2 * DOUBT)
+        return k + above_ray(n, d, k);
+    return k + (rest >> 31);
+}
+
+/* a if not so, else the angle on the other side of a mirror, axis/2 being the mirror's direction. */
+static inline ang mirror_if(bool so, ang axis, ang a)
+{
+    return (ang)negate_if(so, a) + (axis & (0 - (ang)so));
+}
+
+ang trig_atan2(fx y, fx x)
+{
+    uint32_t ax = magnitude(x), ay = magnitude(y), low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
+
+    if (high == 0)
+        return 0;
+
+    ang a = mirror_if(ax < ay, 0x40000000, atan_eighth(low, high));
+
+    return mirror_if(y < 0, 0, mirror_if(x < 0, 0x80000000, a));
+}
+
+/*
+ * |x| / sqrt(square) is within 2^-20 units of r + 1/2: is it above? That is x^2 * 2^34 > (2r + 1)^2 * square, and being
+ * so near they differ by less than square * (2r + 1) * 2^-18 < 2^62: 64 bits of the difference suffice. There are no
+ * ties: that would take two odd squares that add up to 2^34 squares.
+ */
+static bool above_half(int32_t r, fx x, uint64_t square)
+{
+    uint64_t xx = (uint64_t)((int64_t)x * x), odd = (uint64_t)(2 * r + 1);
+
+    return (int64_t)((xx << 34) - odd * odd * square) > 0;
+}
+
+/* x / sqrt(square), given 2^16 / sqrt(square) to 50 bits: 2^-30 of a unit in the product. */
+static fx unit_part(fx x, uint64_t square, double scale)
+{
+    double guess = fabs((double)x) * scale;
+    int32_t r = (int32_t)guess;
+    double rest = guess - r;
+
+    r += fabs(rest - 0.5) < 5e-7 ? above_half(r, x, square) : rest > 0.5;
+    return (fx)negate_if(x < 0, r);
+}
+
+void trig_normalise(fx x, fx y, fx *ux, fx *uy)
+{
+    uint64_t square = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
+    double scale = square ? FX_ONE / fx_root_guess(square) : 0;
+
+    *ux = unit_part(x, square, scale);
+    *uy = unit_part(y, square, scale);
+}
+
+/*
+ * The quotient by 45 is rounded to 53 bits before it is rounded to a whole number, which is harmless: a numerator whose
+ * last bit is worth u gives a quotient that is a tie or at least u/45 off it, and the first rounding moves it by u/64
+ * at most.
+ */
+bool trig_from_degrees(double deg, ang *out)
+{
+    if (!isfinite(deg))
+        return false;
+    if (fabs(deg) >= 360)
+        deg = fmod(deg, 360);                       /* exact */
+    *out = (ang)fx_nearest(deg * 536870912.0 / 45); /* 2^32 / 360 = 2^29 / 45 */
+    return true;
+}
+
+bool trig_turn_from_degrees(double deg, int32_t *out)
+{
+    ang a;
+
+    if (!trig_from_degrees(deg, &a))
+        return false;
+    *out = (int32_t)a;
+    return true;
+}
+
+double trig_to_degrees(ang a)
+{
+    return a * 45.0 / 536870912.0;
+}

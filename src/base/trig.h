@@ -1,0 +1,50 @@
+/*
+ * trig.h - angles, their sines, and directions of vectors.
+ * floor: base    used by: everyone
+ *
+ * An ang is a whole number of 2^-32 turns, so it wraps by itself: 0 points along +x, and as y grows downwards
+ * 0x40000000 points down. Sine and cosine belong to that frame: the direction a is (cos a, sin a) on the screen.
+ *
+ * Results are correctly rounded (fx.h) for every input unless noted. Mirrored inputs give exactly mirrored results.
+ */
+#ifndef BASE_TRIG_H
+#define BASE_TRIG_H
+
+#include "fx.h"
+
+/* Sine and cosine in Q30: 2^30 is one. */
+int32_t trig_sin30(ang a);
+int32_t trig_cos30(ang a);
+
+fx trig_sin(ang a);
+fx trig_cos(ang a);
+
+/* The direction of (x, y); 0 for (0, 0). Mind the order. */
+ang trig_atan2(fx y, fx x);
+
+/*
+ * *vx = speed * cos(dir), *vy = speed * sin(dir), rounded once. The products are formed to 2^-31 of a unit, so a result
+ * is the correctly rounded one unless the exact product lies that near to halfway between two. A negative speed goes
+ * backwards.
+ */
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
+
+/* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). */
+void trig_normalise(fx x, fx y, fx *ux, fx *uy);
+
+/* The shorter turn that leads from one direction to the other, clockwise positive; INT32_MIN when they are opposite. */
+static inline int32_t trig_difference(ang from, ang to)
+{
+    return (int32_t)(to - from);
+}
+
+/* The ang nearest to deg, any number of turns taken off. False, and *out untouched, for NaN and the infinities. */
+bool trig_from_degrees(double deg, ang *out);
+
+/* The same as a signed turn: deg is first brought into -180 <= deg < 180. */
+bool trig_turn_from_degrees(double deg, int32_t *out);
+
+/* Degrees in [0, 360). Exact, so trig_from_degrees gives a back. */
+double trig_to_degrees(ang a);
+
+#endif

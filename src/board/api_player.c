@@ -1,0 +1,338 @@
+/*
+ * api_player.c - player, pad, score.
+ */
+#include <string.h>
+#include "api.h"
+
+uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
+
+static const char registers_key = 0; /* registry: kind -> { name -> register } */
+
+enum { D_NAME, D_SPRITE, D_HIT, D_GRAZE, D_SPEED, D_FOCUS, D_LIVES, D_SAFE, D_REGISTERS, D_RUN };
+
+static const struct api_param def[] = {
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },
+    { "graze", A_FX, OPT, 0, MAX_SPEED, "px", "16" },
+    { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4" },
+    { "focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2" },
+    { "lives", A_INT, OPT, 1, 99, NULL, "3" },
+    { "safe", A_INT, OPT, 0, 100000, "frames", "120" },
+    { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+};
+
+static void registry(lua_State *L)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &registers_key) == LUA_TTABLE)
+        return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &registers_key);
+}
+
+/* Registers get their numbers in byte order of their names, so that no table order decides. */
+static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
+{
+    const char *names[REGISTERS];
+    int n = 0;
+
+    lua_pushnil(L);
+    while (lua_next(L, at)) {
+        struct api_param p = { "registers", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL };
+        struct api_value v = { 0 };
+        if (lua_type(L, -2) != LUA_TSTRING)
+            api_error(L, "player.def", "registers: expected names with whole numbers");
+        api_check(L, "player.def", &p, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        if (n == REGISTERS)
+            api_error(L, "player.def", "registers: at most %d", REGISTERS);
+        int i = n++;
+        for (; i > 0 && strcmp(names[i - 1], lua_tostring(L, -1)) > 0; i--)
+            names[i] = names[i - 1];
+        names[i] = lua_tostring(L, -1);
+    }
+    registry(L);
+    lua_newtable(L);
+    for (int i = 0; i < n; i++) {
+        lua_getfield(L, at, names[i]);
+        k->start[kind * REGISTERS + i] = (int32_t)lua_tointeger(L, -1);
+        lua_pop(L, 1);
+        lua_pushinteger(L, i);
+        lua_setfield(L, -2, names[i]);
+    }
+    lua_rawseti(L, -2, kind);
+    lua_pop(L, 1);
+}
+
+int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+
+int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+{
+    int i = -1;
+
+    registry(L);
+    if (slot < PADS && lua_rawgeti(L, -1, b->player.kind[slot]) == LUA_TTABLE) {
+        if (lua_getfield(L, -1, name) == LUA_TNUMBER)
+            i = (int)lua_tointeger(L, -1);
+        lua_pop(L, 1);
+    }
+    lua_settop(L, 3);
+    return i;
+}
+
+static const char run_key = 0; /* registry: kind -> run */
+
+static void keep_run(lua_State *L, int32_t kind, int at)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &run_key);
+    }
+    lua_pushvalue(L, at);
+    lua_rawseti(L, -2, kind);
+    lua_pop(L, 1);
+}
+
+static int player_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct player_kinds *k = &b->player_kinds;
+    fx r, unused;
+
+    if (api_hit(L, "player.def", v[D_HIT].at, &r, &unused) != SHAPE_CIRCLE)
+        return api_error(L, "player.def", "hit: expected { circle = r }");
+    int32_t i = slots_append(&k->s);
+    if (i == NO_SLOT)
+        return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
+    names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
+    k->radius[i] = r;
+    k->graze[i] = v[D_GRAZE].f;
+    k->speed[i] = v[D_SPEED].f;
+    k->focus[i] = v[D_FOCUS].f;
+    k->lives[i] = (int32_t)v[D_LIVES].i;
+    k->safe[i] = (uint32_t)v[D_SAFE].i;
+    if (v[D_REGISTERS].given)
+        define_registers(L, k, i, v[D_REGISTERS].at);
+    if (v[D_RUN].given)
+        keep_run(L, i, v[D_RUN].at);
+    return 0;
+}
+
+/* sys.join: in C because it starts the kind's task. */
+int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+
+int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
+{
+    fx x, y;
+
+    if (b->player.in[i])
+        player_leave(&b->player, i);
+    b->player.in[i] = 1;
+    for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
+        player_start(b, p, &x, &y);
+        if (b->player.in[p] && p != i)
+            player_place(&b->player, p, x, y);
+    }
+    player_join(&b->player, &b->player_kinds, i, kind, x, y);
+    b->core.extended[i] = 0;
+    b->core.over = 0;
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
+        lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
+        tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
+    }
+    return 0;
+}
+
+static const struct api_param index_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param xy[] = { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                       { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param f_only[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+
+static int player_get(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)v[0].i - 1));
+    return 1;
+}
+
+static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct targets t = board_players(b);
+
+    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[0].f, v[1].f)));
+    return 1;
+}
+
+static int player_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    for (int32_t i = 0; i < PADS; i++) {
+        if (!b->player.in[i])
+            continue;
+        lua_pushvalue(L, v[0].at);
+        lua_pushinteger(L, board_handle(b, H_PLAYER, i));
+        lua_call(L, 1, 0);
+    }
+    return 0;
+}
+
+enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, PROPS };
+
+static const struct api_prop props[PROPS] = {
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
+    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
+    { { "lives", A_INT, REQ, 0, 99, NULL, NULL }, PROP_WRITE, "lives left besides this one" },
+    { { "safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames nothing can hit it" },
+    { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "is it moving slowly?" },
+    { { "grazes", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "bullets grazed in this game" },
+    { { "score", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "points; score.add changes them" },
+    { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "1 or 2" },
+    { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "name of its kind" },
+};
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct player *s = &b->player;
+
+    switch (p) {
+    case P_X:
+        return lua_pushnumber(L, fx_to_double(s->x[i]));
+    case P_Y:
+        return lua_pushnumber(L, fx_to_double(s->y[i]));
+    case P_LIVES:
+        return lua_pushinteger(L, s->lives[i]);
+    case P_SAFE:
+        return lua_pushinteger(L, s->safe[i]);
+    case P_FOCUS:
+        return lua_pushboolean(L, s->focus[i]);
+    case P_GRAZES:
+        return lua_pushinteger(L, s->grazes[i]);
+    case P_SCORE:
+        return lua_pushinteger(L, s->score[i]);
+    case P_INDEX:
+        return lua_pushinteger(L, i + 1);
+    default:
+        return names_push(L, N_PLAYER, s->kind[i]);
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct player *s = &b->player;
+
+    (void)L;
+    switch (p) {
+    case P_X:
+        player_place(s, i, v->f, s->y[i]);
+        break;
+    case P_Y:
+        player_place(s, i, s->x[i], v->f);
+        break;
+    case P_LIVES:
+        s->lives[i] = (int32_t)v->i;
+        break;
+    default:
+        s->safe[i] = (uint32_t)v->i;
+    }
+}
+
+const struct api_thing player_thing = { "player", props, PROPS, get, set };
+
+/* ---- pad ---- */
+
+static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
+                                           { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
+static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
+{
+    lua_pushboolean(L, pads[v[1].i - 1] >> v[0].i & 1);
+    return 1;
+}
+
+static int pad_down(lua_State *L, struct board *b, struct api_value *v)
+{
+    return read_pad(L, b->input.held, v);
+}
+
+static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
+{
+    return read_pad(L, b->input.pressed, v);
+}
+
+static int pad_released(lua_State *L, struct board *b, struct api_value *v)
+{
+    return read_pad(L, b->input.released, v);
+}
+
+static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
+{
+    return read_pad(L, b->input.repeated, v);
+}
+
+/* ---- score ---- */
+
+static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
+                                        { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
+                                          { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
+                                          { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
+
+static int score_add(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (b->player.in[v[1].i - 1])
+        board_score(b, (uint32_t)v[1].i - 1, v[0].i);
+    return 0;
+}
+
+static int score_rows(lua_State *L, struct board *b, struct api_value *v)
+{
+    char name[NV_NAME + 1];
+    int64_t score;
+
+    lua_newtable(L);
+    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[0].at), r, name, &score); r++) {
+        lua_createtable(L, 0, 2);
+        lua_pushstring(L, name);
+        lua_setfield(L, -2, "name");
+        lua_pushinteger(L, score);
+        lua_setfield(L, -2, "score");
+        lua_rawseti(L, -2, r + 1);
+    }
+    return 1;
+}
+
+static int score_enter(lua_State *L, struct board *b, struct api_value *v)
+{
+    int r = nvram_enter(&b->nvram, lua_tostring(L, v[0].at), lua_tostring(L, v[1].at), v[2].i);
+
+    if (r == -2)
+        return api_error(L, "score.enter", "all %d score tables are taken", NV_TABLES);
+    if (r < 0)
+        lua_pushnil(L);
+    else
+        lua_pushinteger(L, r + 1);
+    return 1;
+}
+
+static const struct api_entry entries[] = {
+    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a ship" },
+    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", "player 1 or 2, in the game or not" },
+    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", "the living player nearest to a point" },
+    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL, "calls f(player) for each in the game" },
+    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", "is the button held?" },
+    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", "did it go down this frame?" },
+    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", "did it come up this frame?" },
+    { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
+      "pressed, then again every 5 frames once held for 20" },
+    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL, "points for a player; extends come by themselves" },
+    { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
+      "a lasting table's rows, best first: { name=, score= }" },
+    { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
+      "enters a score into a lasting table; its row, or nil when it is not good enough" },
+};
+const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,504 @@
+/*
+ * board.c - power, RAM, the tick order, hashes and snapshots.
+ */
+#include "machine.h"
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+#include "../base/hash.h"
+#include "events_run.h"
+#include "hit.h"
+
+static const struct column core_columns[] = {
+    REGISTER(core, frame),  REGISTER(core, clock), REGISTER(core, difficulty), REGISTERS(core, random),
+    REGISTER(core, frozen), REGISTER(core, notes), REGISTERS(core, extended),  REGISTER(core, over),
+};
+static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
+
+static const struct chip core_chip = { "board", core_columns, sizeof core_columns / sizeof *core_columns, true, false };
+static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
+                                         false };
+
+#define PART(chip, name)                                                                                               \
+    {                                                                                                                  \
+        &chip, offsetof(struct board, name)                                                                            \
+    }
+const struct part parts[PARTS] = {
+    PART(script_chip, script),   PART(core_chip, core),
+    PART(input_chip, input),     PART(tasks_chip, tasks),
+    PART(bullets_chip, bullets), PART(bullet_kinds_chip, bullet_kinds),
+    PART(shots_chip, shots),     PART(shot_kinds_chip, shot_kinds),
+    PART(enemies_chip, enemies), PART(enemy_kinds_chip, enemy_kinds),
+    PART(player_chip, player),   PART(player_kinds_chip, player_kinds),
+    PART(motions_chip, motions), PART(steps_chip, steps),
+    PART(sprites_chip, sprites), PART(fix_chip, fix),
+    PART(pal_chip, pal),         PART(nvram_chip, nvram),
+    PART(sparks_chip, sparks),   PART(spark_kinds_chip, spark_kinds),
+};
+
+enum { RAM_ALIGN = 64 };
+static const uint64_t RAM_MOST = 1ull << 30;
+
+static void *chip_at(const struct board *b, int i)
+{
+    return (uint8_t *)(uintptr_t)b + parts[i].at;
+}
+
+static uint64_t aligned(uint64_t n)
+{
+    return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
+}
+
+/* Entries each part has room for. */
+static void capacities(const struct manifest *m, uint32_t cap[PARTS])
+{
+    const uint32_t kinds = MAX_KINDS;
+    const uint32_t all[PARTS] = {
+        0,
+        0,
+        PADS,
+        (uint32_t)m->tasks,
+        (uint32_t)m->bullets,
+        m->bullets ? kinds : 0,
+        (uint32_t)m->shots,
+        m->shots ? kinds : 0,
+        (uint32_t)m->enemies,
+        m->enemies ? kinds : 0,
+        PADS,
+        64,
+        (uint32_t)m->motions,
+        (uint32_t)m->motions * MOTION_STEPS,
+        (uint32_t)m->sprites,
+        (uint32_t)(m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL)),
+        COLOURS,
+        NV_BYTES,
+        (uint32_t)m->sparks,
+        m->sparks ? kinds : 0,
+    };
+
+    memcpy(cap, all, sizeof all);
+}
+
+/* Two players may graze and be hit by every bullet, every shot may hit, every enemy may touch, die and leave. */
+static uint64_t event_room(const struct manifest *m)
+{
+    return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
+}
+
+static uint64_t ram_needed(const struct cart *cart)
+{
+    uint32_t cap[PARTS];
+    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct hand));
+
+    capacities(&cart->m, cap);
+    for (int i = 0; i < PARTS; i++)
+        sum += slots_size(parts[i].chip, cap[i]);
+    sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
+    sum += aligned(event_room(&cart->m) * sizeof(struct event));
+    return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
+}
+
+bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
+{
+    struct cart cart;
+
+    if (!cart_open(&cart, rom, err, err_size))
+        return false;
+    uint64_t sum = ram_needed(&cart);
+    if (sum > RAM_MOST) {
+        snprintf(err, err_size, "the capacities in rom.lua ask for %llu bytes of RAM, a board has at most %llu",
+                 (unsigned long long)sum, (unsigned long long)RAM_MOST);
+        return false;
+    }
+    *size = (size_t)sum;
+    return true;
+}
+
+static fx pixels(int v)
+{
+    return (fx)(v * 65536);
+}
+
+static void set_up(struct board *b)
+{
+    const struct manifest *m = &b->cart.m;
+    struct rng r;
+
+    b->keep = (struct box){ pixels(-m->margin), pixels(-m->margin), pixels(m->field_w + m->margin),
+                            pixels(m->field_h + m->margin) };
+    b->area = (struct box){ pixels(8), pixels(8), pixels(m->field_w - 8), pixels(m->field_h - 8) };
+    for (int i = 0; i < b->cart.sprites; i++)
+        cart_sprite(&b->cart, i, &b->pictures[i]);
+    rng_seed(&r, b->start.seed);
+    memcpy(b->core.random, r.s, sizeof r.s);
+    rng_seed(&r, b->start.seed ^ 0x537061726b73u); /* "Sparks" */
+    memcpy(b->sparks.stream, r.s, sizeof r.s);
+    b->core.difficulty = (uint32_t)(b->start.difficulty < 0 ? m->difficulty : b->start.difficulty);
+    b->script.digest = HASH_START;
+    b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
+    b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->nvram.s };
+    for (size_t i = 0; i < sizeof full / sizeof *full; i++)
+        full[i]->live = full[i]->cap;
+    for (uint32_t i = 0; i < PADS; i++)
+        player_leave(&b->player, i);
+    const uint8_t *rgb = cart_palette(&b->cart, "main");
+    for (int i = 0; i < COLOURS; i++, rgb += 3)
+        pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
+    tasks_empty(&b->tasks);
+}
+
+/* Lays RAM out and clears what entries are read before they are written. */
+static void lay_out(struct board *b)
+{
+    uint8_t *next = b->ram + aligned(sizeof *b);
+    uint32_t cap[PARTS];
+
+    b->hand = (struct hand *)next;
+    memset(b->hand, 0, sizeof *b->hand);
+    next += aligned(sizeof *b->hand);
+    capacities(&b->cart.m, cap);
+    for (int i = 0; i < PARTS; i++) {
+        uint8_t *first = next;
+        slots_layout(parts[i].chip, chip_at(b, i), cap[i], &next);
+        if (parts[i].chip->list)
+            memset(first, 0, (size_t)(next - first));
+    }
+    b->pictures = (struct sprite *)next;
+    next += aligned((uint64_t)b->cart.sprites * sizeof(struct sprite));
+    b->events = (struct events){ .cap = (uint32_t)event_room(&b->cart.m), .list = (struct event *)next };
+    next += aligned(event_room(&b->cart.m) * sizeof(struct event));
+    set_up(b);
+    b->vm = (struct vm){ .heap = (struct heap *)next, .counting = b->vm.counting };
+}
+
+static bool boot(struct board *b)
+{
+    if (!vm_open(b, b->vm.heap, (size_t)b->cart.m.lua_kib * 1024))
+        return false;
+    b->vm.loading = true;
+    vm_call(b, vm_boot);
+    b->vm.loading = false;
+    return true;
+}
+
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                          char *err, size_t err_size)
+{
+    struct board *b = (struct board *)ram;
+    size_t need;
+
+    if (!board_size(rom, &need, err, err_size))
+        return NULL;
+    assert(size >= need && ((uintptr_t)ram & 15) == 0);
+    memset(b, 0, sizeof *b);
+    cart_open(&b->cart, rom, err, err_size);
+    b->ram = ram;
+    b->ram_size = size;
+    b->start = *start;
+    b->start.nvram = NULL;
+    b->start.nvram_size = 0;
+    b->start.stage[sizeof b->start.stage - 1] = 0;
+    b->vm.counting = count;
+    if (start->difficulty >= b->cart.m.n_difficulties) {
+        snprintf(err, err_size, "difficulty %d: the game has %d", start->difficulty, b->cart.m.n_difficulties);
+        return NULL;
+    }
+    lay_out(b);
+    nvram_load(&b->nvram, start->nvram, start->nvram_size);
+    if (!boot(b)) {
+        snprintf(err, err_size, "board.lua_kib = %d is too little to start Lua", b->cart.m.lua_kib);
+        return NULL;
+    }
+    return b;
+}
+
+/* board.reset: as after power-on, but frames and nvram go on. */
+static void reset(struct board *b)
+{
+    uint32_t frame = b->core.frame, writes = b->nvram.writes;
+    uint64_t digest = b->script.digest;
+    uint8_t *image = b->nvram.bytes;
+
+    /* RAM is laid out alike each time, so nvram's bytes would be cleared in place: they wait in the Lua heap's block.
+     */
+    memcpy(b->vm.heap, image, NV_BYTES);
+    struct heap *keep = b->vm.heap;
+    lay_out(b);
+    assert(b->vm.heap == keep);
+    memcpy(b->nvram.bytes, keep, NV_BYTES);
+    b->nvram.writes = writes;
+    b->core.frame = frame;
+    script_fold(b, digest);
+    b->reset = false;
+    boot(b);
+}
+
+/* Enemies that leave the keep box go without score. */
+static void enemy_left(void *context, uint32_t i)
+{
+    struct board *b = context;
+
+    board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
+    enemies_drop(&b->enemies, i);
+}
+
+/* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
+static int move_all(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    struct motion_world w = board_world(b, false), ws = board_world(b, true);
+    const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
+
+    player_move(&b->player, &b->player_kinds, held, &b->area);
+    enemies_move(&b->enemies, b->core.clock, &b->keep, enemy_left, b);
+    bullets_move(&b->shots, &ws, &b->keep);
+    bullets_move(&b->bullets, &w, &b->keep);
+    sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
+    b->counts.moved = b->bullets.moved;
+    hit_run(b);
+    return 0;
+}
+
+const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+{
+    struct hand *h = b->hand;
+
+    assert(h->fault.kind == FAULT_NONE);
+    h->out = (struct board_out){ .log = h->log };
+    h->log_size = 0;
+    b->vm.work = 0;
+    b->vm.interrupted = 0;
+    b->events.n = 0;
+    b->counts = (struct board_counts){ 0 };
+    input_latch(&b->input, pads);
+    bool fine = vm_call(b, tasks_run);
+    if (!b->core.frozen)
+        fine = fine && vm_call(b, move_all);
+    fine = fine && vm_call(b, events_run);
+    if (fine) {
+        pal_step(&b->pal);
+        b->core.frame++;
+        b->core.clock += !b->core.frozen;
+        if (b->reset)
+            reset(b);
+        else
+            vm_call(b, vm_collect);
+    }
+    h->out.log_size = h->log_size;
+    return &h->out;
+}
+
+const struct board_out *board_last(const struct board *b)
+{
+    return &b->hand->out;
+}
+
+void board_screen(const struct board *b, int *w, int *h)
+{
+    *w = b->cart.m.screen_w;
+    *h = b->cart.m.screen_h;
+}
+
+uint32_t board_frame(const struct board *b)
+{
+    return b->core.frame;
+}
+
+int board_parts(const struct board *b)
+{
+    (void)b;
+    return PARTS;
+}
+
+const char *board_part(const struct board *b, int i)
+{
+    (void)b;
+    return parts[i].chip->name;
+}
+
+void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
+{
+    for (int i = 0; i < PARTS; i++)
+        out[i] = slots_hash(parts[i].chip, chip_at(b, i));
+}
+
+uint64_t board_hash(const struct board *b)
+{
+    uint64_t h = HASH_START;
+
+    for (int i = 0; i < PARTS; i++)
+        if (!parts[i].chip->apart)
+            h = hash_fold(h, slots_hash(parts[i].chip, chip_at(b, i)));
+    return h;
+}
+
+size_t board_snapshot_size(const struct board *b)
+{
+    size_t n = sizeof *b + heap_extent(b->vm.heap);
+
+    for (int i = 0; i < PARTS; i++)
+        n += slots_save(parts[i].chip, chip_at(b, i), NULL);
+    return n;
+}
+
+void board_save(const struct board *b, void *buf)
+{
+    uint8_t *p = buf;
+
+    memcpy(p, b, sizeof *b);
+    p += sizeof *b;
+    memcpy(p, b->vm.heap, heap_extent(b->vm.heap));
+    p += heap_extent(b->vm.heap);
+    for (int i = 0; i < PARTS; i++)
+        p += slots_save(parts[i].chip, chip_at(b, i), p);
+}
+
+/* Whatever stands in RAM now may be rubbish: only what has been copied back is read. */
+void board_restore(struct board *b, const void *buf)
+{
+    const uint8_t *p = buf;
+
+    memcpy(b, p, sizeof *b);
+    p += sizeof *b;
+    size_t extent = heap_extent((const struct heap *)p);
+    memcpy(b->vm.heap, p, extent);
+    p += extent;
+    for (int i = 0; i < PARTS; i++)
+        p += slots_restore(parts[i].chip, chip_at(b, i), p);
+    for (int i = 0; i < b->cart.sprites; i++)
+        cart_sprite(&b->cart, i, &b->pictures[i]);
+    memset(b->hand, 0, sizeof *b->hand);
+}
+
+const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
+{
+    *changed = b->nvram.writes;
+    return b->nvram.bytes;
+}
+
+static int part_named(const char *name)
+{
+    for (int i = 0; i < PARTS; i++)
+        if (!strcmp(parts[i].chip->name, name))
+            return i;
+    return -1;
+}
+
+int64_t board_live(const struct board *b, const char *part)
+{
+    int i = part_named(part);
+
+    return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->live;
+}
+
+int64_t board_refused(const struct board *b, const char *part)
+{
+    int i = part_named(part);
+
+    return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->refused;
+}
+
+struct board_counts board_counts(const struct board *b)
+{
+    return b->counts;
+}
+
+struct targets board_players(const struct board *b)
+{
+    return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in };
+}
+
+struct motion_world board_world(const struct board *b, bool shots)
+{
+    struct motion_world w = { &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock };
+
+    if (shots) {
+        w.kinds = &b->shot_kinds;
+        w.targets = (struct targets){ &b->enemies.s, b->enemies.x, b->enemies.y, NULL };
+    }
+    return w;
+}
+
+/* Only scripts can raise more than the list was laid out for, so only a script's turn can end here. */
+void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
+{
+    if (!events_push(&b->events, kind, a, b2))
+        vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
+}
+
+void board_score(struct board *b, uint32_t i, int64_t points)
+{
+    const struct manifest *m = &b->cart.m;
+    int64_t *score = &b->player.score[i];
+    const int64_t most = 999999999999;
+
+    *score = points > most - *score ? most : *score + points < 0 ? 0 : *score + points;
+    while (b->core.extended[i] < (uint32_t)m->n_extends && *score >= m->extends[b->core.extended[i]]) {
+        b->core.extended[i]++;
+        b->player.lives[i]++;
+        board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)i), 0);
+    }
+}
+
+static const struct slots *pool(const struct board *b, enum handle_kind kind)
+{
+    switch (kind) {
+    case H_BULLET:
+        return &b->bullets.s;
+    case H_SHOT:
+        return &b->shots.s;
+    case H_ENEMY:
+        return &b->enemies.s;
+    case H_SPRITE:
+        return &b->sprites.s;
+    case H_TASK:
+        return &b->tasks.s;
+    default:
+        return NULL;
+    }
+}
+
+int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
+{
+    const struct slots *s = pool(b, kind);
+
+    if (slot == NO_SLOT)
+        return handle_of(kind, 0, 0);
+    return handle_of(kind, s ? s->gen[slot] : 1, (uint32_t)slot);
+}
+
+bool board_alive(const struct board *b, int64_t h)
+{
+    enum handle_kind kind = handle_kind(h);
+    uint32_t slot = handle_slot(h), gen = handle_gen(h);
+    const struct slots *s = pool(b, kind);
+
+    if (kind == H_PLAYER)
+        return gen && slot < PADS && b->player.in[slot];
+    if (kind == H_TASK)
+        return tasks_alive(b, slot, gen);
+    return s ? slots_has(s, slot, gen) : gen != 0;
+}
+
+bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
+{
+    uint32_t i = handle_slot(h);
+
+    if (!board_alive(b, h))
+        return false;
+    switch (handle_kind(h)) {
+    case H_BULLET:
+        return *x = b->bullets.x[i], *y = b->bullets.y[i], true;
+    case H_SHOT:
+        return *x = b->shots.x[i], *y = b->shots.y[i], true;
+    case H_ENEMY:
+        return *x = b->enemies.x[i], *y = b->enemies.y[i], true;
+    case H_PLAYER:
+        return *x = b->player.x[i], *y = b->player.y[i], true;
+    case H_SPRITE:
+        return *x = b->sprites.x[i], *y = b->sprites.y[i], true;
+    default:
+        return false;
+    }
+}

@@ -1,0 +1,124 @@
+/*
+ * board.h - the machine: RAM x ROM x pads -> RAM, and RAM x ROM -> picture.
+ * floor: board    used by: cab/ tests/
+ *
+ * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
+ * and runs the game's entry script. From then on a frame is one board_tick; the picture is board_draw, which takes
+ * const RAM. RAM points into itself and into the ROM, so a snapshot is good only in the same process and place.
+ */
+#ifndef BOARD_BOARD_H
+#define BOARD_BOARD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "../../fb/fb.h"
+#include "../base/pads.h"
+#include "../base/rom.h"
+
+enum {
+    CORE_VERSION = 1,   /* raised whenever the same ROM and demo could give another hash */
+    MAX_PARTS = 32,     /* state hashes in a track: one a part */
+    NVRAM_BYTES = 32768 /* score tables and saves */
+};
+
+enum board_fault_kind {
+    FAULT_NONE,
+    FAULT_SCRIPT,      /* an error no pcall may catch, or an uncaught one */
+    FAULT_MEMORY,      /* out of Lua RAM */
+    FAULT_STACK,       /* call depth */
+    FAULT_LOOP,        /* over 10^9 VM instructions in one tick: "endless loop" */
+    FAULT_INTERRUPTED, /* board_interrupt stopped the tick: go back and run it again with board_count(b, true) */
+};
+
+struct board_fault {
+    enum board_fault_kind kind;
+    char message[512]; /* "stages/one.lua:42: what" */
+    char trace[2048];  /* Lua traceback, lines separated by \n */
+};
+
+/* All that reaches a board besides ROM and pads; every field is in the demo header. Zero is a fine default but for
+ * difficulty. */
+struct board_start {
+    uint64_t seed;
+    int32_t dip[16];      /* a value for each DIP of the manifest, in its order */
+    int32_t difficulty;   /* index into the manifest's list; -1: the manifest's default */
+    char stage[64];       /* practice start: "", "one", "one:mark", "queen/bloom" */
+    const uint8_t *nvram; /* NULL: blank */
+    size_t nvram_size;    /* at most NVRAM_BYTES */
+};
+
+enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
+
+/* What a tick hands the cabinet; good until the next tick. Never hashed. */
+struct board_out {
+    enum board_request request;
+    char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
+    const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
+    const char *log;      /* what print wrote this tick, lines ending in \n, at most 4 KiB */
+    size_t log_size;
+    const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
+};
+
+struct board;
+
+/* Bytes of RAM the ROM's board needs. False and one sentence in err when the manifest asks for too much. */
+bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
+
+/* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
+ * ROM that cannot run. A script fault while loading is not NULL: it stands in board_last(b)->fault. */
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                          char *err, size_t err_size);
+
+/* One frame. pads: PAD_ bits of the two players. */
+const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
+
+/* What the last tick (or power) handed out. */
+const struct board_out *board_last(const struct board *b);
+
+/* Screen size in pixels. */
+void board_screen(const struct board *b, int *w, int *h);
+
+/* Bytes board_draw needs to build its lists in. */
+size_t board_scratch(const struct board *b);
+
+/* Draws the picture and its 256 colours (0xRRGGBB); returns how many sprites it drew. Reads b, writes only fb, rgb and
+ * scratch. fb is fb_init'ed w x h. */
+uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+
+/* Frames ticked since power-on. */
+uint32_t board_frame(const struct board *b);
+
+/* The combined state hash, and one hash a part (board_parts of them, named). sparks are outside the combined one. */
+uint64_t board_hash(const struct board *b);
+int board_parts(const struct board *b);
+const char *board_part(const struct board *b, int i);
+void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
+
+/* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts
+ * it back into the same RAM, whatever was done to that RAM in between. */
+size_t board_snapshot_size(const struct board *b);
+void board_save(const struct board *b, void *buf);
+void board_restore(struct board *b, const void *buf);
+
+/* The nvram image, NVRAM_BYTES, portable between hosts; *changed counts the writes since power-on. */
+const uint8_t *board_nvram(const struct board *b, uint32_t *changed);
+
+/* Stops a running tick soon with FAULT_INTERRUPTED; may be called from a signal handler on the thread that ticks. */
+void board_interrupt(struct board *b);
+
+/* Counts VM instructions from now on (slower), so that an endless loop is found: FAULT_LOOP. Set again after a restore.
+ */
+void board_count(struct board *b, bool on);
+
+/* Live things of a part by name ("bullets"), and those refused for want of room; -1: no such part. */
+int64_t board_live(const struct board *b, const char *part);
+int64_t board_refused(const struct board *b, const char *part);
+
+/* Work counters for benches: what the last frame moved, tested, hit and grazed. Derived, never hashed. */
+struct board_counts {
+    uint64_t moved, tested, hit, grazed;
+};
+struct board_counts board_counts(const struct board *b);
+
+#endif

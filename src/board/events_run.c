@@ -1,0 +1,327 @@
+/*
+ * events_run.c - see events_run.h.
+ *
+ * Handlers live in the Lua registry: a list of functions an event, and a table of functions by enemy kind (its index)
+ * or single enemy (its handle). A handler may raise further events; they are applied in the same frame, after those
+ * before.
+ */
+#include "events_run.h"
+#include <string.h>
+#include "../chips/sparks.h"
+
+const char *const event_names[] = { "graze", "hit",   NULL,     "death", "game_over",
+                                    "kill",  "leave", "extend", "phase", "stage" };
+
+enum { EVENT_NAMES = sizeof event_names / sizeof *event_names };
+
+static const char handlers_key = 0, functions_key = 0, emitted_key = 0;
+
+static void new_registry_table(lua_State *L, const void *key)
+{
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+void events_open(lua_State *L)
+{
+    lua_newtable(L);
+    for (int k = 0; k < EVENT_NAMES; k++) {
+        lua_newtable(L);
+        lua_rawseti(L, -2, k);
+    }
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    new_registry_table(L, &functions_key);
+    new_registry_table(L, &emitted_key);
+}
+
+void events_on(lua_State *L, int kind)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    lua_rawgeti(L, -1, kind);
+    lua_pushvalue(L, -3);
+    lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+    lua_pop(L, 3);
+}
+
+static int kind_named(const char *name)
+{
+    for (int k = 0; k < EVENT_NAMES; k++)
+        if (event_names[k] && !strcmp(event_names[k], name))
+            return k;
+    return -1;
+}
+
+bool events_emit(struct board *b, lua_State *L, const char *name, int n)
+{
+    int kind = kind_named(name);
+
+    if (kind < 0)
+        return false;
+    lua_createtable(L, n, 0);
+    lua_insert(L, -n - 1);
+    for (int i = n; i >= 1; i--)
+        lua_rawseti(L, -i - 1, i);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_insert(L, -2);
+    lua_Integer at = (lua_Integer)lua_rawlen(L, -2) + 1;
+    lua_rawseti(L, -2, at);
+    lua_pop(L, 1);
+    board_event(b, EV_SCRIPT, at, (int64_t)kind << 8 | n);
+    return true;
+}
+
+/* Calls every handler of an event with the n values on top of the stack (popped). */
+static void call_handlers(lua_State *L, int kind, int n)
+{
+    int first = lua_gettop(L) - n + 1;
+
+    luaL_checkstack(L, n + 4, NULL);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    lua_rawgeti(L, -1, kind);
+    lua_Integer count = (lua_Integer)lua_rawlen(L, -1);
+    for (lua_Integer h = 1; h <= count; h++) {
+        lua_rawgeti(L, -1, h);
+        for (int i = 0; i < n; i++)
+            lua_pushvalue(L, first + i);
+        lua_call(L, n, 0);
+    }
+    lua_settop(L, first - 1);
+}
+
+static void push_thing(lua_State *L, int64_t h)
+{
+    if (h)
+        lua_pushinteger(L, h);
+    else
+        lua_pushnil(L);
+}
+
+static void tell(lua_State *L, const struct event *e)
+{
+    push_thing(L, e->a);
+    push_thing(L, e->b);
+    call_handlers(L, (int)e->kind, 2);
+}
+
+void enemy_set_function(lua_State *L, int64_t who, const char *what)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushfstring(L, "%s %I", what, (LUAI_UACINT)who);
+    lua_pushvalue(L, -3);
+    lua_rawset(L, -3);
+    lua_pop(L, 2);
+}
+
+/* Pushes the function of one enemy, else of its kind, else nil. */
+static bool push_function(lua_State *L, int64_t enemy, uint16_t kind, const char *what)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushfstring(L, "%s %I", what, (LUAI_UACINT)enemy);
+    lua_rawget(L, -2);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushfstring(L, "%s %d", what, (int)kind);
+        lua_rawget(L, -2);
+    }
+    lua_remove(L, -2);
+    if (lua_isfunction(L, -1))
+        return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+bool enemy_push_run(lua_State *L, uint16_t kind)
+{
+    return push_function(L, kind, kind, "run");
+}
+
+static void forget_functions(lua_State *L, int64_t enemy)
+{
+    lua_pushnil(L);
+    enemy_set_function(L, enemy, "on_death");
+}
+
+static void enemy_sparks(struct board *b, uint32_t i)
+{
+    uint16_t spark = b->enemy_kinds.spark[b->enemies.kind[i]];
+
+    if (spark)
+        sparks_burst(
+            &b->sparks,
+            &(struct spark_burst){
+                .x = b->enemies.x[i], .y = b->enemies.y[i], .speed = 2 << 16, .kind = (uint16_t)(spark - 1), .n = 12 });
+}
+
+void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
+{
+    uint16_t kind = b->enemies.kind[i];
+    int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
+
+    if (player)
+        board_score(b, player - 1, b->enemy_kinds.score[kind]);
+    enemy_sparks(b, i);
+    board_event(b, EV_KILL, h, p);
+    bool has = push_function(L, h, kind, "on_death");
+    b->enemies.hp[i] = 0;
+    if (has) { /* it can still read where it died */
+        push_thing(L, h);
+        push_thing(L, p);
+        lua_call(L, 2, 0);
+    }
+    forget_functions(L, h);
+    if (board_alive(b, h))
+        enemies_drop(&b->enemies, i);
+}
+
+bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+{
+    struct enemies *e = &b->enemies;
+
+    if (e->safe[i] || n <= 0)
+        return false;
+    e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
+    if (e->hp[i] || e->flags[i] & ENEMY_HELD)
+        return false;
+    enemy_die(b, L, i, player);
+    return true;
+}
+
+/* A shot hits: it is used up by an enemy that is still there, safe or not. */
+static void apply_shot(struct board *b, lua_State *L, const struct event *e)
+{
+    if (!board_alive(b, e->a) || !board_alive(b, e->b))
+        return;
+    uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
+    int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
+    uint32_t player = b->shots.player[shot];
+    bullets_drop(&b->shots, shot);
+    if (!enemy_hurt(b, L, i, damage, player) && push_function(L, e->b, b->enemies.kind[i], "on_hit")) {
+        push_thing(L, e->b);
+        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+        lua_pushinteger(L, damage);
+        lua_call(L, 3, 0);
+    }
+}
+
+static void apply_graze(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
+
+    if (!board_alive(b, e->b) || !board_alive(b, e->a))
+        return;
+    b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
+    b->player.grazes[p]++;
+    tell(L, e);
+}
+
+static bool anyone_in(const struct board *b)
+{
+    return b->player.in[0] || b->player.in[1];
+}
+
+static void game_over(struct board *b)
+{
+    if (b->core.over || anyone_in(b))
+        return;
+    b->core.over = 1;
+    board_event(b, EV_GAME_OVER, 0, 0);
+}
+
+void player_start(const struct board *b, uint32_t p, fx *x, fx *y)
+{
+    const struct manifest *m = &b->cart.m;
+    bool two = b->player.in[0] && b->player.in[1];
+
+    *x = (fx)(m->field_w << 15) + (two ? (p ? 1 : -1) * (m->field_w << 13) : 0);
+    *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
+}
+
+static void apply_hit(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a);
+
+    if (!board_alive(b, e->a) || b->player.safe[p])
+        return;
+    tell(L, e);
+    if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
+        return;
+    board_event(b, EV_DEATH, e->a, 0);
+    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
+    if (b->player.safe[p] == 0)
+        b->player.safe[p] = 1;
+    b->player.lives[p]--;
+}
+
+/* The handlers of on.death see the player where it died; then it starts anew or is out. */
+static void apply_death(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a);
+    fx x, y;
+
+    tell(L, e);
+    if (!board_alive(b, e->a))
+        return;
+    if (b->player.lives[p] >= 0) {
+        player_start(b, p, &x, &y);
+        player_place(&b->player, p, x, y);
+        return;
+    }
+    b->player.lives[p] = 0;
+    player_leave(&b->player, p);
+    game_over(b);
+}
+
+static void apply_emitted(lua_State *L, const struct event *e)
+{
+    int n = (int)(e->b & 255), kind = (int)(e->b >> 8);
+
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_rawgeti(L, -1, e->a);
+    int args = lua_gettop(L);
+    for (int i = 1; i <= n; i++)
+        lua_rawgeti(L, args, i);
+    call_handlers(L, kind, n);
+    lua_pushnil(L);
+    lua_rawseti(L, args - 1, e->a);
+    lua_settop(L, args - 2);
+}
+
+static void apply(struct board *b, lua_State *L, const struct event *e)
+{
+    switch ((enum event_kind)e->kind) {
+    case EV_GRAZE:
+        apply_graze(b, L, e);
+        break;
+    case EV_HIT:
+        apply_hit(b, L, e);
+        break;
+    case EV_SHOT:
+        apply_shot(b, L, e);
+        break;
+    case EV_DEATH:
+        apply_death(b, L, e);
+        break;
+    case EV_SCRIPT:
+        apply_emitted(L, e);
+        break;
+    case EV_GAME_OVER:
+    case EV_KILL:
+    case EV_LEAVE:
+    case EV_EXTEND:
+        tell(L, e);
+        break;
+    }
+}
+
+int events_run(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    luaL_checkstack(L, 32, NULL);
+    for (uint32_t i = 0; i < b->events.n; i++) {
+        struct event e = b->events.list[i];
+        apply(b, L, &e);
+    }
+    b->events.n = 0;
+    return 0;
+}

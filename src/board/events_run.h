@@ -1,0 +1,36 @@
+/*
+ * events_run.h - step 5 of a tick: what the hits of this frame do, then the script's handlers, in the order of the
+ * events. floor: board    used by: board/
+ */
+#ifndef BOARD_EVENTS_RUN_H
+#define BOARD_EVENTS_RUN_H
+
+#include "machine.h"
+
+/* The names of on.NAME, in the order of enum event_kind (EV_SHOT has no handlers); NULL at the end. */
+extern const char *const event_names[];
+
+/* Applies all events, those raised meanwhile too. For vm_call. */
+int events_run(lua_State *L);
+
+/* Enemy i dies: score for player (1, 2; 0: nobody), sparks, EV_KILL. */
+void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player);
+
+/* Takes n from enemy i unless it is safe; true when that killed it. */
+bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
+
+/* Registers f (on top of the stack, popped) for event `name` at handler list; and the functions of enemy kinds. */
+void events_open(lua_State *L);
+void events_on(lua_State *L, int kind);
+
+/* Queues the n values on top of L's stack (popped) for the handlers of `name`. False: no such event. */
+bool events_emit(struct board *b, lua_State *L, const char *name, int n);
+
+/* Enemy functions: which of on_hit, on_death belong to kind (index) or to one enemy (handle). Pops a function or nil.
+ */
+void enemy_set_function(lua_State *L, int64_t who, const char *what);
+
+/* Pushes the `run` of a kind; false (nothing pushed): it has none. */
+bool enemy_push_run(lua_State *L, uint16_t kind);
+
+#endif

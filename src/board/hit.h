@@ -1,0 +1,15 @@
+/*
+ * hit.h - every collision of a frame, in one fixed order. Reads everything, writes only events.
+ * floor: board    used by: board/
+ *
+ * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then for each shot by slot the
+ * first enemy it touches.
+ */
+#ifndef BOARD_HIT_H
+#define BOARD_HIT_H
+
+#include "machine.h"
+
+void hit_run(struct board *b);
+
+#endif

@@ -1,0 +1,38 @@
+/*
+ * lualib.h - the library scripts see: stock Lua 5.4 without what is unbounded or differs between hosts.
+ * floor: board    used by: board/
+ *
+ * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
+ * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys. table.sort is
+ * a stable merge sort. Texts never hold an address and a NaN is "nan"; string.format refuses %a %A %p, and %q of a
+ * fraction. sin cos tan asin acos atan go through trig.h: good to about 1e-9. A malformed pattern is an error even
+ * where matching would not have reached the flaw. load takes text only, and what script.h forbids is an error as of
+ * syntax. setmetatable refuses __gc and __mode. pcall catches what error and assert raised and nothing else. Work in C
+ * is charged with vm_charge.
+ */
+#ifndef BOARD_LUALIB_H
+#define BOARD_LUALIB_H
+
+#include <lua.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Replaces and removes, once, right after the stock base, string, table, math and utf8 were opened into globals. What
+ * is not listed goes, unknown globals included; so do print and require, which are the host's. */
+void lualib_open(lua_State *L);
+
+/* Pushes the text of the value at idx as tostring and print show it. Honours __tostring and __name. */
+const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
+
+/* True for what error and assert raise: a carrier around the script's value. lualib_unwrap pushes that value. */
+bool lualib_raised(lua_State *L, int idx);
+void lualib_unwrap(lua_State *L, int idx);
+
+/* Pushes the traceback of the first fault that went through a pcall, taken where it was raised, or nil. */
+void lualib_trace(lua_State *L);
+
+/* An error when a metatable that setmetatable ever set has got a __gc or __mode since. Before each step of the
+ * collector. */
+void lualib_check_weak(lua_State *L);
+
+#endif

@@ -1,0 +1,35 @@
+/*
+ * luaparts.h - the files lualib.c is put together from.
+ * floor: board    used by: board/lualib.c and its parts
+ *
+ * Each open function sets its functions in the table on top of the stack.
+ */
+#ifndef BOARD_LUAPARTS_H
+#define BOARD_LUAPARTS_H
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <stddef.h>
+
+void luapattern_open(lua_State *L); /* string: find gmatch gsub match */
+void luatext_open(lua_State *L);    /* string: format rep */
+void luautf8_open(lua_State *L);    /* utf8: char codepoint codes len offset */
+void luatable_open(lua_State *L);   /* table: concat insert move remove sort unpack */
+void luamath_open(lua_State *L);    /* math: acos asin atan cos sin tan */
+
+/* The functions pairs and tostring. */
+int luatable_pairs(lua_State *L);
+int luatext_tostring(lua_State *L);
+
+/* Pushes the text of the number at idx. */
+void luatext_push_number(lua_State *L, int idx);
+
+/* A position in a text of n bytes, as strings and utf8 count: from 1, or from -1 back. Never below 0. */
+static inline size_t luatext_position(lua_Integer i, size_t n)
+{
+    if (i >= 0)
+        return (size_t)i;
+    return (size_t) - (i + 1) >= n ? 0 : n - (size_t) - (i + 1);
+}
+
+#endif

@@ -1,0 +1,150 @@
+/*
+ * machine.h - the board's insides: every part, in the order of RAM and of the hash track.
+ * floor: board    used by: board/ tests/
+ */
+#ifndef BOARD_MACHINE_H
+#define BOARD_MACHINE_H
+
+#include "../base/rng.h"
+#include "../chips/bullets.h"
+#include "../chips/enemies.h"
+#include "../chips/events.h"
+#include "../chips/fix.h"
+#include "../chips/input.h"
+#include "../chips/motion.h"
+#include "../chips/nvram.h"
+#include "../chips/pal.h"
+#include "../chips/player.h"
+#include "../chips/sparks.h"
+#include "../chips/sprites.h"
+#include "board.h"
+#include "cart.h"
+#include "tasks.h"
+#include "vm.h"
+
+/* The board's own registers. */
+struct core {
+    struct slots s;
+    uint32_t frame; /* ticks since power-on */
+    uint32_t clock; /* ticks of game time: stands still while frozen */
+    uint32_t difficulty;
+    uint64_t random[4];      /* the game's stream */
+    int64_t frozen;          /* scope whose tasks alone get turns, 0: none */
+    uint64_t notes;          /* what board.note folded in */
+    uint32_t extended[PADS]; /* extends each player has had */
+    uint32_t over;           /* 1: game over was told */
+};
+
+/* What scripts do, as a running digest: two runs whose scripts act differently differ here in that frame. */
+struct script {
+    struct slots s;
+    uint64_t digest;
+    uint64_t calls;
+};
+
+/* What a tick hands out; outside the snapshot. */
+struct hand {
+    struct board_out out;
+    struct board_fault fault;
+    size_t log_size;
+    char log[4096];
+};
+
+struct board {
+    struct cart cart;
+    struct board_start start;
+    uint8_t *ram;
+    size_t ram_size;
+    bool reset;              /* board.reset was called this frame */
+    struct box keep, area;   /* where things live; where players may go */
+    struct sprite *pictures; /* of the ROM, by index */
+    struct hand *hand;
+    struct vm vm;
+    struct events events;
+    struct board_counts counts;
+
+    /* chips, in the order of parts[] */
+    struct script script;
+    struct core core;
+    struct input input;
+    struct tasks tasks;
+    struct bullets bullets;
+    struct bullet_kinds bullet_kinds;
+    struct bullets shots;
+    struct bullet_kinds shot_kinds;
+    struct enemies enemies;
+    struct enemy_kinds enemy_kinds;
+    struct player player;
+    struct player_kinds player_kinds;
+    struct motions motions;
+    struct steps steps;
+    struct sprites sprites;
+    struct fix fix;
+    struct pal pal;
+    struct nvram nvram;
+    struct sparks sparks;
+    struct spark_kinds spark_kinds;
+};
+
+struct part {
+    const struct chip *chip;
+    size_t at; /* of the chip's struct in the board */
+};
+enum { PARTS = 20 };
+extern const struct part parts[PARTS];
+
+/* The same pools, as motion and aiming see them. */
+struct motion_world board_world(const struct board *b, bool shots);
+struct targets board_players(const struct board *b);
+
+/* Raises an event, or the fault that there is no room for it. */
+void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
+
+/* Player i's score goes up; lives come at the manifest's extends. */
+void board_score(struct board *b, uint32_t i, int64_t points);
+
+/* Folds v into the script digest. */
+static inline void script_fold(struct board *b, uint64_t v)
+{
+    b->script.digest = (b->script.digest ^ v) * 0x9e3779b97f4a7c15u;
+    b->script.digest ^= b->script.digest >> 29;
+}
+
+/* Handles: bits 63..62 = 01, generation 30, chip 8, slot 24. */
+enum handle_kind { H_BULLET = 1, H_SHOT, H_ENEMY, H_PLAYER, H_SPRITE, H_TASK, H_MOTION, H_GROUP, HANDLES };
+
+static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
+{
+    return (int64_t)(1ull << 62 | (uint64_t)gen << 32 | (uint64_t)kind << 24 | slot);
+}
+
+static inline bool handle_is(int64_t h)
+{
+    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLES;
+}
+
+static inline enum handle_kind handle_kind(int64_t h)
+{
+    return (enum handle_kind)(h >> 24 & 255);
+}
+
+static inline uint32_t handle_gen(int64_t h)
+{
+    return (uint32_t)(h >> 32) & GENERATIONS;
+}
+
+static inline uint32_t handle_slot(int64_t h)
+{
+    return (uint32_t)h & 0xffffff;
+}
+
+/* The handle of a live slot of that kind, or a dead one for NO_SLOT. */
+int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot);
+
+/* Is what the handle names alive? Groups and motions always are. */
+bool board_alive(const struct board *b, int64_t h);
+
+/* Where a thing is; false: dead, or not a thing that is anywhere. */
+bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
+
+#endif

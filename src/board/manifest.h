@@ -1,0 +1,116 @@
+/*
+ * manifest.h - what a game says about itself: name, screen, capacities, DIP switches.
+ * floor: board    used by: board/ cab/
+ *
+ * An author writes it as rom.lua, which the packer reads with manifest_read. In a ROM it is the lump "manifest", binary
+ * and of fixed size, which manifest_unpack reads. Both ways end in manifest_check, so a struct manifest is always in
+ * range.
+ */
+#ifndef BOARD_MANIFEST_H
+#define BOARD_MANIFEST_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    MAX_DIPS = 16,
+    MAX_DIP_VALUES = 16,
+    MAX_DIFFICULTIES = 8,
+    MAX_EXTENDS = 8,
+    MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
+    MANIFEST_BYTES = 5176,  /* the lump's size, the same on every host */
+    MANIFEST_WORK = 8 << 20 /* bytes manifest_read needs to think in */
+};
+
+struct dip {
+    char name[MAX_WORD];
+    bool number;           /* a number from lo to hi; else one of the named values, 0 to values - 1 */
+    int32_t lo, hi, value; /* value: the default */
+    int32_t values;        /* 0 for a number */
+    char value_name[MAX_DIP_VALUES][MAX_WORD];
+};
+
+struct manifest {
+    char id[32];    /* [a-z0-9_]: names demos and saves */
+    char title[64]; /* any text without control characters */
+    char author[64];
+    char entry[64]; /* the script that runs first, without "script/" and ".lua" */
+    int32_t version;
+    int32_t screen_w, screen_h;                 /* px; width a multiple of 8 */
+    int32_t field_x, field_y, field_w, field_h; /* px, inside the screen */
+    int32_t margin;                             /* px the keep box is larger than the field on every side */
+    int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
+    int32_t lua_kib;
+    int32_t players;
+    int64_t extends[MAX_EXTENDS]; /* scores that give a life, ascending */
+    int32_t n_extends;
+    char difficulties[MAX_DIFFICULTIES][MAX_WORD]; /* easiest first */
+    int32_t n_difficulties, difficulty;            /* the default's index */
+    struct dip dips[MAX_DIPS];                     /* ascending by name */
+    int32_t n_dips;
+};
+
+/* What rom.lua says of the art; only the packer sees it. Files are paths in the game's folder. */
+enum { MAX_ART_PALETTES = 64, MAX_ART_SHEETS = 256, MAX_ART_SPRITES = 4096, ART_NAME = 32, ART_FILE = 96 };
+
+struct art_palette {
+    char name[ART_NAME], file[ART_FILE];
+};
+
+struct art_sheet {
+    char name[ART_NAME], file[ART_FILE];
+    int32_t bank;
+};
+
+struct art_sprite {
+    char name[ART_NAME];
+    int32_t sheet; /* index */
+    int32_t x, y, w, h;
+    int32_t frames, every, rotations;
+    int32_t ox, oy;
+    bool origin; /* ox, oy were given; else the middle */
+};
+
+struct art {
+    char palette[ART_FILE], font[ART_FILE]; /* "": none */
+    struct art_palette palettes[MAX_ART_PALETTES];
+    struct art_sheet sheets[MAX_ART_SHEETS];
+    struct art_sprite sprites[MAX_ART_SPRITES];
+    int n_palettes, n_sheets, n_sprites; /* each ascending by name */
+};
+
+/* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they
+ * may be. */
+struct manifest_number {
+    const char *name;
+    size_t offset;
+    int32_t lo, hi;
+};
+enum { MANIFEST_NUMBERS = 17 };
+extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
+
+/* All defaults but the id, which is "game". */
+void manifest_default(struct manifest *m);
+
+/* Is every field in range? False and one sentence ("board.bullets: ...") else. */
+bool manifest_check(const struct manifest *m, char *err, size_t err_size);
+
+/* The lump and back. unpack refuses what is not exactly a lump that manifest_pack makes of a manifest in range. */
+void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
+bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
+
+/* Reads the text of rom.lua. file is its name for messages, folder the id's default (other characters become _). work
+ * is MANIFEST_WORK bytes, 16-byte aligned, to think in: the text is Lua, run with no functions, bounded in memory and
+ * time. False and one sentence ("rom.lua: board.bulets: unknown name (did you mean \"bullets\"?)") else. */
+bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
+                   struct art *art, void *work, char *err, size_t err_size);
+
+/* May this be a word (of MAX_WORD) in names of DIPs, their values and difficulties? [A-Za-z0-9_-]+ */
+bool manifest_word_ok(const char *s);
+
+/* A script, sheet or data path inside the game's folder: parts of [A-Za-z0-9_.-]+ joined by /, none of them starting
+ * with a dot. */
+bool manifest_path_ok(const char *s);
+
+#endif

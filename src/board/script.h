@@ -1,0 +1,20 @@
+/*
+ * script.h - what a script may not say, found in its text before it runs.
+ * floor: board    used by: board/ cab/
+ */
+#ifndef BOARD_SCRIPT_H
+#define BOARD_SCRIPT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* False when the text uses the operator ^, or the names __gc or __mode as a name or as a whole string: *line is where,
+ * *what a sentence. Comments are skipped. Text that is not Lua is let through: the compiler refuses it. Allocates
+ * nothing. */
+bool script_scan(const char *text, size_t n, int *line, const char **what);
+
+/* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; err gets "stages/one.lua:42: what".
+ */
+bool script_check(const char *text, size_t n, const char *chunk, char *err, size_t err_size);
+
+#endif

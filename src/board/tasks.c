@@ -1,0 +1,257 @@
+/*
+ * tasks.c - see tasks.h. The slots are linked by serial, so starting and ending a task cost the same however many there
+ * are.
+ */
+#include "tasks.h"
+#include <lauxlib.h>
+#include "machine.h"
+
+static const struct column columns[] = {
+    COLUMN(tasks, serial),
+    COLUMN(tasks, owner),
+    COLUMN(tasks, wait),
+    COLUMN(tasks, flags),
+    COLUMN(tasks, born),
+    DERIVED(tasks, next, "the live slots by serial"),
+    DERIVED(tasks, prev, "the live slots by serial"),
+    DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
+    DERIVED_REGISTER(tasks, last, "the live slot with the highest serial"),
+    REGISTER(tasks, serials),
+    DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
+};
+
+const struct chip tasks_chip = { "tasks", columns, sizeof columns / sizeof *columns, false, false };
+
+static const char threads_key = 0; /* registry: slot + 1 -> thread */
+
+static void push_threads(lua_State *L)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &threads_key) == LUA_TTABLE)
+        return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &threads_key);
+}
+
+static const uint32_t NONE = UINT32_MAX;
+
+static void link_last(struct tasks *t, uint32_t i)
+{
+    t->next[i] = NONE;
+    t->prev[i] = t->last;
+    if (t->last == NONE)
+        t->first = i;
+    else
+        t->next[t->last] = i;
+    t->last = i;
+}
+
+static void unlink_task(struct tasks *t, uint32_t i)
+{
+    if (t->prev[i] == NONE)
+        t->first = t->next[i];
+    else
+        t->next[t->prev[i]] = t->next[i];
+    if (t->next[i] == NONE)
+        t->last = t->prev[i];
+    else
+        t->prev[t->next[i]] = t->prev[i];
+}
+
+void tasks_empty(struct tasks *t)
+{
+    t->first = t->last = NONE;
+    t->current = NO_SLOT;
+}
+
+static int32_t take(struct board *b, int64_t owner, uint8_t flags)
+{
+    struct tasks *t = &b->tasks;
+    int32_t i = slots_take(&t->s);
+
+    if (i == NO_SLOT)
+        return i;
+    t->serial[i] = ++t->serials;
+    t->owner[i] = owner;
+    t->wait[i] = 0;
+    t->flags[i] = flags;
+    t->born[i] = b->core.clock;
+    link_last(t, (uint32_t)i);
+    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
+    return i;
+}
+
+static void drop(struct board *b, lua_State *L, uint32_t i)
+{
+    push_threads(L);
+    lua_pushnil(L);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    lua_pop(L, 1);
+    script_fold(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
+    unlink_task(&b->tasks, i);
+    slots_drop(&b->tasks.s, i);
+}
+
+int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
+{
+    int32_t i = take(b, owner, TASK_RUNS);
+
+    if (i == NO_SLOT) {
+        lua_pop(L, n + 1);
+        return board_handle(b, H_TASK, NO_SLOT);
+    }
+    luaL_checkstack(L, 4, "too many arguments");
+    push_threads(L);
+    lua_State *co = lua_newthread(L);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    lua_pop(L, 1);
+    if (!lua_checkstack(co, n + 1))
+        vm_fault(L, FAULT_SCRIPT, "too many arguments");
+    lua_xmove(L, co, n + 1);
+    return board_handle(b, H_TASK, i);
+}
+
+int64_t tasks_scope(struct board *b, int64_t owner)
+{
+    return board_handle(b, H_TASK, take(b, owner, TASK_SCOPE));
+}
+
+bool tasks_owner_alive(const struct board *b, int64_t owner)
+{
+    return !owner || board_alive(b, owner);
+}
+
+/* A chain of owners can be as long as the pool is large: no recursion. */
+bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
+{
+    const struct tasks *t = &b->tasks;
+
+    while (slots_has(&t->s, slot, gen) && !(t->flags[slot] & TASK_STOP)) {
+        int64_t owner = t->owner[slot];
+        if (!owner || handle_kind(owner) != H_TASK)
+            return tasks_owner_alive(b, owner);
+        slot = handle_slot(owner);
+        gen = handle_gen(owner);
+    }
+    return false;
+}
+
+void tasks_stop(struct board *b, uint32_t slot)
+{
+    b->tasks.flags[slot] |= TASK_STOP;
+}
+
+int64_t tasks_owner(const struct board *b)
+{
+    return b->tasks.current == NO_SLOT ? 0 : b->tasks.owner[b->tasks.current];
+}
+
+uint32_t tasks_serial(const struct board *b)
+{
+    return b->tasks.current == NO_SLOT ? 0 : b->tasks.serial[b->tasks.current];
+}
+
+static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
+{
+    for (int64_t h = board_handle(b, H_TASK, (int32_t)i); h; h = b->tasks.owner[handle_slot(h)]) {
+        if (h == scope)
+            return true;
+        if (handle_kind(h) != H_TASK || !slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
+            return false;
+    }
+    return false;
+}
+
+static lua_State *thread_of(lua_State *L, uint32_t i)
+{
+    push_threads(L);
+    lua_rawgeti(L, -1, (lua_Integer)i + 1);
+    lua_State *co = lua_tothread(L, -1);
+    lua_pop(L, 2);
+    return co;
+}
+
+/* A task's error becomes the board's fault; the run is over. */
+static void fail(struct board *b, lua_State *L, lua_State *co, int status)
+{
+    vm_report(b, co, status);
+    if (status != LUA_ERRMEM)
+        vm_trace(b, L, co);
+    lua_pushliteral(L, "a task failed");
+    lua_error(L);
+}
+
+/* Closes a task's to-be-closed variables. */
+static void close_task(struct board *b, lua_State *L, uint32_t i)
+{
+    lua_State *co = thread_of(L, i);
+
+    if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
+        return;
+    b->vm.running = co;
+    vm_watch(b, co);
+    int status = lua_resetthread(co);
+    b->vm.running = L;
+    if (status != LUA_OK)
+        fail(b, L, co, status);
+}
+
+/* Resumes a task; true when it has ended. */
+static bool resume(struct board *b, lua_State *L, uint32_t i)
+{
+    struct tasks *t = &b->tasks;
+    lua_State *co = thread_of(L, i);
+    int results, n = t->flags[i] & TASK_BEGUN ? 0 : lua_gettop(co) - 1;
+
+    t->flags[i] |= TASK_BEGUN;
+    t->current = (int32_t)i;
+    b->vm.running = co;
+    vm_watch(b, co);
+    int status = lua_resume(co, L, n, &results);
+    b->vm.running = L;
+    t->current = NO_SLOT;
+    if (status != LUA_OK && status != LUA_YIELD)
+        fail(b, L, co, status);
+    if (status == LUA_OK)
+        return true;
+    lua_pop(co, results);
+    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x53);
+    script_fold(b, (uint64_t)t->wait[i]);
+    return false;
+}
+
+/* One task's turn; true when it is over. */
+static bool turn(struct board *b, lua_State *L, uint32_t i)
+{
+    struct tasks *t = &b->tasks;
+
+    if (t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i])) {
+        close_task(b, L, i);
+        return true;
+    }
+    if (t->flags[i] & TASK_SCOPE || (b->core.frozen && !owned_by(b, i, b->core.frozen)))
+        return false;
+    if (t->wait[i] > 0 && --t->wait[i] > 0)
+        return false;
+    if (resume(b, L, i))
+        return true;
+    if (t->flags[i] & TASK_STOP) /* it stopped itself, and has nothing to wait for */
+        close_task(b, L, i);
+    return t->flags[i] & TASK_STOP;
+}
+
+int tasks_run(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    uint32_t next;
+
+    for (uint32_t i = b->tasks.first; i != NONE; i = next) {
+        bool over = turn(b, L, i);
+        next = b->tasks.next[i]; /* after its turn: it may have started others */
+        if (over)
+            drop(b, L, i);
+    }
+    slots_trim(&b->tasks.s);
+    return 0;
+}

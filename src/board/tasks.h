@@ -1,0 +1,59 @@
+/*
+ * tasks.h - coroutines with owners: what scripts do over time.
+ * floor: board    used by: board/
+ *
+ * Tasks get their turns in the order they were started. A task's thread lives in the Lua registry; what the board needs
+ * to know of it are columns here. A scope is a task without a body: it only owns others.
+ */
+#ifndef BOARD_TASKS_H
+#define BOARD_TASKS_H
+
+#include <lua.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include "../chips/slots.h"
+
+struct board;
+
+enum { TASK_RUNS = 0, TASK_SCOPE = 1, TASK_STOP = 2 /* flags: to be closed at its turn */, TASK_BEGUN = 4 };
+
+struct tasks {
+    struct slots s;
+    uint32_t *serial; /* counts up with every start: the order of turns */
+    int64_t *owner;   /* handle, 0: the board */
+    int64_t *wait;    /* turns to let pass */
+    uint8_t *flags;
+    uint32_t *born;
+    uint32_t *next, *prev; /* slots in order of serial */
+    uint32_t first, last;
+    uint32_t serials; /* given out so far */
+    int32_t current;  /* slot that has its turn, NO_SLOT: none */
+};
+
+extern const struct chip tasks_chip;
+
+/* No tasks: at power-on. */
+void tasks_empty(struct tasks *t);
+
+/* Starts the function and n arguments on top of L's stack (popped) as a task; returns its handle, a dead one when there
+ * is no room. */
+int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n);
+int64_t tasks_scope(struct board *b, int64_t owner);
+
+/* Every task's turn. For vm_call: errors of a task become a fault. */
+int tasks_run(lua_State *L);
+
+/* Stops a task or scope: closed at its turn, dead from now on. */
+void tasks_stop(struct board *b, uint32_t slot);
+
+/* Is this owner (0: the board) still there, it and all it is owned by? */
+bool tasks_owner_alive(const struct board *b, int64_t owner);
+bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
+
+/* The owner for things the running script starts. */
+int64_t tasks_owner(const struct board *b);
+
+/* Serial of the running task, 0: none. */
+uint32_t tasks_serial(const struct board *b);
+
+#endif

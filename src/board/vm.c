@@ -1,0 +1,384 @@
+/*
+ * vm.c - see vm.h.
+ *
+ * The collector is stopped while a tick runs and steps between frames. The clock never decides a verdict:
+ * board_interrupt only ends a tick that runs too long, and the cabinet runs it again counting instructions.
+ */
+#include "vm.h"
+#include <lualib.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "api.h"
+#include "lualib.h"
+#include "machine.h"
+#include "script.h"
+
+static void *allocate(void *ud, void *p, size_t old, size_t size)
+{
+    struct board *b = ud;
+
+    /* For a new block Lua passes a type in place of the old size. */
+    return heap_realloc(b->vm.heap, p, p ? old : 0, size);
+}
+
+struct board *vm_board(lua_State *L)
+{
+    return *(struct board **)lua_getextraspace(L);
+}
+
+/* ---- faults ---- */
+
+/* Pushes "FILE:LINE: " of the nearest caller outside @std, or of the nearest at all. */
+static void push_place(lua_State *L)
+{
+    lua_Debug ar, nearest;
+    bool found = false;
+
+    for (int level = 1; lua_getstack(L, level, &ar); level++) {
+        lua_getinfo(L, "Sl", &ar);
+        if (ar.currentline <= 0)
+            continue;
+        if (strncmp(ar.short_src, "@std/", 5)) {
+            lua_pushfstring(L, "%s:%d: ", ar.short_src, ar.currentline);
+            return;
+        }
+        if (!found)
+            nearest = ar;
+        found = true;
+    }
+    if (found)
+        lua_pushfstring(L, "%s:%d: ", nearest.short_src, nearest.currentline);
+    else
+        lua_pushliteral(L, "");
+}
+
+int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
+{
+    va_list args;
+
+    vm_board(L)->vm.kind = kind;
+    lua_checkstack(L, 4);
+    push_place(L);
+    va_start(args, format);
+    lua_pushvfstring(L, format, args);
+    va_end(args);
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
+void vm_charge(lua_State *L, uint64_t work)
+{
+    struct vm *vm = &vm_board(L)->vm;
+
+    vm->work += work;
+    if (vm->work > WORK_LIMIT) {
+        vm->work = 0; /* reporting may use the library too */
+        vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
+    }
+}
+
+static void on_count(lua_State *L, lua_Debug *ar)
+{
+    (void)ar;
+    vm_charge(L, WORK_STEP);
+}
+
+static void on_interrupt(lua_State *L, lua_Debug *ar)
+{
+    (void)ar;
+    vm_fault(L, FAULT_INTERRUPTED, "interrupted");
+}
+
+enum { EVERYTHING = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT };
+
+void vm_watch(struct board *b, lua_State *L)
+{
+    if (b->vm.interrupted)
+        lua_sethook(L, on_interrupt, EVERYTHING, 1);
+    else if (b->vm.counting)
+        lua_sethook(L, on_count, LUA_MASKCOUNT, WORK_STEP);
+    else if (lua_gethook(L))
+        lua_sethook(L, NULL, 0, 0);
+}
+
+void board_interrupt(struct board *b)
+{
+    b->vm.interrupted = 1;
+    if (b->vm.running)
+        lua_sethook(b->vm.running, on_interrupt, EVERYTHING, 1);
+}
+
+void board_count(struct board *b, bool on)
+{
+    b->vm.counting = on;
+    vm_watch(b, b->vm.L);
+}
+
+static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
+{
+    if (status == LUA_ERRMEM)
+        return FAULT_MEMORY;
+    if (b->vm.kind != FAULT_NONE)
+        return b->vm.kind;
+    if (status == LUA_ERRERR || strstr(message, "stack overflow"))
+        return FAULT_STACK;
+    return FAULT_SCRIPT;
+}
+
+static void copy_text(char *to, size_t size, const char *from)
+{
+    snprintf(to, size, "%s", from);
+}
+
+void vm_report(struct board *b, lua_State *from, int status)
+{
+    struct board_fault *f = &b->hand->fault;
+    const char *message = "out of Lua memory (board.lua_kib in rom.lua)";
+
+    if (f->kind != FAULT_NONE)
+        return;
+    if (status != LUA_ERRMEM) {
+        if (lualib_raised(from, -1))
+            lualib_unwrap(from, -1);
+        message = lua_type(from, -1) == LUA_TSTRING || lua_type(from, -1) == LUA_TNUMBER ? lua_tostring(from, -1)
+                                                                                         : luaL_typename(from, -1);
+    }
+    f->kind = kind_of(b, status, message);
+    copy_text(f->message, sizeof f->message, message);
+    b->hand->out.fault = f;
+}
+
+void vm_trace(struct board *b, lua_State *L, lua_State *from)
+{
+    if (b->hand->fault.trace[0])
+        return;
+    luaL_traceback(L, from, NULL, 0);
+    copy_text(b->hand->fault.trace, sizeof b->hand->fault.trace, lua_tostring(L, -1));
+    lua_pop(L, 1);
+}
+
+/* Message handler of vm_call: the stack is still there, so this is where the traceback is taken. */
+static int on_error(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    vm_report(b, L, LUA_ERRRUN);
+    lua_settop(L, 1);
+    vm_trace(b, L, L);
+    return 1;
+}
+
+bool vm_call(struct board *b, lua_CFunction f)
+{
+    lua_State *L = b->vm.L;
+
+    b->vm.running = L;
+    vm_watch(b, L);
+    lua_settop(L, 0);
+    lua_pushcfunction(L, on_error);
+    lua_pushcfunction(L, f);
+    int status = lua_pcall(L, 0, 0, 1);
+    if (status != LUA_OK)
+        vm_report(b, L, status);
+    lua_settop(L, 0);
+    return status == LUA_OK;
+}
+
+int vm_collect(lua_State *L)
+{
+    lualib_check_weak(L);
+    lua_gc(L, LUA_GCSTEP, 1);
+    return 0;
+}
+
+/* ---- scripts ---- */
+
+void vm_load(lua_State *L, const char *name)
+{
+    const char *text, *what;
+    size_t size;
+    int line;
+    char chunk[160];
+
+    if (!cart_script(&vm_board(L)->cart, name, &text, &size))
+        vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
+    if (!script_scan(text, size, &line, &what)) {
+        lua_pushfstring(L, "%s.lua:%d: %s", name, line, what);
+        lua_error(L);
+    }
+    snprintf(chunk, sizeof chunk, "@%s.lua", name);
+    if (luaL_loadbufferx(L, text, size, chunk, "t") != LUA_OK)
+        lua_error(L);
+}
+
+static const char modules_key = 0;
+
+/* require "stages/one": runs a script of the game once, at load. */
+static int l_require(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    const char *name = luaL_checkstring(L, 1);
+
+    lua_settop(L, 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
+    if (lua_getfield(L, 2, name) != LUA_TNIL) {
+        if (lua_type(L, -1) == LUA_TLIGHTUSERDATA)
+            return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" requires itself", name);
+        return 1;
+    }
+    if (!b->vm.loading)
+        return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" is not loaded yet, and scripts load only at the start", name);
+    lua_pushlightuserdata(L, b);
+    lua_setfield(L, 2, name);
+    vm_load(L, name);
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    lua_pushvalue(L, -1);
+    lua_setfield(L, 2, name);
+    return 1;
+}
+
+/* Never fails: what does not fit into the frame's log is cut off. */
+static void log_text(struct board *b, const char *s, size_t n)
+{
+    struct hand *h = b->hand;
+
+    if (n > sizeof h->log - h->log_size)
+        n = sizeof h->log - h->log_size;
+    memcpy(h->log + h->log_size, s, n);
+    h->log_size += n;
+}
+
+static int l_print(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    int n = lua_gettop(L);
+
+    for (int i = 1; i <= n; i++) {
+        size_t size;
+        const char *s = lualib_tolstring(L, i, &size);
+        if (i > 1)
+            log_text(b, "\t", 1);
+        log_text(b, s, size);
+        lua_pop(L, 1);
+    }
+    log_text(b, "\n", 1);
+    return 0;
+}
+
+static int undeclared(lua_State *L)
+{
+    const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
+}
+
+static int no_new_global(lua_State *L)
+{
+    const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\": there are no new globals (write \"local %s\")", name,
+                    name);
+}
+
+static void seal_globals(lua_State *L)
+{
+    lua_pushglobaltable(L);
+    lua_createtable(L, 0, 3);
+    lua_pushcfunction(L, undeclared);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, no_new_global);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
+static const char *const std_modules[] = { "prelude", "pattern", "path", "stage", "boss", "hud", "menu", "boot" };
+
+/* Runs @std/NAME with sys and binds what it returns: prelude's entries one by one, the others under their name. */
+static void load_std(lua_State *L, const char *name, int sys)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "@std/%s", name);
+    vm_load(L, path);
+    lua_pushvalue(L, sys);
+    lua_call(L, 1, 1);
+    lua_pushglobaltable(L);
+    if (!strcmp(name, "prelude")) {
+        lua_pushnil(L);
+        while (lua_next(L, -3)) {
+            lua_pushvalue(L, -2);
+            lua_insert(L, -2);
+            lua_rawset(L, -4);
+        }
+    } else {
+        lua_pushvalue(L, -2);
+        lua_setfield(L, -2, name);
+    }
+    lua_pop(L, 2);
+}
+
+static int open_libraries(lua_State *L)
+{
+    static const luaL_Reg libs[] = { { LUA_GNAME, luaopen_base },
+                                     { LUA_TABLIBNAME, luaopen_table },
+                                     { LUA_STRLIBNAME, luaopen_string },
+                                     { LUA_MATHLIBNAME, luaopen_math },
+                                     { LUA_UTF8LIBNAME, luaopen_utf8 } };
+
+    for (size_t i = 0; i < sizeof libs / sizeof *libs; i++) {
+        luaL_requiref(L, libs[i].name, libs[i].func, 1);
+        lua_pop(L, 1);
+    }
+    lualib_open(L);
+    lua_register(L, "require", l_require);
+    lua_register(L, "print", l_print);
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
+    return 0;
+}
+
+int vm_boot(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    lua_gc(L, LUA_GCINC, 100, 400, 13);
+    lua_gc(L, LUA_GCSTOP);
+    open_libraries(L);
+    api_open(L); /* leaves the sys table */
+    int sys = lua_gettop(L);
+    for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
+        load_std(L, std_modules[i], sys);
+    seal_globals(L);
+    vm_load(L, b->cart.m.entry);
+    lua_call(L, 0, 0);
+    return 0;
+}
+
+static int panic(lua_State *L)
+{
+    /* Cannot come: every script runs inside vm_call. */
+    (void)L;
+    return 0;
+}
+
+bool vm_open(struct board *b, void *block, size_t size)
+{
+    b->vm.heap = heap_init(block, size);
+    b->vm.L = lua_newstate(allocate, b);
+    if (!b->vm.L)
+        return false;
+    *(struct board **)lua_getextraspace(b->vm.L) = b;
+    lua_atpanic(b->vm.L, panic);
+    b->vm.running = b->vm.L;
+    b->vm.kind = FAULT_NONE;
+    return true;
+}

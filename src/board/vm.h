@@ -1,0 +1,69 @@
+/*
+ * vm.h - the Lua machine in RAM: its memory, sandbox, faults and guards.
+ * floor: board    used by: board/
+ *
+ * Every byte of Lua lives in the heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board:
+ * it becomes a fault, the run is over, and nothing of the board's state is trusted any more.
+ */
+#ifndef BOARD_VM_H
+#define BOARD_VM_H
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include "../base/heap.h"
+#include "board.h"
+
+struct board;
+
+enum {
+    WORK_LIMIT = 1000000000, /* VM instructions, or library work worth as many, in one tick */
+    WORK_STEP = 100000,      /* instructions between two looks when counting */
+};
+
+struct vm {
+    lua_State *L;
+    lua_State *running; /* the thread that has the turn: where an interrupt has to go */
+    struct heap *heap;
+    uint64_t work; /* of this tick */
+    bool counting;
+    volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
+    bool loading;
+    enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
+};
+
+/* Opens Lua with the sandbox in the board's heap. False: not even that fits. */
+bool vm_open(struct board *b, void *block, size_t size);
+
+/* Runs f(L) protected. False: a fault, which stands in the board's out. */
+bool vm_call(struct board *b, lua_CFunction f);
+
+/* The board a script's API call belongs to. */
+struct board *vm_board(lua_State *L);
+
+/* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
+int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
+
+/* Adds work (1: about one VM instruction) to this tick's sum and raises FAULT_LOOP over WORK_LIMIT. */
+void vm_charge(lua_State *L, uint64_t work);
+
+/* Puts the counting hook on a thread that gets its turn, when counting. */
+void vm_watch(struct board *b, lua_State *L);
+
+/* Fills the board's fault from the error value on top of `from` (the thread it happened in). */
+void vm_report(struct board *b, lua_State *from, int status);
+
+/* Adds the traceback of `from` to the fault. */
+void vm_trace(struct board *b, lua_State *L, lua_State *from);
+
+/* One step of the collector; between frames only. */
+int vm_collect(lua_State *L);
+
+/* Loads script "stages/one" or "@std/pattern" and leaves its function on the stack; a fault when it cannot. */
+void vm_load(lua_State *L, const char *name);
+
+/* The standard library, then the entry script. For vm_call. */
+int vm_boot(lua_State *L);
+
+#endif

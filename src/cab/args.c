@@ -1,0 +1,552 @@
+/*
+ * args.c - see args.h.
+ *
+ * An option has the same shape with every command, so options may stand before the command; which go with it is looked
+ * at when all is read.
+ */
+#include "args.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    FOR_PLAY = 1 << COMMAND_PLAY,
+    FOR_RENDER = 1 << COMMAND_RENDER,
+    FOR_HASH = 1 << COMMAND_HASH,
+    FOR_VERIFY = 1 << COMMAND_VERIFY,
+    FOR_PACK = 1 << COMMAND_PACK,
+    FOR_ROM = FOR_PACK | 1 << COMMAND_LIST | 1 << COMMAND_UNPACK,
+    FOR_HEADLESS = FOR_RENDER | FOR_HASH,
+    FOR_RUN = FOR_PLAY | FOR_HEADLESS,
+    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM
+};
+
+static const struct {
+    const char *name, *words;
+    int least, most; /* words */
+    const char *help;
+} commands[COMMANDS] = {
+    [COMMAND_PLAY] = { "play", "[ROM]", 0, 1, "play a game: a folder or a .rom file; without one, the built-in game" },
+    [COMMAND_RENDER] = { "render", "ROM", 1, 1,
+                         "run without a window and write frames as DIR/000600.png; frame 0 is the board just powered "
+                         "on" },
+    [COMMAND_HASH] = { "hash", "ROM", 1, 1, "run without a window and print the state hash of every frame: N HASH" },
+    [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
+                         "replay demos and compare hashes; names the first frame and the parts that differ" },
+    [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
+    [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
+    [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
+    [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
+    [COMMAND_VERSION] = { "version", "", 0, 0, "core version, compiler, flags, Lua release (also --version)" },
+};
+
+enum option {
+    OPTION_RECORD,
+    OPTION_DEMO,
+    OPTION_SEED,
+    OPTION_DIP,
+    OPTION_STAGE,
+    OPTION_DIFFICULTY,
+    OPTION_SCALE,
+    OPTION_FULLSCREEN,
+    OPTION_MUTE,
+    OPTION_FRAMES,
+    OPTION_EVERY,
+    OPTION_PARTS,
+    OPTION_SHEET,
+    OPTION_OUT,
+    OPTION_NEAREST,
+    OPTION_TRACE,
+    OPTION_HELP,
+    OPTION_VERSION,
+    OPTIONS
+};
+
+static const struct {
+    const char *name, *value; /* value NULL: a switch */
+    unsigned commands;
+    const char *help;
+} options[OPTIONS] = {
+    [OPTION_RECORD] = { "--record", "F", FOR_RUN, "record the run as demo F" },
+    [OPTION_DEMO] = { "--demo", "F", FOR_RUN, "play demo F; afterwards nothing is pressed" },
+    [OPTION_SEED] = { "--seed", "N", FOR_RUN, "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
+    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN, "set a DIP switch of the game; may be given several times" },
+    [OPTION_STAGE] = { "--stage", "S", FOR_RUN, "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
+    [OPTION_SCALE] = { "--scale", "N", FOR_PLAY, "window pixels a picture pixel, 1 to 16" },
+    [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
+    [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
+    [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
+                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames" },
+    [OPTION_EVERY] = { "--every", "N", FOR_HASH, "print every Nth frame only" },
+    [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, "print the hash of each part as well" },
+    [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
+    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK, "where to write: render: folder; pack: ROM file" },
+    [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
+                         "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_TRACE] = { "--trace", NULL, FOR_RUN | FOR_VERIFY, "print the Lua traceback of a script fault (also -v)" },
+    [OPTION_HELP] = { "--help", NULL, FOR_ALL, "help of the command (also -h)" },
+    [OPTION_VERSION] = { "--version", NULL, FOR_ALL, "what this program is" },
+};
+
+static bool fail(char *err, size_t err_size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, err_size, format, args);
+    va_end(args);
+    return false;
+}
+
+/* ---- near words ---- */
+
+enum { NEAR_MOST = 31 };
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* Edits (a letter more, less or another, or two swapped) from a to b. */
+static int edits(const char *a, const char *b)
+{
+    int d[NEAR_MOST + 1][NEAR_MOST + 1];
+    int n = (int)strlen(a), m = (int)strlen(b);
+
+    if (n > NEAR_MOST || m > NEAR_MOST)
+        return NEAR_MOST;
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= m; j++) {
+            if (i == 0 || j == 0) {
+                d[i][j] = i + j;
+                continue;
+            }
+            d[i][j] = least(d[i - 1][j - 1] + (a[i - 1] != b[j - 1]), least(d[i - 1][j], d[i][j - 1]) + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    }
+    return d[n][m];
+}
+
+const char *args_near(const char *word, const char *const *list, int n)
+{
+    const char *best = NULL;
+    int limit = 1 + (int)strlen(word) / 4;
+
+    for (int i = 0; i < n; i++) {
+        int e = edits(word, list[i]);
+        if (e > limit || e >= (int)strlen(list[i]))
+            continue;
+        best = list[i];
+        limit = e - 1; /* only a nearer one is better */
+    }
+    return best;
+}
+
+const char *args_near_command(const char *word)
+{
+    const char *names[COMMANDS];
+
+    for (int i = 0; i < COMMANDS; i++)
+        names[i] = commands[i].name;
+    return args_near(word, names, COMMANDS);
+}
+
+int args_command(const char *name)
+{
+    for (int i = 0; i < COMMANDS; i++) {
+        if (strcmp(name, commands[i].name) == 0)
+            return i;
+    }
+    return -1;
+}
+
+/* ---- values ---- */
+
+/* Decimal, or 0x and hexadecimal: all of the text up to `end` and no more than most. */
+static bool number(const char *text, const char *end, uint64_t most, uint64_t *out)
+{
+    bool hex = text[0] == '0' && (text[1] == 'x' || text[1] == 'X') && end - text > 2;
+    uint64_t base = hex ? 16 : 10, v = 0;
+    const char *p = hex ? text + 2 : text;
+
+    if (p == end)
+        return false;
+    for (; p < end; p++) {
+        static const char digits[] = "0123456789abcdef0123456789ABCDEF";
+        const char *at = *p ? strchr(digits, *p) : NULL;
+        uint64_t digit = at ? (uint64_t)(at - digits) % 16 : 16;
+        if (digit >= base || v > (most - digit) / base)
+            return false;
+        v = v * base + digit;
+    }
+    *out = v;
+    return true;
+}
+
+static bool number_from(const char *option, const char *text, uint64_t low, uint64_t most, uint64_t *out, char *err,
+                        size_t err_size)
+{
+    if (number(text, text + strlen(text), most, out) && *out >= low)
+        return true;
+    return fail(err, err_size, "%s: expected a whole number from %llu to %llu, got \"%s\"", option,
+                (unsigned long long)low, (unsigned long long)most, text);
+}
+
+static bool read_span(struct span *s, const char *p, const char *end)
+{
+    uint64_t v[3];
+    int n = 0;
+
+    for (bool more = true; more; n++) {
+        const char *stop = memchr(p, ':', (size_t)(end - p));
+        more = stop != NULL;
+        if (n == 3 || !number(p, more ? stop : end, ARGS_MAX_FRAME, &v[n]))
+            return false;
+        p = more ? stop + 1 : end;
+    }
+    s->first = (uint32_t)v[0];
+    s->last = (uint32_t)v[n > 1 ? 1 : 0];
+    s->step = n > 2 ? (uint32_t)v[2] : 1;
+    return s->step > 0;
+}
+
+bool args_frames(struct args *a, const char *text, char *err, size_t err_size)
+{
+    const char *p = text;
+
+    a->n_spans = 0;
+    for (bool more = true; more;) {
+        size_t n = strcspn(p, ",");
+        struct span s;
+        if (!read_span(&s, p, p + n))
+            return fail(err, err_size,
+                        "--frames: expected frames from 0 to %d like 600 or 1,60,600 or 0:600:60, got \"%s\"",
+                        ARGS_MAX_FRAME, text);
+        if (s.last < s.first)
+            return fail(err, err_size, "--frames: %u:%u ends before it starts", (unsigned)s.first, (unsigned)s.last);
+        if (a->n_spans == ARGS_MAX_SPANS)
+            return fail(err, err_size, "--frames: more than %d parts", ARGS_MAX_SPANS);
+        a->spans[a->n_spans++] = s;
+        more = p[n] == ',';
+        p += n + 1;
+    }
+    return true;
+}
+
+bool args_wants(const struct args *a, uint32_t frame)
+{
+    for (int i = 0; i < a->n_spans; i++) {
+        const struct span *s = &a->spans[i];
+        if (frame >= s->first && frame <= s->last && (frame - s->first) % s->step == 0)
+            return true;
+    }
+    return false;
+}
+
+uint32_t args_last_frame(const struct args *a)
+{
+    uint32_t last = 0;
+
+    for (int i = 0; i < a->n_spans; i++) {
+        const struct span *s = &a->spans[i];
+        uint32_t end = s->last - (s->last - s->first) % s->step;
+        last = end > last ? end : last;
+    }
+    return last;
+}
+
+/* ---- parsing ---- */
+
+static bool set_dip(struct args *a, const char *value, char *err, size_t err_size)
+{
+    const char *equals = strchr(value, '=');
+
+    if (!equals || equals == value || !equals[1])
+        return fail(err, err_size, "--dip: expected NAME=VALUE, got \"%s\"", value);
+    if (a->n_dips == ARGS_MAX_DIPS)
+        return fail(err, err_size, "--dip: more than %d", ARGS_MAX_DIPS);
+    a->dips[a->n_dips++] = value;
+    return true;
+}
+
+static bool set_number(struct args *a, enum option o, const char *value, char *err, size_t err_size)
+{
+    uint64_t v = 0, low = o == OPTION_SEED ? 0 : 1;
+    uint64_t most = o == OPTION_SEED ? UINT64_MAX : o == OPTION_SCALE ? ARGS_MAX_SCALE : ARGS_MAX_FRAME;
+
+    if (!number_from(options[o].name, value, low, most, &v, err, err_size))
+        return false;
+    if (o == OPTION_SCALE)
+        a->scale = (int)v;
+    else if (o == OPTION_EVERY)
+        a->every = (uint32_t)v;
+    else
+        a->seed = v;
+    return true;
+}
+
+static bool set_string(const char **to, enum option o, const char *value, char *err, size_t err_size)
+{
+    if (!value[0])
+        return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
+    *to = value;
+    return true;
+}
+
+static bool set_switch(bool *to)
+{
+    *to = true;
+    return true;
+}
+
+static bool set(struct args *a, enum option o, const char *value, char *err, size_t err_size)
+{
+    switch (o) {
+    case OPTION_RECORD:
+        return set_string(&a->record, o, value, err, err_size);
+    case OPTION_DEMO:
+        return set_string(&a->demo, o, value, err, err_size);
+    case OPTION_STAGE:
+        return set_string(&a->stage, o, value, err, err_size);
+    case OPTION_DIFFICULTY:
+        return set_string(&a->difficulty, o, value, err, err_size);
+    case OPTION_SHEET:
+        return set_string(&a->sheet, o, value, err, err_size);
+    case OPTION_OUT:
+        return set_string(&a->out, o, value, err, err_size);
+    case OPTION_DIP:
+        return set_dip(a, value, err, err_size);
+    case OPTION_FRAMES:
+        return args_frames(a, value, err, err_size);
+    case OPTION_SEED:
+        a->seeded = true;
+        return set_number(a, o, value, err, err_size);
+    case OPTION_SCALE:
+    case OPTION_EVERY:
+        return set_number(a, o, value, err, err_size);
+    case OPTION_FULLSCREEN:
+        return set_switch(&a->fullscreen);
+    case OPTION_MUTE:
+        return set_switch(&a->mute);
+    case OPTION_PARTS:
+        return set_switch(&a->parts);
+    case OPTION_NEAREST:
+        return set_switch(&a->nearest);
+    case OPTION_TRACE:
+        return set_switch(&a->trace);
+    default:
+        return true;
+    }
+}
+
+/* The option named by the n bytes at name, or OPTIONS. */
+static enum option find_option(const char *name, size_t n)
+{
+    static const struct {
+        const char *name;
+        enum option is;
+    } shorts[] = { { "-h", OPTION_HELP }, { "-v", OPTION_TRACE }, { "--out", OPTION_OUT } };
+
+    for (int i = 0; i < OPTIONS; i++) {
+        if (strlen(options[i].name) == n && memcmp(options[i].name, name, n) == 0)
+            return (enum option)i;
+    }
+    for (size_t i = 0; i < sizeof shorts / sizeof shorts[0]; i++) {
+        if (strlen(shorts[i].name) == n && memcmp(shorts[i].name, name, n) == 0)
+            return shorts[i].is;
+    }
+    return OPTIONS;
+}
+
+static bool unknown_option(const char *word, size_t n, char *err, size_t err_size)
+{
+    const char *names[OPTIONS];
+    char name[64];
+
+    for (int i = 0; i < OPTIONS; i++)
+        names[i] = options[i].name;
+    snprintf(name, sizeof name, "%.*s", (int)(n < sizeof name ? n : sizeof name - 1), word);
+    const char *meant = n < sizeof name ? args_near(name, names, OPTIONS) : NULL;
+    if (meant)
+        return fail(err, err_size, "unknown option %s (did you mean %s?)", name, meant);
+    return fail(err, err_size, "unknown option %s (curtain help lists them)", name);
+}
+
+/* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
+static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned *seen, char *err, size_t err_size)
+{
+    const char *word = argv[*i], *equals = strchr(word, '='), *value = NULL;
+    size_t n = equals ? (size_t)(equals - word) : strlen(word);
+    enum option o = find_option(word, n);
+
+    if (o == OPTIONS)
+        return unknown_option(word, n, err, err_size);
+    if (!options[o].value && equals)
+        return fail(err, err_size, "%s takes no value, got \"%s\"", options[o].name, equals + 1);
+    if (options[o].value) {
+        if (!equals && *i + 1 >= argc)
+            return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
+        value = equals ? equals + 1 : argv[++*i];
+    }
+    if (*seen >> o & 1 && o != OPTION_DIP)
+        return fail(err, err_size, "%s is given twice", options[o].name);
+    *seen |= 1u << o;
+    return set(a, o, value, err, err_size);
+}
+
+static void goes_with(unsigned set_of, char *out, size_t size)
+{
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; i < COMMANDS && n < size; i++) {
+        if (set_of >> i & 1)
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", commands[i].name);
+    }
+}
+
+static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
+{
+    char with[64];
+    const unsigned fixed = 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE | 1u << OPTION_DIFFICULTY;
+
+    for (int o = 0; o < OPTIONS; o++) {
+        if (!(seen >> o & 1))
+            continue;
+        if (!(options[o].commands >> a->command & 1)) {
+            goes_with(options[o].commands, with, sizeof with);
+            return fail(err, err_size, "%s does not go with %s (it goes with %s)", options[o].name,
+                        commands[a->command].name, with);
+        }
+        if (a->demo && fixed >> o & 1)
+            return fail(err, err_size, "%s does not go with --demo, which holds its own", options[o].name);
+    }
+    return true;
+}
+
+/* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
+static bool check_command(const struct args *a, unsigned seen, char *err, size_t err_size)
+{
+    const char *word = a->words[0], *meant = args_near_command(word);
+    bool fits = a->n_words == 1;
+
+    for (int o = 0; o < OPTIONS; o++)
+        fits = fits && (!(seen >> o & 1) || options[o].commands & FOR_PLAY);
+    if (fits || (!meant && a->n_words == 1))
+        return true;
+    if (meant)
+        return fail(err, err_size, "unknown command \"%s\" (did you mean %s?)", word, meant);
+    return fail(err, err_size, "unknown command \"%s\" (curtain help lists them)", word);
+}
+
+static bool check_words(const struct args *a, char *err, size_t err_size)
+{
+    const char *name = commands[a->command].name;
+
+    if (a->n_words < commands[a->command].least)
+        return fail(err, err_size, "%s: expected %s (curtain help %s)", name, commands[a->command].words, name);
+    if (a->n_words > commands[a->command].most)
+        return fail(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
+                    a->words[commands[a->command].most], name);
+    return true;
+}
+
+/* help and version take over whatever else was said. */
+static bool take_over(struct args *a, enum command command)
+{
+    if (command == COMMAND_HELP) {
+        bool named = a->n_words > 0 && args_command(a->words[0]) >= 0;
+        a->n_words = named ? 1 : 0;
+    } else {
+        a->n_words = 0;
+    }
+    a->command = command;
+    return true;
+}
+
+bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size)
+{
+    unsigned seen = 0;
+    bool only_words = false;
+
+    *a = (struct args){ .words = argv, .every = 1 };
+    for (int i = 1; i < argc; i++) {
+        if (!only_words && strcmp(argv[i], "--") == 0)
+            only_words = true;
+        else if (only_words || argv[i][0] != '-' || !argv[i][1])
+            argv[a->n_words++] = argv[i];
+        else if (!read_option(a, argc, argv, &i, &seen, err, err_size))
+            return false;
+    }
+    if (seen >> OPTION_VERSION & 1)
+        return take_over(a, COMMAND_VERSION);
+    if (seen >> OPTION_HELP & 1)
+        return take_over(a, COMMAND_HELP);
+    int command = a->n_words ? args_command(a->words[0]) : -1;
+    if (command >= 0) {
+        a->command = (enum command)command;
+        a->words++;
+        a->n_words--;
+    } else if (a->n_words && !check_command(a, seen, err, err_size)) {
+        return false;
+    }
+    return check_options(a, seen, err, err_size) && check_words(a, err, err_size);
+}
+
+/* ---- help ---- */
+
+static void help_options(unsigned set_of, void (*line)(const char *))
+{
+    char text[256], name[48];
+
+    for (int o = 0; o < OPTIONS; o++) {
+        if (!(options[o].commands & set_of))
+            continue;
+        snprintf(name, sizeof name, "%s%s%s", options[o].name, options[o].value ? " " : "",
+                 options[o].value ? options[o].value : "");
+        snprintf(text, sizeof text, "  %-18s %s", name, options[o].help);
+        line(text);
+    }
+}
+
+static void help_all(void (*line)(const char *))
+{
+    char text[256], name[48];
+
+    line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
+    line("");
+    for (int i = 0; i < COMMANDS; i++) {
+        snprintf(name, sizeof name, "%s %s", commands[i].name, commands[i].words);
+        snprintf(text, sizeof text, "  curtain %-28s %s", name, commands[i].help);
+        line(text);
+    }
+    line("");
+    line("The word play may be left out. Options, each explained by curtain help COMMAND:");
+    help_options(FOR_ALL, line);
+    line("");
+    line("Exit codes: 0 done, 1 a demo does not hold, 2 bad input or a script fault, 3 the host failed.");
+}
+
+void args_help(int command, void (*line)(const char *))
+{
+    char text[256];
+
+    if (command < 0) {
+        help_all(line);
+        return;
+    }
+    snprintf(text, sizeof text, "curtain %s %s%s", commands[command].name, commands[command].words,
+             FOR_ALL >> command & 1 ? " [OPTIONS]" : "");
+    line(text);
+    snprintf(text, sizeof text, "  %s", commands[command].help);
+    line(text);
+    if (!(FOR_ALL >> command & 1))
+        return;
+    line("");
+    help_options(1u << command, line);
+}

@@ -1,0 +1,72 @@
+/*
+ * args.h - the command line as data: commands, options, what goes with what, and their help.
+ * floor: cab    used by: cli tests/
+ *
+ * One table each for commands and options gives parsing, help and error messages. Nothing here touches a file.
+ */
+#ifndef CAB_ARGS_H
+#define CAB_ARGS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum command {
+    COMMAND_PLAY,
+    COMMAND_RENDER,
+    COMMAND_HASH,
+    COMMAND_VERIFY,
+    COMMAND_PACK,
+    COMMAND_LIST,
+    COMMAND_UNPACK,
+    COMMAND_HELP,
+    COMMAND_VERSION,
+    COMMANDS
+};
+
+enum { ARGS_MAX_DIPS = 16, ARGS_MAX_SPANS = 64, ARGS_MAX_FRAME = 1 << 23, ARGS_MAX_SCALE = 16 };
+
+/* Frames first, first + step ... up to and with last. */
+struct span {
+    uint32_t first, last, step;
+};
+
+struct args {
+    enum command command;
+    char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
+    int n_words;
+    const char *record, *demo, *stage, *difficulty, *out, *sheet; /* NULL: not given */
+    const char *dips[ARGS_MAX_DIPS];                              /* "NAME=VALUE" */
+    int n_dips;
+    uint64_t seed;
+    bool seeded, fullscreen, mute, nearest, parts, trace;
+    int scale;      /* 0: not given */
+    uint32_t every; /* 1: not given */
+    struct span spans[ARGS_MAX_SPANS];
+    int n_spans; /* 0: --frames not given */
+};
+
+/* Reads argv[1] on. False and one sentence for anything that is not understood; what is meant by the words is for the
+ * command to find out. A first word that is no command is left for COMMAND_PLAY. */
+bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size);
+
+/* Reads "600", "1,60,600", "0:600:60" (both ends included) or several of these joined by commas. */
+bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
+
+/* Is the frame one of those of --frames? The last one that is. */
+bool args_wants(const struct args *a, uint32_t frame);
+uint32_t args_last_frame(const struct args *a);
+
+/* The command of that name, or -1. */
+int args_command(const char *name);
+
+/* The nearest of n words, close enough to be a slip of the finger; NULL: none is. */
+const char *args_near(const char *word, const char *const *list, int n);
+
+/* The same of the command names. */
+const char *args_near_command(const char *word);
+
+/* Help, a line a call: of everything (-1) or of a command. */
+void args_help(int command, void (*line)(const char *));
+
+#endif

@@ -1,0 +1,257 @@
+/*
+ * game.c - see game.h.
+ */
+#include "game.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+
+enum { LINE = 2048 };
+
+/* ---- reports ---- */
+
+static void log_clean(char *s)
+{
+    for (char *p = s; *p; p++) {
+        if ((unsigned char)*p < 32 || *p == 127)
+            *p = ' ';
+    }
+    fflush(stdout); /* what was printed before comes before, also where both go to one file */
+    plat_log(s);
+}
+
+int game_report(int code, const char *format, ...)
+{
+    char line[LINE] = "curtain: ";
+    size_t n = strlen(line);
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line + n, sizeof line - n, format, args);
+    va_end(args);
+    log_clean(line);
+    return code;
+}
+
+static void log_lines(const char *text)
+{
+    char line[LINE];
+
+    while (*text) {
+        size_t n = strcspn(text, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), text);
+        log_clean(line);
+        text += n + (text[n] == '\n');
+    }
+}
+
+int game_report_fault(const struct board_fault *fault, bool trace)
+{
+    char line[sizeof fault->message];
+
+    snprintf(line, sizeof line, "%s", fault->message);
+    log_clean(line);
+    if (trace)
+        log_lines(fault->trace);
+    return 2;
+}
+
+/* ---- loading ---- */
+
+static bool refuse(char *err, size_t err_size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, err_size, format, args);
+    va_end(args);
+    return false;
+}
+
+static bool load_builtin(struct game *g, char *err, size_t err_size)
+{
+    char why[512];
+
+    if (builtin_rom_size == 0)
+        return refuse(err, err_size, "no game is built in: name a ROM (curtain play ROM)");
+    if (rom_open(&g->rom, builtin_rom, builtin_rom_size, why, sizeof why) &&
+        cart_open(&g->cart, &g->rom, why, sizeof why))
+        return true;
+    return refuse(err, err_size, "the built-in game: %s", why);
+}
+
+static bool load(struct game *g, bool nearest, char *err, size_t err_size)
+{
+    char why[512];
+
+    if (!g->path)
+        return load_builtin(g, err, err_size);
+    if (!rom_image_load(g->path, nearest, &g->image, err, err_size))
+        return false;
+    g->rom = g->image.rom;
+    if (cart_open(&g->cart, &g->rom, why, sizeof why))
+        return true;
+    return refuse(err, err_size, "%s: %s", g->path, why);
+}
+
+/* ---- the start ---- */
+
+/* "a, b or c" */
+static void join(char *out, size_t size, const char *const *words, int n)
+{
+    size_t at = 0;
+
+    out[0] = 0;
+    for (int i = 0; i < n && at < size; i++) {
+        const char *between = i == 0 ? "" : i == n - 1 ? " or " : ", ";
+        at += (size_t)snprintf(out + at, size - at, "%s%s", between, words[i]);
+    }
+}
+
+static bool unknown(const char *option, const char *what, const char *word, const char *const *words, int n, char *err,
+                    size_t err_size)
+{
+    char all[512];
+    const char *meant = args_near(word, words, n);
+
+    if (n == 0)
+        return refuse(err, err_size, "%s: the game has no %s", option, what);
+    join(all, sizeof all, words, n);
+    if (meant)
+        return refuse(err, err_size, "%s: unknown %s \"%s\" (did you mean \"%s\"?)", option, what, word, meant);
+    return refuse(err, err_size, "%s: unknown %s \"%s\" (expected %s)", option, what, word, all);
+}
+
+static int index_of(const char *word, const char *const *words, int n)
+{
+    for (int i = 0; i < n; i++) {
+        if (strcmp(word, words[i]) == 0)
+            return i;
+    }
+    return -1;
+}
+
+static bool set_difficulty(struct game *g, const char *name, char *err, size_t err_size)
+{
+    const struct manifest *m = &g->cart.m;
+    const char *names[MAX_DIFFICULTIES];
+
+    for (int i = 0; i < m->n_difficulties; i++)
+        names[i] = m->difficulties[i];
+    g->start.difficulty = index_of(name, names, m->n_difficulties);
+    if (g->start.difficulty >= 0)
+        return true;
+    return unknown("--difficulty", "difficulty", name, names, m->n_difficulties, err, err_size);
+}
+
+static bool number_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
+{
+    char *end;
+    long long v = strtoll(text, &end, 10);
+
+    if (*end || end == text || v < dip->lo || v > dip->hi)
+        return refuse(err, err_size, "--dip: %s: expected a whole number from %d to %d, got \"%s\"", dip->name, dip->lo,
+                      dip->hi, text);
+    *out = (int32_t)v;
+    return true;
+}
+
+static bool dip_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
+{
+    const char *names[MAX_DIP_VALUES];
+    char option[32];
+
+    if (dip->number)
+        return number_value(dip, text, out, err, err_size);
+    for (int i = 0; i < dip->values; i++)
+        names[i] = dip->value_name[i];
+    *out = index_of(text, names, dip->values);
+    if (*out >= 0)
+        return true;
+    snprintf(option, sizeof option, "--dip: %s", dip->name);
+    return unknown(option, "value", text, names, dip->values, err, err_size);
+}
+
+static bool set_dip(struct game *g, const char *setting, char *err, size_t err_size)
+{
+    const struct manifest *m = &g->cart.m;
+    const char *names[MAX_DIPS], *equals = strchr(setting, '=');
+    char name[64];
+
+    for (int i = 0; i < m->n_dips; i++)
+        names[i] = m->dips[i].name;
+    snprintf(name, sizeof name, "%.*s", (int)(equals - setting), setting);
+    int i = index_of(name, names, m->n_dips);
+    if (i < 0)
+        return unknown("--dip", "DIP switch", name, names, m->n_dips, err, err_size);
+    return dip_value(&m->dips[i], equals + 1, &g->start.dip[i], err, err_size);
+}
+
+static bool set_stage(struct game *g, const char *stage, char *err, size_t err_size)
+{
+    size_t n = strlen(stage);
+
+    for (size_t i = 0; i < n; i++) {
+        if (stage[i] < 32 || stage[i] > 126)
+            return refuse(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
+    }
+    if (n >= sizeof g->start.stage)
+        return refuse(err, err_size, "--stage: longer than %zu characters", sizeof g->start.stage - 1);
+    memcpy(g->start.stage, stage, n + 1);
+    return true;
+}
+
+static bool start_of_args(struct game *g, const struct args *a, char *err, size_t err_size)
+{
+    const struct manifest *m = &g->cart.m;
+
+    g->start = (struct board_start){ .seed = a->seed, .difficulty = -1 };
+    for (int i = 0; i < m->n_dips; i++)
+        g->start.dip[i] = m->dips[i].value;
+    for (int i = 0; i < a->n_dips; i++) {
+        if (!set_dip(g, a->dips[i], err, err_size))
+            return false;
+    }
+    if (a->difficulty && !set_difficulty(g, a->difficulty, err, err_size))
+        return false;
+    return !a->stage || set_stage(g, a->stage, err, err_size);
+}
+
+static bool start_of_demo(struct game *g, const char *path, char *err, size_t err_size)
+{
+    char why[256], buf[128];
+
+    if (!demo_load(&g->demo, path, err, err_size))
+        return false;
+    if (!demo_fits(&g->demo, &g->cart, why, sizeof why))
+        return refuse(err, err_size, "%s: %s", path, why);
+    g->has_demo = true;
+    g->start = g->demo.start;
+    const char *doubt = demo_doubt(&g->demo, &g->cart, buf, sizeof buf);
+    if (doubt)
+        game_report(0, "%s: %s; it may not play as it was", path, doubt);
+    if (!g->demo.complete)
+        game_report(0, "%s: cut short (no end mark); playing the %u frames it has", path, (unsigned)g->demo.frames);
+    return true;
+}
+
+bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size)
+{
+    memset(g, 0, sizeof *g);
+    g->path = path;
+    if (load(g, a->nearest, err, err_size) &&
+        (a->demo ? start_of_demo(g, a->demo, err, err_size) : start_of_args(g, a, err, err_size)))
+        return true;
+    game_close(g);
+    return false;
+}
+
+void game_close(struct game *g)
+{
+    demo_free(&g->demo);
+    rom_image_free(&g->image);
+    memset(g, 0, sizeof *g);
+}

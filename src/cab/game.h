@@ -1,0 +1,42 @@
+/*
+ * game.h - a ROM taken from the command line: loaded, checked, and how its board is to start.
+ * floor: cab    used by: cli headless
+ */
+#ifndef CAB_GAME_H
+#define CAB_GAME_H
+
+#include "../board/board.h"
+#include "../board/cart.h"
+#include "args.h"
+#include "demo.h"
+#include "pack.h"
+
+/* The game linked into the program; size 0: none. */
+extern const uint8_t builtin_rom[];
+extern const size_t builtin_rom_size;
+
+struct game {
+    const char *path;       /* as typed; NULL: the built-in one */
+    struct rom_image image; /* empty for the built-in one */
+    struct rom rom;
+    struct cart cart;
+    struct board_start start;
+    struct demo demo; /* of --demo: start is its own */
+    bool has_demo;
+};
+
+/* Loads the folder or .rom file at path (NULL: the built-in game), and reads what the arguments say of its start. False
+ * and one sentence that names the file or option; nothing is left to close then. g stays where it is: it points into
+ * itself. */
+bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
+
+/* Gives everything back; a zeroed game is fine. */
+void game_close(struct game *g);
+
+/* One line on plat_log, "curtain: ..." with control characters blanked; returns code. */
+int game_report(int code, const char *format, ...);
+
+/* A fault: "FILE:LINE: what" on plat_log, and the traceback if asked. Returns 2. */
+int game_report_fault(const struct board_fault *fault, bool trace);
+
+#endif

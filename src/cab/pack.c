@@ -1,0 +1,653 @@
+/*
+ * pack.c - see pack.h. The folder is walked once into a sorted list of paths; each path that belongs into the ROM and
+ * each picture that rom.lua names adds a lump to a list; the list is sorted and written. The list owns all it holds, so
+ * one close gives everything back wherever packing stopped.
+ */
+#include "pack.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+#include "../base/hash.h"
+#include "../board/cart.h"
+#include "../board/script.h"
+#include "art.h"
+#include "png.h"
+
+enum {
+    MAX_FILE = 256 << 20, /* bytes of any file read */
+    MAX_SCRIPT = 4 << 20, /* bytes of a script or rom.lua */
+    MAX_FILES = 1 << 16,  /* in a folder and all below it */
+    MAX_DEPTH = 8,        /* folders in folders: a link to a folder above ends here */
+    PATH = 1024
+};
+
+static bool fail(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    return false;
+}
+
+/* ---- the folder ---- */
+
+struct paths {
+    char **name; /* from the game's folder: "stages/one.lua" */
+    int n, room;
+    bool failed; /* out of memory, or too many */
+};
+
+static void paths_close(struct paths *p)
+{
+    for (int i = 0; i < p->n; i++)
+        free(p->name[i]);
+    free(p->name);
+}
+
+static void paths_add(struct paths *p, const char *folder, const char *name)
+{
+    size_t size = strlen(folder) + strlen(name) + 2;
+
+    if (p->n == p->room) {
+        int room = p->room == 0 ? 64 : p->room * 2;
+        char **more = room <= MAX_FILES ? realloc(p->name, (size_t)room * sizeof *more) : NULL;
+        p->failed = p->failed || more == NULL;
+        if (more == NULL)
+            return;
+        p->name = more;
+        p->room = room;
+    }
+    char *path = malloc(size);
+    p->failed = p->failed || path == NULL;
+    if (path == NULL)
+        return;
+    snprintf(path, size, "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
+    p->name[p->n++] = path;
+}
+
+/* One folder's entries: its files go to files, its folders to folders. */
+struct listing {
+    const char *folder;
+    struct paths *files;
+    struct paths folders;
+};
+
+static void list_entry(void *user, const struct plat_file *file)
+{
+    struct listing *l = user;
+
+    if (file->name[0] == '.' || (l->folder[0] == '\0' && strcmp(file->name, "tests") == 0))
+        return;
+    paths_add(file->folder ? &l->folders : l->files, l->folder, file->name);
+}
+
+/* The file's path for the platform: dir/name. */
+static bool join(char out[PATH], const char *dir, const char *name)
+{
+    size_t n = strlen(dir);
+    const char *slash = n > 0 && dir[n - 1] != '/' && name[0] != '\0' ? "/" : "";
+    int size = snprintf(out, PATH, "%s%s%s", dir, slash, name);
+
+    return size >= 0 && size < PATH;
+}
+
+static bool walk(const char *dir, const char *folder, int depth, struct paths *files, char *err, size_t err_size)
+{
+    struct listing l = { folder, files, { 0 } };
+    char path[PATH];
+    bool good = true;
+
+    if (depth > MAX_DEPTH || !join(path, dir, folder))
+        return fail(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
+    if (plat_list(path, list_entry, &l) < 0)
+        good = fail(err, err_size, "%s: cannot be read as a folder", path);
+    else if (files->failed || l.folders.failed)
+        good = fail(err, err_size, "%s: too many files", dir);
+    for (int i = 0; good && i < l.folders.n; i++)
+        good = walk(dir, l.folders.name[i], depth + 1, files, err, err_size);
+    paths_close(&l.folders);
+    return good;
+}
+
+static int by_path(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static void paths_sort(struct paths *p)
+{
+    if (p->n > 0)
+        qsort(p->name, (size_t)p->n, sizeof p->name[0], by_path);
+}
+
+/* ---- the lumps ---- */
+
+struct lumps {
+    struct lump *lump; /* names and data are malloc */
+    int n, room;
+};
+
+static void lumps_close(struct lumps *l)
+{
+    for (int i = 0; i < l->n; i++) {
+        free((void *)(uintptr_t)l->lump[i].name);
+        free((void *)(uintptr_t)l->lump[i].data);
+    }
+    free(l->lump);
+}
+
+static bool lumps_grow(struct lumps *l)
+{
+    int room = l->room == 0 ? 64 : l->room * 2;
+    struct lump *more = realloc(l->lump, (size_t)room * sizeof *more);
+
+    if (more == NULL)
+        return false;
+    l->lump = more;
+    l->room = room;
+    return true;
+}
+
+/* ---- packing ---- */
+
+struct packer {
+    const char *dir;
+    bool nearest;
+    struct paths files;
+    struct lumps lumps;
+    struct manifest m;
+    struct art art;
+    uint8_t palette[CART_PALETTE];
+    char *err;
+    size_t err_size;
+};
+
+/* Adds the lump folder + name; data (malloc) is the list's from here, also when this fails. */
+static bool add(struct packer *p, const char *folder, const char *name, uint8_t *data, size_t size)
+{
+    size_t n = strlen(folder) + strlen(name) + 1;
+    char *full = malloc(n);
+
+    if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
+        free(full);
+        free(data);
+        return fail(p->err, p->err_size, "out of memory");
+    }
+    snprintf(full, n, "%s%s", folder, name);
+    p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
+    return n <= ROM_NAME ? true : fail(p->err, p->err_size, "%s: the name is too long", name);
+}
+
+static bool add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size)
+{
+    uint8_t *copy = malloc(size + 1);
+
+    if (copy == NULL)
+        return fail(p->err, p->err_size, "out of memory");
+    memcpy(copy, data, size);
+    return add(p, folder, name, copy, size);
+}
+
+/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. */
+static bool load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
+                 size_t err_size)
+{
+    long n = plat_size(path);
+
+    if (n < 0)
+        return fail(err, err_size, "%s: no such file", name);
+    if ((unsigned long)n > max)
+        return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
+    *data = malloc((size_t)n + 1);
+    if (*data == NULL)
+        return fail(err, err_size, "%s: out of memory", name);
+    if (plat_load(path, *data, (size_t)n) != n) {
+        free(*data);
+        return fail(err, err_size, "%s: cannot be read", name);
+    }
+    (*data)[n] = 0;
+    *size = (size_t)n;
+    return true;
+}
+
+static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)
+{
+    char path[PATH];
+
+    if (!join(path, p->dir, name))
+        return fail(p->err, p->err_size, "%s: the path is too long", name);
+    return load(path, name, max, data, size, p->err, p->err_size);
+}
+
+/* Some editors start a text with a byte order mark, which Lua does not know. */
+static void drop_mark(uint8_t *data, size_t *size)
+{
+    if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
+        *size -= 3;
+        memmove(data, data + 3, *size + 1);
+    }
+}
+
+static bool ends_with(const char *s, const char *tail)
+{
+    size_t n = strlen(s), m = strlen(tail);
+
+    return n > m && strcmp(s + n - m, tail) == 0;
+}
+
+static bool starts_with(const char *s, const char *head)
+{
+    return strncmp(s, head, strlen(head)) == 0;
+}
+
+/* The last part of a path; "" for one like "." that is no name. */
+static void folder_name(const char *dir, char out[64])
+{
+    size_t n = strlen(dir), from;
+
+    while (n > 0 && dir[n - 1] == '/')
+        n--;
+    for (from = n; from > 0 && dir[from - 1] != '/' && dir[from - 1] != '\\' && dir[from - 1] != ':';)
+        from--;
+    snprintf(out, 64, "%.*s", (int)(n - from < 63 ? n - from : 63), dir + from);
+    if (strspn(out, ".") == strlen(out))
+        out[0] = '\0';
+}
+
+static bool read_manifest(struct packer *p)
+{
+    char folder[64];
+    uint8_t *text;
+    size_t size;
+
+    if (!load_in(p, "rom.lua", MAX_SCRIPT, &text, &size))
+        return false;
+    drop_mark(text, &size);
+    folder_name(p->dir, folder);
+    void *work = malloc(MANIFEST_WORK);
+    bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
+                                             p->err_size)
+                             : fail(p->err, p->err_size, "out of memory");
+    free(work);
+    free(text);
+    return good;
+}
+
+static bool add_manifest(struct packer *p)
+{
+    uint8_t bytes[MANIFEST_BYTES];
+
+    manifest_pack(&p->m, bytes);
+    return add_copy(p, "", "manifest", bytes, sizeof bytes);
+}
+
+/* A picture of the folder into *out (free rgba). */
+static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
+{
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (!load_in(p, file, MAX_FILE, &data, &size))
+        return false;
+    bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
+    free(data);
+    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PALETTE])
+{
+    struct art_picture picture;
+    char why[256];
+
+    if (!load_picture(p, file, &picture))
+        return false;
+    bool good = art_make_palette(&picture, rgb, why, sizeof why);
+    free(picture.rgba);
+    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+static bool add_palettes(struct packer *p)
+{
+    uint8_t rgb[CART_PALETTE];
+
+    if (p->art.palette[0] == '\0')
+        art_default_palette(p->palette);
+    else if (!load_palette(p, p->art.palette, p->palette))
+        return false;
+    if (!add_copy(p, "palette/", "main", p->palette, sizeof p->palette))
+        return false;
+    for (int i = 0; i < p->art.n_palettes; i++)
+        if (!load_palette(p, p->art.palettes[i].file, rgb) ||
+            !add_copy(p, "palette/", p->art.palettes[i].name, rgb, sizeof rgb))
+            return false;
+    return true;
+}
+
+static bool add_font(struct packer *p)
+{
+    const char *file = p->art.font;
+    struct art_picture picture;
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (file[0] == '\0')
+        return true;
+    if (!load_picture(p, file, &picture))
+        return false;
+    bool good = art_make_font(&picture, p->palette, p->nearest, &data, &size, why, sizeof why);
+    free(picture.rgba);
+    return good ? add(p, "", "font", data, size) : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+/* The sprites of one sheet. */
+static bool add_sheet(struct packer *p, int sheet)
+{
+    const struct art_sheet *s = &p->art.sheets[sheet];
+    struct art_picture picture;
+    bool good = load_picture(p, s->file, &picture);
+    char why[256];
+
+    if (!good)
+        return false;
+    for (int i = 0; good && i < p->art.n_sprites; i++) {
+        const struct art_sprite *sprite = &p->art.sprites[i];
+        uint8_t *data;
+        size_t size;
+        if (sprite->sheet != sheet)
+            continue;
+        if (art_make_sprite(&picture, sprite, s->bank, p->palette, p->nearest, &data, &size, why, sizeof why))
+            good = add(p, "gfx/", sprite->name, data, size);
+        else
+            good = starts_with(why, "pixel")
+                       ? fail(p->err, p->err_size, "%s: %s", s->file, why)
+                       : fail(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
+    }
+    free(picture.rgba);
+    return good;
+}
+
+static bool add_art(struct packer *p)
+{
+    if (!add_palettes(p) || !add_font(p))
+        return false;
+    for (int i = 0; i < p->art.n_sheets; i++)
+        if (!add_sheet(p, i))
+            return false;
+    return true;
+}
+
+/* Is std/NAME.lua (path) the name of a library script? */
+static bool is_std(const char *path)
+{
+    for (int i = 0; i < std_script_count; i++) {
+        size_t n = strlen(std_scripts[i].name);
+        if (strncmp(path + 4, std_scripts[i].name, n) == 0 && strcmp(path + 4 + n, ".lua") == 0)
+            return true;
+    }
+    return false;
+}
+
+static bool add_script(struct packer *p, const char *path)
+{
+    bool std = starts_with(path, "std/");
+    char chunk[PATH];
+    uint8_t *text;
+    size_t size;
+
+    if (std && !is_std(path))
+        return fail(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
+    if (!load_in(p, path, MAX_SCRIPT, &text, &size))
+        return false;
+    drop_mark(text, &size);
+    snprintf(chunk, sizeof chunk, "@%s", path);
+    if (!script_check((const char *)text, size, chunk, p->err, p->err_size)) {
+        free(text);
+        return false;
+    }
+    return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
+}
+
+/* demos/NAME.demo is the lump demo/NAME. */
+static bool add_demo(struct packer *p, const char *path)
+{
+    char name[PATH];
+    uint8_t *data;
+    size_t size;
+
+    if (!load_in(p, path, MAX_FILE, &data, &size))
+        return false;
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("demos/") - strlen(".demo")),
+             path + strlen("demos/"));
+    return add(p, "demo/", name, data, size);
+}
+
+static bool add_text(struct packer *p, const char *path)
+{
+    uint8_t *data;
+    size_t size;
+
+    return load_in(p, path, MAX_FILE, &data, &size) && add(p, "data/", path, data, size);
+}
+
+static bool add_file(struct packer *p, const char *path)
+{
+    bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
+
+    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !ends_with(path, ".txt")))
+        return true;
+    if (!manifest_path_ok(path))
+        return fail(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
+    return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
+}
+
+static bool has_file(const struct packer *p, const char *path)
+{
+    for (int i = 0; i < p->files.n; i++)
+        if (strcmp(p->files.name[i], path) == 0)
+            return true;
+    return false;
+}
+
+static bool add_files(struct packer *p)
+{
+    char path[PATH];
+
+    snprintf(path, sizeof path, "%s.lua", p->m.entry);
+    if (!has_file(p, path))
+        return fail(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
+    for (int i = 0; i < p->files.n; i++)
+        if (!add_file(p, p->files.name[i]))
+            return false;
+    return true;
+}
+
+static bool add_std(struct packer *p)
+{
+    char path[PATH];
+
+    for (int i = 0; i < std_script_count; i++) {
+        const struct embedded *s = &std_scripts[i];
+        snprintf(path, sizeof path, "std/%s.lua", s->name);
+        if (!has_file(p, path) && !add_copy(p, "script/@std/", path + 4, s->data, s->size))
+            return false;
+    }
+    return true;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
+}
+
+/* What was packed must be what the board takes. */
+static bool check_image(const uint8_t *image, size_t size, struct rom *rom, char *err, size_t err_size)
+{
+    struct cart cart;
+
+    return rom_open(rom, image, size, err, err_size) && cart_open(&cart, rom, err, err_size);
+}
+
+static bool write_image(struct packer *p, uint8_t **image, size_t *size)
+{
+    struct rom rom;
+
+    qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], by_name);
+    *size = rom_write_size(p->lumps.lump, p->lumps.n);
+    *image = *size > 0 ? malloc(*size) : NULL;
+    if (*image == NULL)
+        return fail(p->err, p->err_size, "%s: too large for a ROM", p->dir);
+    rom_write(*image, p->lumps.lump, p->lumps.n);
+    if (check_image(*image, *size, &rom, p->err, p->err_size))
+        return true;
+    free(*image);
+    return false;
+}
+
+static bool gather(struct packer *p)
+{
+    if (!walk(p->dir, "", 0, &p->files, p->err, p->err_size))
+        return false;
+    paths_sort(&p->files);
+    return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && add_art(p);
+}
+
+bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size)
+{
+    struct packer *p = calloc(1, sizeof *p);
+
+    if (p == NULL)
+        return fail(err, err_size, "out of memory");
+    p->dir = dir;
+    p->nearest = nearest;
+    p->err = err;
+    p->err_size = err_size;
+    bool good = gather(p) && write_image(p, image, size);
+    paths_close(&p->files);
+    lumps_close(&p->lumps);
+    free(p);
+    return good;
+}
+
+/* ---- ROMs ---- */
+
+static bool load_file(const char *path, struct rom_image *out, char *err, size_t err_size)
+{
+    char why[256];
+
+    if (!load(path, path, MAX_FILE, &out->bytes, &out->size, err, err_size))
+        return false;
+    if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
+        return true;
+    rom_image_free(out);
+    return fail(err, err_size, "%s: %s", path, why);
+}
+
+static void ignore_entry(void *user, const struct plat_file *file)
+{
+    (void)user;
+    (void)file;
+}
+
+bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
+{
+    memset(out, 0, sizeof *out);
+    if (plat_size(path) >= 0)
+        return load_file(path, out, err, err_size);
+    if (plat_list(path, ignore_entry, NULL) < 0)
+        return fail(err, err_size, "%s: no such file or folder", path);
+    if (!pack_folder(path, nearest, &out->bytes, &out->size, err, err_size)) {
+        memset(out, 0, sizeof *out);
+        return false;
+    }
+    return rom_open(&out->rom, out->bytes, out->size, err, err_size);
+}
+
+void rom_image_free(struct rom_image *image)
+{
+    free(image->bytes);
+    memset(image, 0, sizeof *image);
+}
+
+void pack_list(const struct rom *rom, void (*each)(void *user, const char *line), void *user)
+{
+    for (uint32_t i = 0; i < rom->count; i++) {
+        char line[ROM_NAME + 32];
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        snprintf(line, sizeof line, "%s %" PRIu32 " %08" PRIx32, l.name, l.size, crc32_of(l.data, l.size));
+        each(user, line);
+    }
+}
+
+/* ---- files again ---- */
+
+/* The lump's file below the folder. */
+static void unpacked_name(const char *name, char out[PATH])
+{
+    if (starts_with(name, "script/@std/"))
+        snprintf(out, PATH, "std/%s", name + strlen("script/@std/"));
+    else if (starts_with(name, "script/"))
+        snprintf(out, PATH, "%s", name + strlen("script/"));
+    else if (starts_with(name, "data/"))
+        snprintf(out, PATH, "%s", name + strlen("data/"));
+    else if (starts_with(name, "demo/"))
+        snprintf(out, PATH, "demos/%s.demo", name + strlen("demo/"));
+    else
+        snprintf(out, PATH, "lumps/%s", name);
+}
+
+/* May all of files (sorted) be written? */
+static bool may_unpack(const struct paths *files, const char *dir, char *err, size_t err_size)
+{
+    char path[PATH];
+
+    for (int i = 0; i < files->n; i++) {
+        const char *name = files->name[i];
+        if (!manifest_path_ok(name) || !join(path, dir, name))
+            return fail(err, err_size, "\"%s\" is not a file's name inside a folder", name);
+        if (i > 0 && strcmp(files->name[i - 1], name) == 0)
+            return fail(err, err_size, "two lumps would become the file %s", name);
+        if (plat_size(path) >= 0)
+            return fail(err, err_size, "%s: is already there", path);
+    }
+    return true;
+}
+
+static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t err_size)
+{
+    char name[PATH], path[PATH];
+
+    for (uint32_t i = 0; i < rom->count; i++) {
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        unpacked_name(l.name, name);
+        if (!join(path, dir, name) || !plat_save(path, l.data, l.size))
+            return fail(err, err_size, "%s: cannot be written", path);
+    }
+    return true;
+}
+
+bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_size)
+{
+    struct paths files = { 0 };
+    char name[PATH];
+
+    for (uint32_t i = 0; i < rom->count; i++) {
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        unpacked_name(l.name, name);
+        paths_add(&files, "", name);
+    }
+    paths_sort(&files);
+    bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "too many lumps");
+    paths_close(&files);
+    return good && save_lumps(rom, dir, err, err_size);
+}

@@ -1,0 +1,28 @@
+/*
+ * png.h - PNG files in and out: the only place that knows stb.
+ * floor: cab    used by: cab/ tests/ tools/
+ */
+#ifndef CAB_PNG_H
+#define CAB_PNG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    PNG_MAX_SIDE = 16384,    /* px, read or written */
+    PNG_MAX_PIXELS = 1 << 24 /* of a picture read */
+};
+
+/* Makes a whole PNG file of w x h palette indices: *out (free it) and *size. Colours are 0xRRGGBB. The bytes depend on
+ * nothing but the picture. False: no memory, or a side out of range. */
+bool png_write(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256], uint8_t **out, size_t *size);
+
+/* The same of full colours: 3 bytes R G B a pixel, rows on end. */
+bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size);
+
+/* Reads a PNG file of any kind into *rgba (free it), 4 bytes a pixel, rows on end. False and one sentence, without the
+ * file's name, for anything damaged or too large. */
+bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size);
+
+#endif

@@ -1,0 +1,122 @@
+/*
+ * bullets.h - bullets and player shots: pools kept as columns. Both are the same chip; a board has one of each.
+ * floor: chips    used by: board/
+ *
+ * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
+ * program also runs it (motion.h). Dead slots below top are parked: far outside, standing still, so that loops need not
+ * test them.
+ */
+#ifndef CHIPS_BULLETS_H
+#define CHIPS_BULLETS_H
+
+#include "../base/fx.h"
+#include "../base/trig.h"
+#include "motion.h"
+#include "slots.h"
+
+enum {
+    SHAPE_NONE,
+    SHAPE_CIRCLE, /* a: radius */
+    SHAPE_BOX,    /* a, b: half width and half height */
+
+    KIND_GRAZE = 1 << 0, /* passing close counts */
+    KIND_TURNS = 1 << 1, /* the picture points along dir */
+
+    BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
+
+    MUTE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
+    MUTE_SPEED = 1 << 1,
+    STEP_BEGUN = 1 << 7, /* the step at pc has begun */
+
+    MAX_KINDS = 1024,
+    PARK = -(16384 << 16), /* one pixel past the end of the world */
+    WORLD = 16383,         /* positions reach from -WORLD to WORLD px */
+    MAX_SPEED = 8191       /* px/frame; radii too */
+};
+
+/* What bullet.def and shot.def declare. */
+struct bullet_kinds {
+    struct slots s;
+    uint16_t *sprite;
+    uint8_t *shape;
+    fx *a, *b;
+    uint8_t *flags;
+    uint8_t *bank;
+    int32_t *damage; /* of a shot */
+};
+
+struct bullets {
+    struct slots s;
+    fx *x, *y, *vx, *vy; /* px, px/frame */
+    ang *dir;            /* kept at speed 0 */
+    fx *speed;
+    uint16_t *kind;
+    uint8_t *bank;
+    uint16_t *tag; /* 0: none */
+    uint8_t *flags;
+    uint32_t *born;   /* clock */
+    uint32_t *by;     /* serial of the task that fired it, 0: none */
+    uint8_t *player;  /* of a shot: 1 or 2, 0: nobody's */
+    uint16_t *motion; /* program + 1, 0: none */
+    uint16_t *pc;     /* the step it is at */
+    uint32_t *end;    /* clock at which a timed step is over */
+    fx *from;         /* speed when the step began */
+    uint8_t *mute;
+    uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
+    uint32_t moved;   /* bullets moved this frame */
+};
+
+/* A rectangle of field positions, ends included. */
+struct box {
+    fx x0, y0, x1, y1;
+};
+
+/* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */
+struct targets {
+    const struct slots *s;
+    const fx *x, *y;
+    const uint8_t *in;
+};
+
+/* All a motion step may read. */
+struct motion_world {
+    const struct motions *motions;
+    const struct steps *steps;
+    const struct bullet_kinds *kinds;
+    struct targets targets;
+    uint32_t clock;
+};
+
+struct bullet_shape {
+    fx x, y, speed;
+    ang dir;
+    uint16_t kind, tag, motion;
+    uint8_t bank, player;
+    uint32_t by;
+};
+
+extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip;
+
+/* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
+int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);
+
+/* Gone, without a trace. */
+void bullets_drop(struct bullets *b, uint32_t i);
+
+/* Runs the motion programs in slot order, moves every bullet, drops those outside keep. */
+void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep);
+
+/* Recomputes vx, vy from dir and speed, or dir and speed from vx, vy (at speed 0 dir stays). */
+void bullets_steer(struct bullets *b, uint32_t i);
+void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy);
+
+/* Gives bullet i a program (motion: index + 1, 0: none) from its first step. */
+void bullets_program(struct bullets *b, uint32_t i, uint16_t motion);
+
+/* The direction from (x, y) to the nearest target; `none` when there is no target or it is right there. */
+ang targets_aim(const struct targets *t, fx x, fx y, ang none);
+
+/* The nearest target's slot, or NO_SLOT. The lower slot wins a tie. */
+int32_t targets_nearest(const struct targets *t, fx x, fx y);
+
+#endif

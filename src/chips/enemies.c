@@ -1,0 +1,119 @@
+/*
+ * enemies.c - see enemies.h. Easing is quadratic, in exact integer arithmetic on the frame count, rounded once.
+ */
+#include "enemies.h"
+
+static const struct column kind_columns[] = {
+    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, half_w), COLUMN(enemy_kinds, half_h), COLUMN(enemy_kinds, hp),
+    COLUMN(enemy_kinds, score),  COLUMN(enemy_kinds, bank),   COLUMN(enemy_kinds, flags),  COLUMN(enemy_kinds, spark),
+};
+
+static const struct column columns[] = {
+    COLUMN(enemies, x),    COLUMN(enemies, y),    COLUMN(enemies, hp),   COLUMN(enemies, kind), COLUMN(enemies, bank),
+    COLUMN(enemies, tag),  COLUMN(enemies, safe), COLUMN(enemies, born), COLUMN(enemies, by),   COLUMN(enemies, flags),
+    COLUMN(enemies, x0),   COLUMN(enemies, y0),   COLUMN(enemies, x1),   COLUMN(enemies, y1),   COLUMN(enemies, start),
+    COLUMN(enemies, over), COLUMN(enemies, ease),
+};
+
+#define COUNT(table) (int)(sizeof table / sizeof *table)
+const struct chip enemies_chip = { "enemies", columns, COUNT(columns), false, false };
+const struct chip enemy_kinds_chip = { "enemy_kinds", kind_columns, COUNT(kind_columns), true, false };
+
+static void park(struct enemies *e, uint32_t i)
+{
+    e->x[i] = e->y[i] = PARK;
+    e->over[i] = 0;
+}
+
+int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock)
+{
+    uint32_t top = e->s.top;
+    int32_t i = slots_take(&e->s);
+
+    if (i == NO_SLOT)
+        return i;
+    for (uint32_t k = top; k < e->s.top; k++)
+        park(e, k);
+    e->x[i] = e->x0[i] = e->x1[i] = x;
+    e->y[i] = e->y0[i] = e->y1[i] = y;
+    e->hp[i] = kinds->hp[kind];
+    e->kind[i] = kind;
+    e->bank[i] = kinds->bank[kind];
+    e->tag[i] = 0;
+    e->safe[i] = 0;
+    e->born[i] = clock;
+    e->by[i] = 0;
+    e->flags[i] = 0;
+    e->start[i] = clock;
+    e->over[i] = 0;
+    e->ease[i] = EASE_LINEAR;
+    return i;
+}
+
+void enemies_drop(struct enemies *e, uint32_t i)
+{
+    slots_drop(&e->s, i);
+    park(e, i);
+}
+
+void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease, uint32_t clock)
+{
+    e->x0[i] = e->x[i];
+    e->y0[i] = e->y[i];
+    e->x1[i] = x;
+    e->y1[i] = y;
+    e->start[i] = clock;
+    e->over[i] = over;
+    e->ease[i] = (uint8_t)ease;
+}
+
+/* The share of the way after k of n frames, in Q30: k/n, eased. Exactly 2^30 at k == n. */
+static int64_t eased(enum ease ease, uint32_t k, uint32_t n)
+{
+    const int64_t one = 1 << 30;
+    int64_t t = (int64_t)(((uint64_t)k << 30) / n), u = one - t;
+
+    switch (ease) {
+    case EASE_IN:
+        return t * t >> 30;
+    case EASE_OUT:
+        return one - (u * u >> 30);
+    case EASE_BOTH:
+        return 2 * t < one ? t * t >> 29 : one - (u * u >> 29);
+    default:
+        return t;
+    }
+}
+
+static fx between(fx a, fx b, int64_t t)
+{
+    int64_t p = ((int64_t)b - a) * t; /* 31 bits of distance within the world x 30 bits */
+
+    return (fx)(a + ((p + (1 << 29)) >> 30));
+}
+
+static void step(struct enemies *e, uint32_t i, uint32_t clock)
+{
+    uint32_t k = clock - e->start[i] + 1;
+
+    if (e->safe[i] > 0)
+        e->safe[i]--;
+    if (!e->over[i])
+        return;
+    int64_t t = eased((enum ease)e->ease[i], k < e->over[i] ? k : e->over[i], e->over[i]);
+    e->x[i] = between(e->x0[i], e->x1[i], t);
+    e->y[i] = between(e->y0[i], e->y1[i], t);
+    if (k >= e->over[i])
+        e->over[i] = 0;
+}
+
+void enemies_move(struct enemies *e, uint32_t clock, const struct box *keep, void (*left)(void *, uint32_t),
+                  void *context)
+{
+    EACH_LIVE (i, &e->s) {
+        step(e, i, clock);
+        if (e->x[i] < keep->x0 || e->x[i] > keep->x1 || e->y[i] < keep->y0 || e->y[i] > keep->y1)
+            left(context, i);
+    }
+    slots_trim(&e->s);
+}

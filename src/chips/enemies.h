@@ -1,0 +1,62 @@
+/*
+ * enemies.h - enemies and bosses: one pool, with the one move each may be making.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_ENEMIES_H
+#define CHIPS_ENEMIES_H
+
+#include "../base/fx.h"
+#include "bullets.h"
+#include "slots.h"
+
+enum {
+    ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
+    ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
+
+    SAFE_FOREVER = -1
+};
+
+enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
+
+/* What enemy.def declares; its functions and drops stay with the scripts. */
+struct enemy_kinds {
+    struct slots s;
+    uint16_t *sprite;
+    fx *half_w, *half_h; /* the hit box */
+    int32_t *hp;
+    int64_t *score;
+    uint8_t *bank;
+    uint8_t *flags;
+    uint16_t *spark; /* kind + 1, 0: none */
+};
+
+struct enemies {
+    struct slots s;
+    fx *x, *y;
+    int32_t *hp;
+    uint16_t *kind;
+    uint8_t *bank;
+    uint16_t *tag;
+    int32_t *safe;  /* frames it takes no damage, or SAFE_FOREVER */
+    uint32_t *born; /* clock */
+    uint32_t *by;
+    uint8_t *flags;
+    fx *x0, *y0, *x1, *y1;  /* the move it makes: from, to */
+    uint32_t *start, *over; /* clock it began, frames; over 0: none */
+    uint8_t *ease;
+};
+
+extern const struct chip enemies_chip, enemy_kinds_chip;
+
+/* Puts an enemy of that kind at (x, y), with the kind's hp and bank. */
+int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
+void enemies_drop(struct enemies *e, uint32_t i);
+
+/* Moves enemy i to (x, y) in `over` frames, starting now; it first moves this frame and arrives exactly. */
+void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease, uint32_t clock);
+
+/* Goes on with the moves, counts safe frames down, and calls left for each that is outside keep. */
+void enemies_move(struct enemies *e, uint32_t clock, const struct box *keep, void (*left)(void *, uint32_t),
+                  void *context);
+
+#endif

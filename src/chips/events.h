@@ -1,0 +1,38 @@
+/*
+ * events.h - what happened this frame, in the order it was found. Empty between frames.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_EVENTS_H
+#define CHIPS_EVENTS_H
+
+#include <stdint.h>
+#include <stdbool.h>
+
+enum event_kind {
+    EV_GRAZE, /* a: player, b: bullet handle */
+    EV_HIT,   /* a: player, b: handle of what hit it */
+    EV_SHOT,  /* a: shot handle, b: enemy handle: takes the shot's damage */
+    EV_DEATH, /* a: player */
+    EV_GAME_OVER,
+    EV_KILL,   /* a: enemy handle, b: player or 0 */
+    EV_LEAVE,  /* a: enemy handle */
+    EV_EXTEND, /* a: player */
+    EV_SCRIPT  /* a: index of what sys.emit queued */
+};
+
+struct event {
+    int64_t a, b;
+    int32_t x, y; /* of a thing that is gone by the time a handler asks */
+    uint32_t extra;
+    uint32_t kind;
+};
+
+struct events {
+    uint32_t cap, n;
+    struct event *list;
+};
+
+/* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */
+bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b);
+
+#endif

@@ -1,0 +1,37 @@
+/*
+ * fix.c - see fix.h.
+ */
+#include "fix.h"
+
+static const struct column columns[] = {
+    COLUMN(fix, code),
+    COLUMN(fix, bank),
+    REGISTER(fix, cols),
+    REGISTER(fix, rows),
+};
+
+const struct chip fix_chip = { "fix", columns, sizeof columns / sizeof *columns, true, false };
+
+static void set(struct fix *f, int64_t col, int64_t row, char code, uint8_t bank)
+{
+    if (col < 0 || row < 0 || col >= f->cols || row >= f->rows)
+        return;
+    size_t cell = (size_t)(row * f->cols + col);
+    f->code[cell] = (uint8_t)code;
+    f->bank[cell] = bank;
+}
+
+void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank)
+{
+    for (size_t i = 0; i < n && i < f->cols + 65536u; i++)
+        set(f, col + (int64_t)i, row, text[i], bank);
+}
+
+void fix_clear(struct fix *f, int col, int row, int w, int h)
+{
+    int64_t x1 = (int64_t)col + w, y1 = (int64_t)row + h;
+
+    for (int64_t y = row < 0 ? 0 : row; y < y1 && y < f->rows; y++)
+        for (int64_t x = col < 0 ? 0 : col; x < x1 && x < f->cols; x++)
+            set(f, x, y, 0, 0);
+}

@@ -1,0 +1,69 @@
+/*
+ * motion.h - motion programs: small steps as data, shared by every bullet that names the program, run in C.
+ * floor: chips    used by: bullets board/
+ *
+ * A program is a run of steps in the `steps` list. What stands in one step happens together, in the order of struct
+ * motion_step's bits, and lasts `over` frames (0: at once). After the last step the bullet flies straight on.
+ */
+#ifndef CHIPS_MOTION_H
+#define CHIPS_MOTION_H
+
+#include "../base/fx.h"
+#include "slots.h"
+
+enum {
+    DOES_WAIT = 1 << 0,
+    DOES_KIND = 1 << 1,
+    DOES_BANK = 1 << 2,
+    DOES_DIR = 1 << 3,
+    DOES_AIM = 1 << 4,
+    DOES_TURN = 1 << 5,
+    DOES_HOME = 1 << 6,
+    DOES_SPEED = 1 << 7,
+    DOES_ACCEL = 1 << 8,
+    DOES_DIE = 1 << 9,
+    DOES_LOOP = 1 << 10, /* opens a loop of `count` rounds; `jump`: the step after its end */
+    DOES_NEXT = 1 << 11, /* closes it; `jump`: its first step */
+    MOTION_DEPTH = 4,    /* loops inside loops */
+    MOTION_FOREVER = 0xffff,
+    MOTION_STEPS = 16 /* RAM for steps, a program on average */
+};
+
+/* The steps of all programs, one behind the other. */
+struct steps {
+    struct slots s;
+    uint16_t *does;
+    uint32_t *over; /* frames */
+    uint16_t *kind;
+    uint8_t *bank;
+    ang *dir;
+    int32_t *turn; /* ang a frame, or once */
+    ang *home;     /* at most so much a frame */
+    fx *speed;
+    fx *accel;       /* px/frame, a frame or once */
+    uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
+    uint16_t *jump;  /* counted from the program's first step */
+    uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
+};
+
+struct motions {
+    struct slots s;
+    uint32_t *first; /* index into steps */
+    uint16_t *length;
+};
+
+struct motion_step {
+    uint16_t does, kind, count, jump;
+    uint32_t over;
+    uint8_t bank, depth;
+    ang dir, home;
+    int32_t turn;
+    fx speed, accel;
+};
+
+extern const struct chip steps_chip, motions_chip;
+
+/* The program equal to these steps, made if there is none; NO_SLOT when there is no room for it. */
+int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n);
+
+#endif

@@ -1,0 +1,102 @@
+/*
+ * pal.c - see pal.h.
+ */
+#include "pal.h"
+#include <string.h>
+
+static const struct column columns[] = {
+    COLUMN(pal, rgb),
+    COLUMN(pal, from),
+    COLUMN(pal, to),
+    COLUMN(pal, at),
+    COLUMN(pal, over),
+    REGISTERS(pal, cycle_first),
+    REGISTERS(pal, cycle_last),
+    REGISTERS(pal, cycle_every),
+    REGISTERS(pal, cycle_count),
+};
+
+const struct chip pal_chip = { "pal", columns, sizeof columns / sizeof *columns, true, false };
+
+void pal_set(struct pal *p, int i, uint32_t rgb)
+{
+    p->rgb[i] = rgb & 0xffffff;
+    p->over[i] = 0;
+}
+
+void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n)
+{
+    if (!n) {
+        pal_set(p, i, rgb);
+        return;
+    }
+    p->from[i] = p->rgb[i];
+    p->to[i] = rgb & 0xffffff;
+    p->at[i] = 0;
+    p->over[i] = n;
+}
+
+bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every)
+{
+    int free = -1;
+
+    for (int k = CYCLES - 1; k >= 0; k--) {
+        bool used = p->cycle_every[k];
+        if (used && p->cycle_first[k] == first && p->cycle_last[k] == last) {
+            free = k;
+            break;
+        }
+        if (!used)
+            free = k;
+    }
+    if (free < 0)
+        return !every;
+    p->cycle_first[free] = first;
+    p->cycle_last[free] = last;
+    p->cycle_every[free] = every;
+    p->cycle_count[free] = 0;
+    return true;
+}
+
+void pal_rest(struct pal *p)
+{
+    memset(p->over, 0, COLOURS * sizeof *p->over);
+    memset(p->cycle_every, 0, sizeof p->cycle_every);
+}
+
+static uint32_t mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
+{
+    uint32_t out = 0;
+
+    for (int shift = 0; shift < 24; shift += 8) {
+        int32_t a = (int32_t)(from >> shift & 255), b = (int32_t)(to >> shift & 255);
+        out |= (uint32_t)(a + ((b - a) * k + (b > a ? n / 2 : -n / 2)) / n) << shift;
+    }
+    return out;
+}
+
+static void rotate(struct pal *p, int first, int last)
+{
+    uint32_t end = p->rgb[last];
+
+    for (int i = last; i > first; i--)
+        p->rgb[i] = p->rgb[i - 1];
+    p->rgb[first] = end;
+}
+
+void pal_step(struct pal *p)
+{
+    for (int i = 0; i < COLOURS; i++) {
+        if (!p->over[i])
+            continue;
+        p->at[i]++;
+        p->rgb[i] = mix(p->from[i], p->to[i], p->at[i], p->over[i]);
+        if (p->at[i] == p->over[i])
+            p->over[i] = 0;
+    }
+    for (int k = 0; k < CYCLES; k++)
+        if (p->cycle_every[k] && ++p->cycle_count[k] >= p->cycle_every[k]) {
+            p->cycle_count[k] = 0;
+            rotate(p, p->cycle_first[k], p->cycle_last[k]);
+        }
+}

@@ -1,0 +1,39 @@
+/*
+ * pal.h - palette RAM: 256 colours in 16 banks of 16, fades and cycling.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_PAL_H
+#define CHIPS_PAL_H
+
+#include "slots.h"
+
+enum { COLOURS = 256, CYCLES = 8 };
+
+struct pal {
+    struct slots s;      /* a list of COLOURS entries */
+    uint32_t *rgb;       /* 0xRRGGBB, as shown */
+    uint32_t *from, *to; /* of a fade */
+    uint16_t *at, *over; /* frames done, frames in all; over 0: no fade */
+    uint8_t cycle_first[CYCLES], cycle_last[CYCLES];
+    uint16_t cycle_every[CYCLES], cycle_count[CYCLES]; /* every 0: unused */
+};
+
+extern const struct chip pal_chip;
+
+/* Sets a colour now; a fade of it ends. */
+void pal_set(struct pal *p, int i, uint32_t rgb);
+
+/* Fades entry i to rgb over n frames (0: now). */
+void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n);
+
+/* Rotates entries first..last by one every so many frames; every 0 stops the cycle of that range. False: no cycle free.
+ */
+bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);
+
+/* Ends all fades and cycles. */
+void pal_rest(struct pal *p);
+
+/* One frame of fades and cycles. */
+void pal_step(struct pal *p);
+
+#endif

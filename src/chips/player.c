@@ -1,0 +1,88 @@
+/*
+ * player.c - see player.h.
+ */
+#include "player.h"
+#include <string.h>
+
+static const struct column kind_columns[] = {
+    COLUMN(player_kinds, sprite), COLUMN(player_kinds, radius),
+    COLUMN(player_kinds, graze),  COLUMN(player_kinds, speed),
+    COLUMN(player_kinds, focus),  COLUMN(player_kinds, lives),
+    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, REGISTERS),
+};
+
+static const struct column columns[] = {
+    COLUMN(player, in),
+    COLUMN(player, kind),
+    COLUMN(player, x),
+    COLUMN(player, y),
+    DERIVED(player, was_x, "written by every move before hits read it"),
+    DERIVED(player, was_y, "written by every move before hits read it"),
+    COLUMN(player, lives),
+    COLUMN(player, safe),
+    COLUMN(player, grazes),
+    COLUMN(player, score),
+    COLUMNS(player, regs, REGISTERS),
+    COLUMN(player, focus),
+};
+
+#define COUNT(table) (int)(sizeof table / sizeof *table)
+const struct chip player_chip = { "player", columns, COUNT(columns), true, false };
+const struct chip player_kinds_chip = { "player_kinds", kind_columns, COUNT(kind_columns), true, false };
+
+enum { DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16, so that no direction is faster */
+
+void player_place(struct player *p, uint32_t i, fx x, fx y)
+{
+    p->x[i] = p->was_x[i] = x;
+    p->y[i] = p->was_y[i] = y;
+}
+
+void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y)
+{
+    p->in[i] = 1;
+    p->kind[i] = kind;
+    player_place(p, i, x, y);
+    p->lives[i] = kinds->lives[kind] - 1;
+    p->safe[i] = kinds->safe[kind];
+    p->grazes[i] = 0;
+    p->score[i] = 0;
+    p->focus[i] = 0;
+    memcpy(p->regs + i * REGISTERS, kinds->start + kind * REGISTERS, REGISTERS * sizeof *p->regs);
+}
+
+void player_leave(struct player *p, uint32_t i)
+{
+    p->in[i] = 0;
+    player_place(p, i, PARK, PARK);
+}
+
+static fx clamp(fx v, fx lo, fx hi)
+{
+    return v < lo ? lo : v > hi ? hi : v;
+}
+
+static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held,
+                     const struct box *area)
+{
+    uint16_t kind = p->kind[i];
+    int dx = !!(held & PAD_RIGHT) - !!(held & PAD_LEFT), dy = !!(held & PAD_DOWN) - !!(held & PAD_UP);
+
+    p->focus[i] = !!(held & PAD_FOCUS);
+    fx speed = p->focus[i] ? kinds->focus[kind] : kinds->speed[kind];
+    if (dx && dy)
+        speed = fx_mul(speed, DIAGONAL);
+    p->was_x[i] = p->x[i];
+    p->was_y[i] = p->y[i];
+    p->x[i] = clamp(p->x[i] + dx * speed, area->x0, area->x1);
+    p->y[i] = clamp(p->y[i] + dy * speed, area->y0, area->y1);
+    if (p->safe[i])
+        p->safe[i]--;
+}
+
+void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)
+{
+    for (uint32_t i = 0; i < PADS; i++)
+        if (p->in[i])
+            move_one(p, kinds, i, held[i], area);
+}

@@ -1,0 +1,53 @@
+/*
+ * player.h - the two players: ship, lives, score, registers.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_PLAYER_H
+#define CHIPS_PLAYER_H
+
+#include "../base/fx.h"
+#include "../base/pads.h"
+#include "bullets.h"
+#include "slots.h"
+
+enum { REGISTERS = 16 };
+
+/* What player.def declares. */
+struct player_kinds {
+    struct slots s;
+    uint16_t *sprite;
+    fx *radius; /* hit circle */
+    fx *graze;  /* graze circle */
+    fx *speed, *focus;
+    int32_t *lives;
+    uint32_t *safe; /* frames after a death, and after joining */
+    int32_t *start; /* REGISTERS a kind: their values in a new game */
+};
+
+struct player {
+    struct slots s;
+    uint8_t *in; /* 1: in the game */
+    uint16_t *kind;
+    fx *x, *y;
+    fx *was_x, *was_y; /* before this frame's move: hits are swept from there */
+    int32_t *lives;    /* left, the one in play not counted */
+    uint32_t *safe;    /* frames */
+    uint32_t *grazes;
+    int64_t *score;
+    int32_t *regs;
+    uint8_t *focus; /* 1: moving slowly */
+};
+
+extern const struct chip player_chip, player_kinds_chip;
+
+/* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives, score and registers. */
+void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
+void player_leave(struct player *p, uint32_t i);
+
+/* Puts a player somewhere without sweeping through what is between. */
+void player_place(struct player *p, uint32_t i, fx x, fx y);
+
+/* Moves both by their held buttons (PAD_ bits), inside area; counts safe frames down. */
+void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
+
+#endif

@@ -1,0 +1,231 @@
+/*
+ * slots.c - see slots.h.
+ */
+#include "slots.h"
+#include <assert.h>
+#include <string.h>
+#include "../base/hash.h"
+
+enum { ALIGN = 64 }; /* a cache line, so that columns do not share one */
+
+static uint32_t blocks(uint32_t n)
+{
+    return (n + SLOTS_BLOCK - 1) / SLOTS_BLOCK * SLOTS_BLOCK;
+}
+
+static uint64_t aligned(uint64_t n)
+{
+    return (n + ALIGN - 1) / ALIGN * ALIGN;
+}
+
+uint64_t slots_size(const struct chip *chip, uint32_t cap)
+{
+    uint64_t room = blocks(cap), size = 0;
+
+    if (!chip->list)
+        size = aligned(room / 8) + aligned(room * 4);
+    for (int i = 0; i < chip->count; i++)
+        if (!chip->columns[i].reg)
+            size += aligned(room * chip->columns[i].width * chip->columns[i].n);
+    return size;
+}
+
+static void *carve(uint8_t **next, uint64_t bytes)
+{
+    void *at = *next;
+
+    *next += aligned(bytes);
+    return at;
+}
+
+void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next)
+{
+    struct slots *s = self;
+    uint64_t room = blocks(cap);
+
+    *s = (struct slots){ .cap = cap };
+    if (!chip->list) {
+        s->used = carve(next, room / 8);
+        s->gen = carve(next, room * 4);
+    }
+    for (int i = 0; i < chip->count; i++) {
+        const struct column *c = &chip->columns[i];
+        uint64_t bytes = (uint64_t)c->width * c->n;
+        void *at = (uint8_t *)self + c->at;
+
+        if (c->reg)
+            memset(at, 0, bytes);
+        else {
+            void *column = carve(next, room * bytes);
+            memcpy(at, &column, sizeof column);
+        }
+    }
+}
+
+static bool grow_high(struct slots *s)
+{
+    if (s->high >= s->cap)
+        return false;
+    s->used[s->high / 64] = 0;
+    for (uint32_t i = s->high; i < s->high + SLOTS_BLOCK; i++)
+        s->gen[i] = 1;
+    s->high += SLOTS_BLOCK;
+    return true;
+}
+
+int32_t slots_take(struct slots *s)
+{
+    for (;; s->low++) {
+        if (s->low * 64 == s->high && !grow_high(s))
+            break;
+        uint64_t room = ~s->used[s->low];
+        if (!room)
+            continue;
+        uint32_t i = s->low * 64 + lowest_bit(room);
+        if (i >= s->cap)
+            break;
+        s->used[i / 64] |= 1ull << (i & 63);
+        s->live++;
+        if (i >= s->top)
+            s->top = i / 64 * 64 + 64;
+        return (int32_t)i;
+    }
+    s->refused++;
+    return NO_SLOT;
+}
+
+int32_t slots_append(struct slots *s)
+{
+    if (s->live >= s->cap) {
+        s->refused++;
+        return NO_SLOT;
+    }
+    return (int32_t)s->live++;
+}
+
+void slots_drop(struct slots *s, uint32_t i)
+{
+    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->gen[i] = s->gen[i] == GENERATIONS ? 1 : s->gen[i] + 1;
+    s->live--;
+    if (i / 64 < s->low)
+        s->low = i / 64;
+}
+
+void slots_trim(struct slots *s)
+{
+    while (s->top && !s->used[s->top / 64 - 1])
+        s->top -= SLOTS_BLOCK;
+}
+
+uint32_t slots_next(const struct slots *s, uint32_t i)
+{
+    if (!s->used)
+        return i < s->live ? i : s->live;
+    while (i < s->top) {
+        uint64_t rest = s->used[i / 64] >> (i & 63);
+        if (rest)
+            return i + lowest_bit(rest);
+        i = i / 64 * 64 + 64;
+    }
+    return s->top;
+}
+
+static uint64_t value_at(const uint8_t *p, int width)
+{
+    uint16_t w2;
+    uint32_t w4;
+    uint64_t w8;
+
+    switch (width) {
+    case 1:
+        return *p;
+    case 2:
+        memcpy(&w2, p, 2);
+        return w2;
+    case 4:
+        memcpy(&w4, p, 4);
+        return w4;
+    default:
+        memcpy(&w8, p, 8);
+        return w8;
+    }
+}
+
+static uint64_t fold_values(uint64_t h, const struct column *c, const uint8_t *p)
+{
+    for (int k = 0; k < c->n; k++)
+        h = hash_fold(h, value_at(p + (size_t)k * c->width, c->width));
+    return h;
+}
+
+static const uint8_t *column_at(const struct column *c, const void *self)
+{
+    const uint8_t *at;
+
+    memcpy(&at, (const uint8_t *)self + c->at, sizeof at);
+    return at;
+}
+
+uint64_t slots_hash(const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+    uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
+
+    for (int c = 0; c < chip->count; c++)
+        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+            h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
+    uint32_t end = s->used ? s->top : s->live;
+    for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
+        if (s->used)
+            h = hash_fold(h, (uint64_t)s->gen[i] << 32 | i);
+        for (int c = 0; c < chip->count; c++) {
+            const struct column *col = &chip->columns[c];
+            if (!col->reg && col->kind == COL_GAME)
+                h = fold_values(h, col, column_at(col, self) + (size_t)i * col->width * col->n);
+        }
+    }
+    return h;
+}
+
+/* One walk serves save, restore and counting: copy is called with each piece of RAM. */
+static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
+{
+    const struct slots *s = self;
+    size_t at = 0;
+    struct {
+        uint8_t *p;
+        size_t n;
+    } piece;
+
+    for (int i = chip->list ? 0 : -2; i < chip->count; i++) {
+        if (i == -2)
+            piece.p = (uint8_t *)s->used, piece.n = s->high / 8;
+        else if (i == -1)
+            piece.p = (uint8_t *)s->gen, piece.n = (size_t)s->high * 4;
+        else if (chip->columns[i].reg)
+            continue;
+        else {
+            const struct column *c = &chip->columns[i];
+            memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
+            piece.n = (size_t)(chip->list ? s->live : s->top) * c->width * c->n;
+        }
+        if (save && piece.n)
+            memcpy(save + at, piece.p, piece.n);
+        if (restore && piece.n)
+            memcpy(piece.p, restore + at, piece.n);
+        at += piece.n;
+    }
+    return at;
+}
+
+size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)
+{
+    return walk(chip, self, buf, NULL);
+}
+
+size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf)
+{
+    return walk(chip, self, NULL, buf);
+}

@@ -1,0 +1,137 @@
+/*
+ * slots.h - what every chip is made of: a struct of columns, described by one table, with slots and generations.
+ * floor: chips    used by: chips/ board/
+ *
+ * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers stand in the struct
+ * itself. The column table lays the chip out, hashes it, saves and restores it; tests and docs walk the same table.
+ *
+ * A pool (`used` is not NULL): a live thing keeps its slot, a new one takes the lowest free slot, and a slot's
+ * generation goes up when its tenant dies. A list (`used` is NULL): entries [0, live) are in use, in the order they
+ * were added.
+ *
+ * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used hold below high,
+ * and nothing at or beyond top is read by anybody, so a snapshot copies [0, top) of the columns and [0, high) of gen
+ * and used.
+ */
+#ifndef CHIPS_SLOTS_H
+#define CHIPS_SLOTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum column_kind {
+    COL_GAME,    /* hashed */
+    COL_DERIVED, /* follows from game columns or lasts less than a frame; `why` says which */
+};
+
+struct column {
+    const char *name;
+    uint16_t at;   /* offset in the chip's struct: of the pointer, or of the register itself */
+    uint8_t width; /* bytes of one value: 1, 2, 4 or 8 */
+    uint16_t n;    /* values a slot; a register's count of values */
+    bool reg;      /* a register of the chip, not a column */
+    enum column_kind kind;
+    const char *why; /* of a derived column */
+};
+
+#define COLUMN(chip, name)                                                                                             \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, COL_GAME, 0                    \
+    }
+#define COLUMNS(chip, name, n)                                                                                         \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, COL_GAME, 0                    \
+    }
+#define DERIVED(chip, name, why)                                                                                       \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, COL_DERIVED, why               \
+    }
+#define REGISTER(chip, name)                                                                                           \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, COL_GAME, 0                       \
+    }
+#define REGISTERS(chip, name)                                                                                          \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name),                                                                            \
+            sizeof((struct chip *)0)                                                                                   \
+                ->name[0], sizeof((struct chip *)0)->name / sizeof((struct chip *)0)->name[0], true, COL_GAME, 0       \
+    }
+#define DERIVED_REGISTER(chip, name, why)                                                                              \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, COL_DERIVED, why                  \
+    }
+
+struct slots {
+    uint32_t cap;  /* most that can live at once */
+    uint32_t top;  /* every live slot is below */
+    uint32_t high; /* slots ever used */
+    uint32_t live;
+    uint32_t refused; /* how often there was no room; scripts can read it */
+    uint32_t low;     /* no word of `used` before this one has a free bit */
+    uint64_t *used;   /* a bit a slot; NULL: a list */
+    uint32_t *gen;    /* 1 .. 2^30-1 */
+};
+
+/* What a chip is: its name in hashes and reports, and its columns. */
+struct chip {
+    const char *name;
+    const struct column *columns;
+    int count;
+    bool list;
+    bool apart; /* hashed for reports, but outside the combined hash: no script can read it */
+};
+
+enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
+
+/* Bytes of RAM a chip of this capacity takes. */
+uint64_t slots_size(const struct chip *chip, uint32_t cap);
+
+/* Points the chip's columns into RAM from *next on and empties it; *next moves past them. `self` is the chip's struct.
+ */
+void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
+
+/* The lowest free slot of a pool, or NO_SLOT (refused counts up). A top that grew is the caller's to park. */
+int32_t slots_take(struct slots *s);
+
+/* The next entry of a list, or NO_SLOT. */
+int32_t slots_append(struct slots *s);
+
+/* The tenant of slot i dies. */
+void slots_drop(struct slots *s, uint32_t i);
+
+/* Lowers top to the last block with a live slot. */
+void slots_trim(struct slots *s);
+
+/* The first live slot at or after i, or top (a list: live) when there is none. */
+uint32_t slots_next(const struct slots *s, uint32_t i);
+
+static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
+{
+    return slot < s->top && (s->used[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
+}
+
+/* Visits the live slots of a pool in slot order; the body may drop the one it is at. */
+#define EACH_LIVE(i, s) for (uint32_t i = slots_next(s, 0); i < (s)->top; i = slots_next(s, i + 1))
+
+/* The state hash: registers, then for each live slot in slot order the slot, its generation and its game columns. */
+uint64_t slots_hash(const struct chip *chip, const void *self);
+
+/* The lowest set bit of a non-zero word. */
+static inline uint32_t lowest_bit(uint64_t w)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctzll(w);
+#else
+    uint32_t n = 0;
+    for (; !(w & 1); w >>= 1)
+        n++;
+    return n;
+#endif
+}
+
+/* Snapshots of the columns (the struct itself is copied with the board). Returns bytes; buf NULL only counts. */
+size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf);
+size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf);
+
+#endif

@@ -1,0 +1,59 @@
+/*
+ * sparks.c - see sparks.h.
+ */
+#include "sparks.h"
+#include <string.h>
+#include "../base/trig.h"
+
+static const struct column kind_columns[] = {
+    COLUMN(spark_kinds, sprite), COLUMN(spark_kinds, life), COLUMN(spark_kinds, gravity),
+    COLUMN(spark_kinds, drag),   COLUMN(spark_kinds, bank),
+};
+
+static const struct column columns[] = {
+    COLUMN(sparks, x),    COLUMN(sparks, y),   COLUMN(sparks, vx),        COLUMN(sparks, vy),
+    COLUMN(sparks, kind), COLUMN(sparks, age), REGISTERS(sparks, stream),
+};
+
+#define COUNT(table) (int)(sizeof table / sizeof *table)
+const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
+const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
+
+void sparks_burst(struct sparks *s, const struct spark_burst *burst)
+{
+    struct rng r;
+
+    memcpy(r.s, s->stream, sizeof r.s);
+    for (uint32_t k = 0; k < burst->n; k++) {
+        int32_t i = slots_take(&s->s);
+        if (i == NO_SLOT)
+            break;
+        ang off =
+            burst->spread ? (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2 : (ang)rng_next(&r);
+        fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
+        s->x[i] = burst->x;
+        s->y[i] = burst->y;
+        s->kind[i] = burst->kind;
+        s->age[i] = 0;
+        trig_polar(speed, burst->dir + off, &s->vx[i], &s->vy[i]);
+    }
+    memcpy(s->stream, r.s, sizeof r.s);
+}
+
+void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep)
+{
+    EACH_LIVE (i, &s->s) {
+        uint16_t kind = s->kind[i];
+        if (kinds->drag[kind]) {
+            s->vx[i] -= fx_mul(s->vx[i], kinds->drag[kind]);
+            s->vy[i] -= fx_mul(s->vy[i], kinds->drag[kind]);
+        }
+        s->vy[i] = fx_add(s->vy[i], kinds->gravity[kind]);
+        s->x[i] = fx_add(s->x[i], s->vx[i]);
+        s->y[i] = fx_add(s->y[i], s->vy[i]);
+        if (++s->age[i] >= kinds->life[kind] || s->x[i] < keep->x0 || s->x[i] > keep->x1 || s->y[i] < keep->y0 ||
+            s->y[i] > keep->y1)
+            slots_drop(&s->s, i);
+    }
+    slots_trim(&s->s);
+}

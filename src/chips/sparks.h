@@ -1,0 +1,45 @@
+/*
+ * sparks.h - particles: seen by the player, never by a script. They have their own random stream and their own hash.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_SPARKS_H
+#define CHIPS_SPARKS_H
+
+#include "../base/fx.h"
+#include "../base/rng.h"
+#include "bullets.h"
+#include "slots.h"
+
+/* What spark.def declares. */
+struct spark_kinds {
+    struct slots s;
+    uint16_t *sprite;
+    uint16_t *life; /* frames */
+    fx *gravity;    /* px/frame more downwards, a frame */
+    fx *drag;       /* share of the velocity lost a frame, 0 to 1 */
+    uint8_t *bank;
+};
+
+struct sparks {
+    struct slots s;
+    fx *x, *y, *vx, *vy;
+    uint16_t *kind;
+    uint16_t *age;
+    uint64_t stream[4];
+};
+
+struct spark_burst {
+    fx x, y, speed;
+    ang dir, spread; /* thrown within dir +- spread/2; spread 0 means a full turn */
+    uint16_t kind;
+    uint32_t n;
+};
+
+extern const struct chip sparks_chip, spark_kinds_chip;
+
+/* Throws n sparks, each at a random direction within the spread and a speed of 1/2 to 1 of `speed`. No room: no spark.
+ */
+void sparks_burst(struct sparks *s, const struct spark_burst *burst);
+void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep);
+
+#endif

@@ -1,0 +1,35 @@
+/*
+ * sprites.h - free sprites: pictures a script places by hand.
+ * floor: chips    used by: board/
+ */
+#ifndef CHIPS_SPRITES_H
+#define CHIPS_SPRITES_H
+
+#include "../base/fx.h"
+#include "slots.h"
+
+enum {
+    LAYER_BACK,   /* under everything */
+    LAYER_MIDDLE, /* over enemies and shots, under players and bullets */
+    LAYER_FRONT,  /* over everything but the text */
+    LAYERS,
+
+    SPRITE_FLIP_X = 1 << 0, /* as BLIT_FLIP_X */
+    SPRITE_FLIP_Y = 1 << 1,
+    SPRITE_HIDDEN = 1 << 2,
+    SPRITE_SCREEN = 1 << 3, /* placed on the screen instead of the field */
+};
+
+struct sprites {
+    struct slots s;
+    fx *x, *y;
+    uint16_t *sprite;
+    uint8_t *bank;
+    uint8_t *layer;
+    uint8_t *flags;
+    uint32_t *born; /* clock */
+};
+
+extern const struct chip sprites_chip;
+
+#endif

@@ -1,0 +1,82 @@
+/*
+ * fuzz_manifest.c - libFuzzer: any bytes as the binary manifest and as the text of rom.lua and of a script. What is
+ * taken is in range and survives packing; what is refused comes with one line.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/board/manifest.h"
+#include "../../src/board/script.h"
+
+static void need(bool good)
+{
+    if (!good)
+        abort();
+}
+
+/* Refused: one line, and something in it. */
+static void need_line(const char *err)
+{
+    need(err[0] != '\0' && strchr(err, '\n') == NULL);
+}
+
+static void binary(const uint8_t *data, size_t size)
+{
+    uint8_t again[MANIFEST_BYTES];
+    struct manifest m;
+    char err[256] = "";
+
+    if (!manifest_unpack(data, size, &m, err, sizeof err)) {
+        need_line(err);
+        return;
+    }
+    manifest_pack(&m, again);
+    need(memcmp(again, data, sizeof again) == 0);
+}
+
+static void text(const char *data, size_t size)
+{
+    static struct art art;
+    static _Alignas(16) uint8_t work[MANIFEST_WORK];
+    uint8_t bytes[MANIFEST_BYTES];
+    struct manifest m, back;
+    char err[256] = "";
+
+    if (!manifest_read(data, size, "rom.lua", "game", &m, &art, work, err, sizeof err)) {
+        need_line(err);
+        return;
+    }
+    manifest_pack(&m, bytes);
+    need(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
+}
+
+static void script(const char *data, size_t size)
+{
+    char err[256] = "";
+
+    if (!script_check(data, size, "@a.lua", err, sizeof err))
+        need_line(err);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* The first byte chooses the reader. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    if (size == 0)
+        return 0;
+    size_t n = size - 1;
+    uint8_t *copy = malloc(n + (n == 0)); /* of exactly this size */
+    if (copy == NULL)
+        return 0;
+    memcpy(copy, data + 1, n);
+    if (data[0] % 4 == 0)
+        binary(copy, n);
+    else if (data[0] % 4 == 1)
+        script((const char *)copy, n);
+    else
+        text((const char *)copy, n);
+    free(copy);
+    return 0;
+}

@@ -1,0 +1,88 @@
+/*
+ * fuzz_rom.c - libFuzzer: any bytes as a ROM. Odd inputs go in as they are; for even ones the checksums are made good
+ * first, so that the fuzzer gets past them. A ROM that opens must be readable to its last byte.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rom.h"
+#include "../../src/board/cart.h"
+
+static void repair(uint8_t *p, size_t size)
+{
+    memcpy(p, "CURTAIN\x1a\x01\0\0\0", 12);
+    put32(p + 20, (uint32_t)size);
+    for (size_t i = 0; i < get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
+        uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
+        size_t at = get32(e + 4), n = get32(e + 8);
+        if (at <= size && n <= size - at)
+            put32(e + 12, crc32_of(p + at, n));
+    }
+    put32(p + 12, crc32_of(p + 16, size - 16));
+}
+
+/* Never the answer of a hash: uses it, so that no compiler drops the reading. */
+static void use(uint64_t h)
+{
+    if (h == 0)
+        abort();
+}
+
+static uint64_t read_cart(const struct cart *cart)
+{
+    uint64_t h = 0;
+
+    for (int i = 0; i < cart->sprites; i++) {
+        struct sprite s;
+        cart_sprite(cart, i, &s);
+        if (cart_find_sprite(cart, cart_sprite_name(cart, i)) != i)
+            abort();
+        h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
+    }
+    return hash_bytes(hash_bytes(h, cart_palette(cart, "main"), CART_PALETTE), cart->glyphs,
+                      (size_t)cart->n_glyphs * CART_GLYPH);
+}
+
+/* Every lump is found under its own name. */
+static void read_rom(const struct rom *rom)
+{
+    for (uint32_t i = 0; i < rom->count; i++) {
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        if (rom_find(rom, l.name) != (int)i)
+            abort();
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    size_t n = size > 0 ? size - 1 : 0;
+    uint8_t *copy = malloc(n + (n == 0));
+    char err[256] = "";
+    struct cart cart;
+    struct rom rom;
+
+    if (copy == NULL)
+        return 0;
+    if (n > 0)
+        memcpy(copy, data + 1, n);
+    if (n >= ROM_HEADER && data[0] % 2 == 0)
+        repair(copy, n);
+    if (rom_open(&rom, copy, n, err, sizeof err)) {
+        read_rom(&rom);
+        use(rom_hash(&rom) | rom_game_hash(&rom));
+        if (cart_open(&cart, &rom, err, sizeof err))
+            use(read_cart(&cart));
+        else if (err[0] == '\0')
+            abort();
+    } else if (err[0] == '\0') {
+        abort();
+    }
+    free(copy);
+    return 0;
+}

@@ -1,0 +1,296 @@
+/*
+ * test_heap.c - the allocator against a model: contents, alignment, determinism, limits, snapshots.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/heap.h"
+#include "../../src/base/rng.h"
+
+enum { THINGS = 3000, BLOCK = 1 << 20 };
+
+struct thing {
+    unsigned char *p;
+    size_t size;
+    unsigned char fill;
+};
+
+struct model {
+    struct heap *h;
+    size_t used;
+    struct rng rng;
+    struct thing things[THINGS];
+};
+
+static void *block_of(size_t size)
+{
+    void *p = aligned_alloc(16, size);
+
+    assert_non_null(p);
+    memset(p, 0, size);
+    return p;
+}
+
+static void assert_filled(const struct thing *t, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (t->p[i] != t->fill)
+            fail_msg("byte %zu of %zu is %d, not %d", i, n, t->p[i], t->fill);
+}
+
+/* Mostly small, sometimes large, as Lua's are. */
+static size_t some_size(struct rng *r)
+{
+    switch (rng_below(r, 8)) {
+    case 0:
+        return 1 + rng_below(r, 8000);
+    case 1:
+        return 1 + rng_below(r, 700);
+    default:
+        return 1 + rng_below(r, 120);
+    }
+}
+
+/* One random call. Returns where the result lies in the block, so that runs can be compared. */
+static size_t step(struct model *m)
+{
+    struct thing *t = &m->things[rng_below(&m->rng, THINGS)];
+    bool drop = t->p && rng_below(&m->rng, 3) == 0;
+    size_t size = drop ? 0 : some_size(&m->rng), old = t->p ? t->size : rng_below(&m->rng, 9);
+    unsigned char fill = (unsigned char)rng_next(&m->rng);
+
+    if (t->p)
+        assert_filled(t, t->size);
+    unsigned char *p = heap_realloc(m->h, t->p, old, size);
+    if (size && !p) {
+        assert_false(t->p && size <= t->size);
+        return 0;
+    }
+    m->used += size - (t->p ? t->size : 0);
+    assert_int_equal((uintptr_t)p % HEAP_ALIGN, 0);
+    if (t->p && p) {
+        t->p = p;
+        assert_filled(t, t->size < size ? t->size : size);
+    }
+    *t = (struct thing){ p, size, fill };
+    if (p)
+        memset(p, fill, size);
+    return p ? (size_t)(p - (unsigned char *)m->h) : 0;
+}
+
+static void start(struct model *m, void *block, size_t size, uint64_t seed)
+{
+    memset(m, 0, sizeof *m);
+    m->h = heap_init(block, size);
+    rng_seed(&m->rng, seed);
+}
+
+static void free_all(struct model *m)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (m->things[i].p)
+            heap_realloc(m->h, m->things[i].p, m->things[i].size, 0);
+}
+
+static void keeps_contents_and_its_books(void **state)
+{
+    (void)state;
+    void *block = block_of(4 * BLOCK);
+    static struct model m;
+
+    start(&m, block, 4 * BLOCK, 1);
+    for (int i = 0; i < 200000; i++) {
+        step(&m);
+        assert_int_equal(heap_used(m.h), m.used);
+        if (i % 1000 == 0)
+            assert_true(heap_check(m.h));
+    }
+    assert_true(heap_work(m.h) > m.used);
+    free_all(&m);
+    assert_true(heap_check(m.h));
+    assert_int_equal(heap_used(m.h), 0);
+    free(block);
+}
+
+/* In a block too small for the load, calls fail cleanly and shrinking still works. */
+static void survives_being_full(void **state)
+{
+    (void)state;
+    void *block = block_of(BLOCK / 4);
+    static struct model m;
+    int failed = 0;
+
+    start(&m, block, BLOCK / 4, 2);
+    for (int i = 0; i < 100000; i++) {
+        failed += step(&m) == 0;
+        assert_true(heap_extent(m.h) <= BLOCK / 4);
+        if (i % 500 == 0)
+            assert_true(heap_check(m.h));
+    }
+    assert_true(failed > 40000); /* a third are frees */
+    for (int i = 0; i < THINGS; i++)
+        for (struct thing *t = &m.things[i]; t->p && t->size > 1; t->size = (t->size + 1) / 2) {
+            t->p = heap_realloc(m.h, t->p, t->size, (t->size + 1) / 2);
+            assert_non_null(t->p);
+            assert_filled(t, (t->size + 1) / 2);
+        }
+    assert_true(heap_check(m.h));
+    free_all(&m);
+    assert_int_equal(heap_used(m.h), 0);
+    assert_true(heap_check(m.h));
+    free(block);
+}
+
+/* Once all is freed one block can have nearly everything again: slabs come back, neighbours coalesce. */
+static void joins_what_is_freed(void **state)
+{
+    (void)state;
+    void *block = block_of(BLOCK);
+    static struct model m;
+
+    start(&m, block, BLOCK, 3);
+    for (int i = 0; i < 50000; i++)
+        step(&m);
+    free_all(&m);
+    void *all = heap_realloc(m.h, NULL, 0, BLOCK / 2);
+    assert_non_null(all);
+    heap_realloc(m.h, all, BLOCK / 2, 0);
+    assert_true(heap_check(m.h));
+    free(block);
+}
+
+static void places_by_calls_alone(void **state)
+{
+    (void)state;
+    unsigned char *a = block_of(BLOCK + 4096), *b = block_of(BLOCK + 4096);
+    static struct model m, n;
+
+    memset(b, 0x5a, BLOCK + 4096);
+    start(&m, a, BLOCK, 4);
+    start(&n, b + 48, BLOCK, 4);
+    for (int i = 0; i < 100000; i++)
+        assert_int_equal(step(&m), step(&n));
+    assert_int_equal(heap_extent(m.h), heap_extent(n.h));
+    free(a);
+    free(b);
+}
+
+static void snapshots_restore_all(void **state)
+{
+    (void)state;
+    unsigned char *block = block_of(BLOCK), *saved = block_of(BLOCK), *later = block_of(BLOCK);
+    static struct model m, at_save;
+
+    start(&m, block, BLOCK, 5);
+    for (int i = 0; i < 3000; i++)
+        step(&m);
+    size_t extent = heap_extent(m.h);
+    memcpy(saved, block, BLOCK);
+    at_save = m;
+    for (int i = 0; i < 20000; i++)
+        step(&m);
+    size_t later_extent = heap_extent(m.h);
+    memcpy(later, block, BLOCK);
+    assert_true(later_extent > extent);
+
+    memcpy(block, saved, extent);
+    heap_clear_tail(m.h, later_extent);
+    assert_memory_equal(block, saved, BLOCK);
+    memset(block, 0xa5, BLOCK);
+    memcpy(block, saved, extent);
+    heap_clear_tail(m.h, BLOCK);
+    assert_memory_equal(block, saved, BLOCK);
+    assert_true(heap_check(m.h));
+    m = at_save;
+    for (int i = 0; i < 20000; i++)
+        step(&m);
+    assert_memory_equal(block, later, BLOCK);
+
+    memset(block, 0xa5, BLOCK);
+    memcpy(block, saved, extent); /* even without clearing, nothing depends on the tail */
+    m = at_save;
+    for (int i = 0; i < 20000; i++)
+        step(&m);
+    assert_int_equal(heap_extent(m.h), later_extent);
+    assert_true(heap_check(m.h));
+    free(block);
+    free(saved);
+    free(later);
+}
+
+static void refuses_what_cannot_fit(void **state)
+{
+    (void)state;
+    void *block = block_of(HEAP_MIN);
+    struct heap *h = heap_init(block, HEAP_MIN);
+    size_t n = 0;
+    void *p, *last = NULL;
+
+    assert_null(heap_realloc(h, NULL, 5, 0));
+    assert_null(heap_realloc(h, NULL, 0, SIZE_MAX));
+    assert_null(heap_realloc(h, NULL, 0, SIZE_MAX - 7));
+    assert_null(heap_realloc(h, NULL, 0, HEAP_MIN));
+    p = heap_realloc(h, NULL, 0, 1000);
+    assert_null(heap_realloc(h, p, 1000, SIZE_MAX));
+    assert_int_equal(heap_used(h), 1000);
+    assert_ptr_equal(heap_realloc(h, p, 1000, 600), p);
+    heap_realloc(h, p, 600, 0);
+    for (; (p = heap_realloc(h, NULL, 0, 16)) != NULL; n++)
+        last = p;
+    assert_true(n > 2 * 250);
+    assert_true((char *)last + 16 <= (char *)block + HEAP_MIN);
+    assert_true(heap_check(h));
+    free(block);
+}
+
+/* A block shrunk in a full heap stays where it is and can grow back into its own room. */
+static void shrinks_in_place_when_full(void **state)
+{
+    (void)state;
+    void *block = block_of(HEAP_MIN);
+    struct heap *h = heap_init(block, HEAP_MIN);
+    void *p = heap_realloc(h, NULL, 0, 512);
+
+    memset(p, 7, 512);
+    for (size_t size = 600; size > 400; size -= 100)
+        while (heap_realloc(h, NULL, 0, size))
+            ;
+    assert_ptr_equal(heap_realloc(h, p, 512, 20), p);
+    assert_ptr_equal(heap_realloc(h, p, 20, 30), p);
+    assert_null(heap_realloc(h, p, 30, 513));
+    assert_int_equal(((char *)p)[19], 7);
+    heap_realloc(h, p, 30, 0);
+    assert_ptr_equal(heap_realloc(h, NULL, 0, 512), p);
+    assert_true(heap_check(h));
+    free(block);
+}
+
+/* An array that doubles beside nothing else moves seldom and never wastes more than it holds. */
+static void grows_at_the_top(void **state)
+{
+    (void)state;
+    void *block = block_of(BLOCK);
+    struct heap *h = heap_init(block, BLOCK);
+    char *p = heap_realloc(h, NULL, 0, 1024), *first = p;
+
+    for (size_t n = 1024; n < BLOCK / 2; n *= 2)
+        p = heap_realloc(h, p, n, n * 2);
+    assert_ptr_equal(p, first);
+    assert_true(heap_check(h));
+    free(block);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(keeps_contents_and_its_books), cmocka_unit_test(survives_being_full),
+        cmocka_unit_test(joins_what_is_freed),          cmocka_unit_test(places_by_calls_alone),
+        cmocka_unit_test(snapshots_restore_all),        cmocka_unit_test(refuses_what_cannot_fit),
+        cmocka_unit_test(shrinks_in_place_when_full),   cmocka_unit_test(grows_at_the_top),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,566 @@
+/* test_manifest.c - manifest.h: rom.lua as text, each of its errors as a whole line, and the binary form. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/rng.h"
+#include "../../src/board/manifest.h"
+
+struct result {
+    struct manifest m;
+    struct art art;
+    char err[512];
+};
+
+static struct result *read_text(const char *text, size_t n, bool want)
+{
+    struct result *r = calloc(1, sizeof *r);
+    void *work = malloc(MANIFEST_WORK);
+
+    assert_non_null(r);
+    assert_non_null(work);
+    bool good = manifest_read(text, n, "rom.lua", "Glass-Tide", &r->m, &r->art, work, r->err, sizeof r->err);
+    free(work);
+    if (good != want)
+        print_message("%s\n", r->err);
+    assert_int_equal(good, want);
+    return r;
+}
+
+static struct result *read_good(const char *text)
+{
+    return read_text(text, strlen(text), true);
+}
+
+static void refused(const char *text, const char *line)
+{
+    struct result *r = read_text(text, strlen(text), false);
+
+    assert_string_equal(r->err, line);
+    free(r);
+}
+
+/* Refused with the line "rom.lua: " + line, as `return { text }`. */
+static void entry_refused(const char *text, const char *line)
+{
+    char whole[2048], want[512];
+
+    snprintf(whole, sizeof whole, "return { %s }", text);
+    snprintf(want, sizeof want, "rom.lua: %s", line);
+    refused(whole, want);
+}
+
+static void test_defaults(void **state)
+{
+    struct result *r = read_good("return {}");
+
+    (void)state;
+    assert_string_equal(r->m.id, "glass_tide");
+    assert_string_equal(r->m.title, "glass_tide");
+    assert_string_equal(r->m.author, "");
+    assert_string_equal(r->m.entry, "main");
+    assert_int_equal(r->m.version, 1);
+    assert_int_equal(r->m.screen_w, 240);
+    assert_int_equal(r->m.screen_h, 320);
+    assert_int_equal(r->m.field_x, 0);
+    assert_int_equal(r->m.field_w, 240);
+    assert_int_equal(r->m.field_h, 320);
+    assert_int_equal(r->m.margin, 64);
+    assert_int_equal(r->m.bullets, 8192);
+    assert_int_equal(r->m.shots, 512);
+    assert_int_equal(r->m.enemies, 256);
+    assert_int_equal(r->m.sparks, 2048);
+    assert_int_equal(r->m.sprites, 256);
+    assert_int_equal(r->m.motions, 256);
+    assert_int_equal(r->m.tasks, 1024);
+    assert_int_equal(r->m.lua_kib, 4096);
+    assert_int_equal(r->m.players, 2);
+    assert_int_equal(r->m.n_extends, 0);
+    assert_int_equal(r->m.n_difficulties, 1);
+    assert_string_equal(r->m.difficulties[0], "normal");
+    assert_int_equal(r->m.difficulty, 0);
+    assert_int_equal(r->m.n_dips, 0);
+    assert_string_equal(r->art.palette, "");
+    assert_string_equal(r->art.font, "");
+    assert_int_equal(r->art.n_sheets + r->art.n_sprites + r->art.n_palettes, 0);
+    free(r);
+}
+
+static const char lanterns[] =
+    "return { title = 'Paper Lanterns', author = 'You', version = 3, entry = 'boot/main', id = 'lanterns',\n"
+    "  screen = { w = 320, h = 240 }, field = { x = 8, y = 4, w = 208, h = 224, margin = 32 },\n"
+    "  board = { bullets = 100, shots = 0, enemies = 5, sparks = 0, sprites = 7, motions = 0, tasks = 9,\n"
+    "            lua_kib = 512.0 },\n"
+    "  palette = 'art/palette.png', font = 'art/font.png', palettes = { dusk = 'art/dusk.png' },\n"
+    "  sheets = { small = { file = 'art/small.png', bank = 4 }, big = { file = 'art/big.png' } },\n"
+    "  sprites = { wisp = { sheet = 'small', y = 16, w = 24, h = 20, frames = 4, every = 5 },\n"
+    "              rice = { sheet = 'small', x = 16, w = 13, h = 12, rotations = 32 },\n"
+    "              queen = { sheet = 'big', w = 48, h = 56, origin = { 24, -30 } } },\n"
+    "  difficulties = { 'easy', 'normal', 'hard' }, difficulty = 'hard', players = 1,\n"
+    "  dip = { rate = { min = -1, max = 10, default = 3 }, coins = { 'free', 'one' }, n = { min = 2, max = 2 } },\n"
+    "  extends = { 100000, 9007199254740992 } }\n";
+
+static void test_all(void **state)
+{
+    struct result *r = read_good(lanterns);
+    const struct manifest *m = &r->m;
+
+    (void)state;
+    assert_string_equal(m->id, "lanterns");
+    assert_string_equal(m->title, "Paper Lanterns");
+    assert_string_equal(m->author, "You");
+    assert_string_equal(m->entry, "boot/main");
+    assert_int_equal(m->version, 3);
+    assert_int_equal(m->screen_w, 320);
+    assert_int_equal(m->screen_h, 240);
+    assert_int_equal(m->field_x, 8);
+    assert_int_equal(m->field_y, 4);
+    assert_int_equal(m->field_w, 208);
+    assert_int_equal(m->field_h, 224);
+    assert_int_equal(m->margin, 32);
+    assert_int_equal(m->bullets, 100);
+    assert_int_equal(m->shots, 0);
+    assert_int_equal(m->enemies, 5);
+    assert_int_equal(m->sparks, 0);
+    assert_int_equal(m->sprites, 7);
+    assert_int_equal(m->motions, 0);
+    assert_int_equal(m->tasks, 9);
+    assert_int_equal(m->lua_kib, 512);
+    assert_int_equal(m->players, 1);
+    assert_int_equal(m->n_extends, 2);
+    assert_true(m->extends[1] == INT64_C(9007199254740992));
+    assert_int_equal(m->n_difficulties, 3);
+    assert_int_equal(m->difficulty, 2);
+    free(r);
+}
+
+static void test_dips(void **state)
+{
+    struct result *r = read_good(lanterns);
+    const struct dip *d = r->m.dips;
+
+    (void)state;
+    assert_int_equal(r->m.n_dips, 3);
+    assert_string_equal(d[0].name, "coins");
+    assert_false(d[0].number);
+    assert_int_equal(d[0].values, 2);
+    assert_int_equal(d[0].hi, 1);
+    assert_int_equal(d[0].value, 0);
+    assert_string_equal(d[0].value_name[1], "one");
+    assert_string_equal(d[1].name, "n");
+    assert_int_equal(d[1].value, 2);
+    assert_string_equal(d[2].name, "rate");
+    assert_true(d[2].number);
+    assert_int_equal(d[2].lo, -1);
+    assert_int_equal(d[2].hi, 10);
+    assert_int_equal(d[2].value, 3);
+    assert_int_equal(d[2].values, 0);
+    free(r);
+}
+
+static void test_art(void **state)
+{
+    struct result *r = read_good(lanterns);
+    const struct art *a = &r->art;
+
+    (void)state;
+    assert_string_equal(a->palette, "art/palette.png");
+    assert_string_equal(a->font, "art/font.png");
+    assert_int_equal(a->n_palettes, 1);
+    assert_string_equal(a->palettes[0].name, "dusk");
+    assert_string_equal(a->palettes[0].file, "art/dusk.png");
+    assert_int_equal(a->n_sheets, 2);
+    assert_string_equal(a->sheets[0].name, "big");
+    assert_int_equal(a->sheets[0].bank, 0);
+    assert_int_equal(a->sheets[1].bank, 4);
+    assert_int_equal(a->n_sprites, 3);
+    assert_string_equal(a->sprites[0].name, "queen");
+    assert_int_equal(a->sprites[0].sheet, 0);
+    assert_int_equal(a->sprites[0].ox, 24);
+    assert_int_equal(a->sprites[0].oy, -30);
+    assert_string_equal(a->sprites[1].name, "rice");
+    assert_int_equal(a->sprites[1].x, 16);
+    assert_int_equal(a->sprites[1].ox, 6);
+    assert_int_equal(a->sprites[1].rotations, 32);
+    assert_int_equal(a->sprites[1].frames, 1);
+    assert_int_equal(a->sprites[1].every, 6);
+    assert_int_equal(a->sprites[2].sheet, 1);
+    assert_int_equal(a->sprites[2].frames, 4);
+    assert_int_equal(a->sprites[2].every, 5);
+    assert_int_equal(a->sprites[2].y, 16);
+    free(r);
+}
+
+/* What is left out follows from what is there. */
+static void test_derived(void **state)
+{
+    struct result *r = read_good("return { screen = { w = 400 }, field = { x = 100, h = 50 },"
+                                 "  difficulties = { 'a', 'normal' } }");
+
+    (void)state;
+    assert_int_equal(r->m.field_w, 300);
+    assert_int_equal(r->m.field_h, 50);
+    assert_int_equal(r->m.difficulty, 1);
+    free(r);
+    r = read_good("return { id = 'x' }");
+    assert_string_equal(r->m.title, "x");
+    free(r);
+    r = read_good("return { difficulties = { 'a', 'b' } }");
+    assert_int_equal(r->m.difficulty, 0);
+    free(r);
+}
+
+static void test_unknown_names(void **state)
+{
+    (void)state;
+    entry_refused("board = { bulets = 1 }", "board.bulets: unknown name (did you mean \"bullets\"?)");
+    entry_refused("titel = 'x'", "titel: unknown name (did you mean \"title\"?)");
+    entry_refused("zebra = 1, music = 2", "music: unknown name");
+    entry_refused("screen = { width = 1 }", "screen.width: unknown name");
+    entry_refused("field = { margins = 1 }", "field.margins: unknown name (did you mean \"margin\"?)");
+    entry_refused("sheets = { a = { file = 'a', banks = 1 } }",
+                  "sheets.a.banks: unknown name (did you mean \"bank\"?)");
+    entry_refused("sheets = { s = { file = 'a' } }, sprites = { orb = { sheet = 's', w = 1, h = 1, frame = 2 } }",
+                  "sprites.orb.frame: unknown name (did you mean \"frames\"?)");
+    entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown name");
+    entry_refused("1", "manifest: expected only names as keys, got 1");
+    entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
+}
+
+static void test_numbers(void **state)
+{
+    (void)state;
+    for (int i = 0; i < MANIFEST_NUMBERS; i++) {
+        const struct manifest_number *f = &manifest_numbers[i];
+        const char *dot = strchr(f->name, '.');
+        int skip = dot != NULL ? (int)(dot - f->name) : 0;
+        char text[128], want[128];
+        for (int k = 0; k < 2; k++) {
+            long long v = k == 0 ? f->lo - 1LL : f->hi + 1LL;
+            snprintf(text, sizeof text, "%.*s%s%s = %lld%s", skip, f->name, dot != NULL ? " = { " : "",
+                     f->name + (dot != NULL ? skip + 1 : 0), v, dot != NULL ? " }" : "");
+            snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo, f->hi,
+                     v);
+            entry_refused(text, want);
+        }
+    }
+    entry_refused("version = 9223372036854775807",
+                  "version: expected a whole number from 0 to 1000000000, got 9223372036854775807");
+    entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
+    entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
+    entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
+    entry_refused("players = 0/0 == 1", "players: expected a whole number from 1 to 2, got a boolean");
+    entry_refused("board = 3", "board: expected a table, got 3");
+    entry_refused("screen = { w = 100 }", "screen.w: expected a multiple of 8, got 100");
+    entry_refused("field = { x = 9, w = 240 }", "field: 240x320 at 9,0 is not inside the 240x320 screen");
+    entry_refused("field = { x = 230 }", "field.w: expected a whole number from 16 to 1024, got 10");
+}
+
+static void test_texts(void **state)
+{
+    (void)state;
+    entry_refused("id = 'A b'", "id: expected 1 to 31 of a-z 0-9 _");
+    entry_refused("id = ''", "id: expected 1 to 31 of a-z 0-9 _");
+    entry_refused("id = 5", "id: expected a name, got 5");
+    entry_refused("title = false", "title: expected a line, got a boolean");
+    entry_refused("title = ''", "title: expected a line of 1 to 63 bytes");
+    entry_refused("title = 'a\\nb'", "title: expected a line of 1 to 63 bytes");
+    entry_refused("title = 'a\\0b'", "title: expected a line of at most 63 bytes, got \"a\"");
+    entry_refused("title = '0123456789012345678901234567890123456789012345678901234567890123'",
+                  "title: expected a line of at most 63 bytes, got \"0123456789012345678901234567890123456789\"");
+    entry_refused("author = 'a\\127'", "author: expected a line of at most 63 bytes");
+    entry_refused("entry = '../main'", "entry: expected a script's path without .lua, at most 63 bytes");
+    entry_refused("entry = ''", "entry: expected a script's path without .lua, at most 63 bytes");
+}
+
+static void test_lists(void **state)
+{
+    (void)state;
+    entry_refused("extends = { 0 }", "extends[1]: expected a whole number from 1 to 9007199254740992, got 0");
+    entry_refused("extends = { 5, 5 }", "extends[2]: expected a whole number from 6 to 9007199254740992, got 5");
+    entry_refused("extends = { 1, 2, 3, 4, 5, 6, 7, 8, 9 }", "extends: expected at most 8 entries, got 9");
+    entry_refused("extends = { 1, x = 2 }", "extends: expected a list");
+    entry_refused("difficulties = {}", "difficulties: expected at least one word");
+    entry_refused("difficulties = { 'a', 'a' }", "difficulties[2]: \"a\" stands here twice");
+    entry_refused("difficulties = { 'a b' }",
+                  "difficulties[1]: expected a word of letters, digits, _ and -, got \"a b\"");
+    entry_refused("difficulties = { 1 }", "difficulties[1]: expected a word, got 1");
+    entry_refused("difficulties = { 'abcdefghijklmnop' }",
+                  "difficulties[1]: expected a word of at most 15 bytes, got \"abcdefghijklmnop\"");
+    entry_refused("difficulties = { 'easy' }, difficulty = 'hard'",
+                  "difficulty: \"hard\" is not one of the difficulties");
+}
+
+static void test_dip_errors(void **state)
+{
+    (void)state;
+    entry_refused("dip = { 'a' }", "dip: expected only names as keys, got 1");
+    entry_refused("dip = { ['a.b'] = { 'x' } }", "dip.a.b: expected a name of letters, digits, _ and -");
+    entry_refused("dip = { ['a b'] = { 'x' } }", "dip: \"a b\": expected a name of letters, digits, _ - . and /");
+    entry_refused("dip = { n = 3 }", "dip.n: expected a table, got 3");
+    entry_refused("dip = { n = {} }", "dip.n.min: expected a whole number from -2147483648 to 2147483647, got nil");
+    entry_refused("dip = { n = { min = 3, max = 2 } }",
+                  "dip.n.max: expected a whole number from 3 to 2147483647, got 2");
+    entry_refused("dip = { n = { min = 1, max = 2, default = 3 } }",
+                  "dip.n.default: expected a whole number from 1 to 2, got 3");
+    entry_refused("dip = { n = { 'a', 'b', min = 1 } }", "dip.n: expected a list");
+    entry_refused("dip = { a={'x'},b={'x'},c={'x'},d={'x'},e={'x'},f={'x'},g={'x'},h={'x'},i={'x'},j={'x'},"
+                  "k={'x'},l={'x'},m={'x'},n={'x'},o={'x'},p={'x'},q={'x'} }",
+                  "dip: expected at most 16 entries");
+}
+
+static void test_art_errors(void **state)
+{
+    (void)state;
+    entry_refused("palette = 3", "palette: expected a file, got 3");
+    entry_refused("font = '/etc/font.png'",
+                  "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
+    entry_refused("palettes = { a = 'x/../y' }",
+                  "palettes.a: expected a file inside the folder (letters, digits, _ - . /), got \"x/../y\"");
+    entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is that of `palette`");
+    entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
+    entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\"");
+    entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
+                  "sheets.a.bank: expected a whole number from 0 to 15, got 16");
+    entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected a sheet's name, got nil");
+    entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not one of the sheets");
+    entry_refused("sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', h = 1 } }",
+                  "sprites.a.w: expected a whole number from 1 to 1024, got nil");
+    entry_refused(
+        "sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', w = 1, h = 1, origin = { 1 } } }",
+        "sprites.a.origin: expected { x, y }");
+    entry_refused(
+        "sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', w = 1, h = 1, origin = { 1, 9999 } } }",
+        "sprites.a.origin[2]: expected a whole number from -1024 to 1024, got 9999");
+}
+
+static void test_not_a_manifest(void **state)
+{
+    (void)state;
+    refused("", "rom.lua: expected `return { ... }`, got nil");
+    refused("return 'x'", "rom.lua: expected `return { ... }`, got \"x\"");
+    refused("return {\n  title = = 3 }", "rom.lua:2: unexpected symbol near '='");
+    refused("return {} x", "rom.lua:1: <eof> expected near 'x'");
+    refused("\n\nprint('x')", "rom.lua:3: attempt to call a nil value (global 'print')");
+    refused("x = 'a\nb'", "rom.lua:1: unfinished string near ''a'");
+    refused("return = [[a\nb]]\n'c\1'", "rom.lua:1: unexpected symbol near '='");
+    refused("x = 1 [[a\nb]]", "rom.lua:2: unexpected symbol near '[[a b]]'");
+    refused("\x1bLua", "rom.lua: attempt to load a binary chunk (mode is 't')");
+}
+
+/* Neither time nor memory without end, whatever the text does. */
+static void test_bombs(void **state)
+{
+    char *text;
+
+    (void)state;
+    refused("while true do end", "rom.lua:1: takes too long (an endless loop?)");
+    refused("local function f() return f() end\nreturn f()", "rom.lua:1: takes too long (an endless loop?)");
+    refused("::a:: goto a", "rom.lua:1: takes too long (an endless loop?)");
+    refused("local s = 'x' while true do s = s .. s end", "rom.lua: needs too much memory");
+    refused("local t = {} while true do t = { t } end", "rom.lua: needs too much memory");
+    refused("local t = {} for i = 1, 1e6 do t[i] = { i } end return t", "rom.lua: needs too much memory");
+    refused("local s = 'x' for i = 1, 13 do s = s .. s end for i = 1, 1e9 do local t = s .. i end",
+            "rom.lua: needs too much memory");
+    refused("local function f() return 1 + f() end f()", "rom.lua: needs too much memory");
+    text = malloc((1 << 20) + 1);
+    memset(text, ' ', (1 << 20) + 1);
+    struct result *r = read_text(text, (1 << 20) + 1, false);
+    assert_string_equal(r->err, "rom.lua: longer than 1048576 bytes");
+    free(r);
+    memset(text, '{', 1 << 20);
+    free(read_text(text, 1 << 20, false));
+    free(text);
+}
+
+/* A manifest as large as any game's fits. */
+static void test_many_sprites(void **state)
+{
+    size_t room = 1 << 20, n = 0;
+    char *text = malloc(room);
+
+    (void)state;
+    n += (size_t)snprintf(text, room, "return { sheets = { s = { file = 's.png' } }, sprites = {\n");
+    for (int i = 0; i < MAX_ART_SPRITES; i++)
+        n += (size_t)snprintf(text + n, room - n,
+                              "sprite_%d = { sheet='s', x=%d, y=%d, w=16, h=16, rotations=32, origin={3,4} },\n", i,
+                              i % 64 * 16, i / 64 * 16);
+    snprintf(text + n, room - n, "} }");
+    struct result *r = read_good(text);
+    assert_int_equal(r->art.n_sprites, MAX_ART_SPRITES);
+    assert_string_equal(r->art.sprites[1].name, "sprite_1");
+    assert_string_equal(r->art.sprites[MAX_ART_SPRITES - 1].name, "sprite_999");
+    free(r);
+    snprintf(text + n, room - n, "one_more = {} } }");
+    refused(text, "rom.lua: sprites: expected at most 4096 entries");
+    free(text);
+}
+
+/* ---- the binary form ---- */
+
+static void test_pack(void **state)
+{
+    struct result *r = read_good(lanterns);
+    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
+    struct manifest m;
+    char err[256] = "";
+
+    (void)state;
+    manifest_pack(&r->m, bytes);
+    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(m.title, "Paper Lanterns");
+    assert_int_equal(m.lua_kib, 512);
+    assert_int_equal(m.dips[2].lo, -1);
+    assert_true(m.extends[1] == INT64_C(9007199254740992));
+    manifest_pack(&m, again);
+    assert_memory_equal(bytes, again, sizeof bytes);
+    free(r);
+}
+
+static void test_unpack_refuses(void **state)
+{
+    struct result *r = read_good(lanterns);
+    uint8_t bytes[MANIFEST_BYTES];
+    struct manifest m;
+    char err[256] = "";
+
+    (void)state;
+    manifest_pack(&r->m, bytes);
+    assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
+    assert_string_equal(err, "5175 bytes long, expected 5176");
+    bytes[0] = 2;
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(err, "its format is not known");
+    free(r);
+}
+
+/* Refused, packed and unpacked, with this line. */
+static void unpack_refused(const struct manifest *m, const char *line)
+{
+    uint8_t bytes[MANIFEST_BYTES];
+    struct manifest back;
+    char err[256] = "";
+
+    manifest_pack(m, bytes);
+    assert_false(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
+    assert_string_equal(err, line);
+}
+
+#define SPOILED(statement, line)                                                                                       \
+    do {                                                                                                               \
+        struct manifest m = r->m;                                                                                      \
+        statement;                                                                                                     \
+        unpack_refused(&m, line);                                                                                      \
+    } while (0)
+
+static void test_check(void **state)
+{
+    static const char words[] = "difficulties: expected 1 to 8 different words of at most 15 letters";
+    static const char coins[] = "dip.coins: expected 1 to 16 different words of at most 15 letters";
+    static const char either[] = "dip.coins: expected either a range or 1 to 16 values";
+    struct result *r = read_good(lanterns);
+
+    (void)state;
+    SPOILED(memset(m.id, 'a', sizeof m.id), "id: expected 1 to 31 of a-z 0-9 _");
+    SPOILED(m.id[20] = 'x', "id: expected 1 to 31 of a-z 0-9 _");
+    SPOILED(m.title[0] = 1, "title: expected a line of 1 to 63 bytes");
+    SPOILED(memset(m.author, 'a', sizeof m.author), "author: expected a line of at most 63 bytes");
+    SPOILED(m.entry[0] = '/', "entry: expected a script's path without .lua, at most 63 bytes");
+    SPOILED(m.tasks = 0, "board.tasks: expected a whole number from 1 to 65536, got 0");
+    SPOILED(m.screen_w = 322, "screen.w: expected a multiple of 8, got 322");
+    SPOILED(m.field_y = 17, "field: 208x224 at 8,17 is not inside the 320x240 screen");
+    SPOILED(m.n_extends = 9, "extends: expected at most 8 scores");
+    SPOILED(m.n_extends = -1, "extends: expected at most 8 scores");
+    SPOILED(m.extends[2] = 1, "extends: expected at most 8 scores");
+    SPOILED(m.extends[1] = 100000, "extends: expected ascending scores from 1 to 9007199254740992, got 100000");
+    SPOILED(m.extends[1]++, "extends: expected ascending scores from 1 to 9007199254740992, got 9007199254740993");
+    SPOILED(m.n_difficulties = 0, words);
+    SPOILED(m.n_difficulties = 9, words);
+    SPOILED(m.n_difficulties = 4, words);
+    SPOILED(m.n_difficulties = 2, words);
+    SPOILED(memcpy(m.difficulties[1], m.difficulties[0], MAX_WORD), words);
+    SPOILED(m.difficulty = 3, "difficulty: not one of the difficulties");
+    SPOILED(m.difficulty = -1, "difficulty: not one of the difficulties");
+    SPOILED(m.n_dips = 17, "dip: expected at most 16 switches");
+    SPOILED(m.n_dips = -1, "dip: expected at most 16 switches");
+    SPOILED(m.n_dips = 4, "dip: expected names of 1 to 15 letters, digits, _ or -");
+    SPOILED(m.n_dips = 2, "dip: unused switches are not zero");
+    SPOILED(m.dips[15].value_name[3][3] = 1, "dip: unused switches are not zero");
+    SPOILED(m.dips[0].name[0] = ' ', "dip: expected names of 1 to 15 letters, digits, _ or -");
+    SPOILED(m.dips[0].name[0] = 'x', "dip.n: not in the order of names");
+    SPOILED(m.dips[0].values = 17, coins);
+    SPOILED(m.dips[0].values = -1, coins);
+    SPOILED(m.dips[0].values = 1, coins);
+    SPOILED(m.dips[0].hi = 2, either);
+    SPOILED(m.dips[0].lo = 1, either);
+    SPOILED(m.dips[0].number = true, either);
+    SPOILED(m.dips[1].number = false, "dip.n: expected either a range or 1 to 16 values");
+    SPOILED(m.dips[0].value = 2, "dip.coins: expected min <= default <= max, got 0, 2, 1");
+    SPOILED(m.dips[2].value = -2, "dip.rate: expected min <= default <= max, got -1, -2, 10");
+    free(r);
+}
+
+/* A byte of the lump set to anything: refused, or a manifest that packs to these very bytes. */
+static void test_unpack_mutations(void **state)
+{
+    struct result *r = read_good(lanterns);
+    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
+    struct rng rng;
+    int good = 0;
+
+    (void)state;
+    manifest_pack(&r->m, bytes);
+    rng_seed(&rng, 3);
+    for (int at = 0; at < MANIFEST_BYTES; at++) {
+        struct manifest m;
+        char err[256] = "";
+        uint8_t was = bytes[at];
+        bytes[at] = (uint8_t)(rng_below(&rng, 2) ? rng_next(&rng) : was ^ 1);
+        if (manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err)) {
+            good++;
+            manifest_pack(&m, again);
+            assert_memory_equal(bytes, again, sizeof bytes);
+        } else {
+            assert_string_not_equal(err, "");
+        }
+        bytes[at] = was;
+    }
+    assert_true(good > 50 && good < MANIFEST_BYTES / 2);
+    free(r);
+}
+
+static void test_paths(void **state)
+{
+    static const char *const good[] = { "a", "a/b", "stages/one.lua", "A-b_c.9/x..y" };
+    static const char *const bad[] = { "",       "/",  "/a",   "a/",  "a//b", ".",   "..",
+                                       "a/../b", ".a", "a/.b", "a b", "a\\b", "c:a", "\xc3" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
+        assert_true(manifest_path_ok(good[i]));
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        assert_false(manifest_path_ok(bad[i]));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_defaults),   cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),       cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),    cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),      cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors), cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),      cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),       cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_check),      cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_paths),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

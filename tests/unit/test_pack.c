@@ -1,0 +1,794 @@
+/* test_pack.c - pack.h: folders made in a temporary place, packed, looked at, and unpacked again. */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/board/cart.h"
+#include "../../src/cab/pack.h"
+
+enum { PATH = 512 };
+
+static char dir[PATH], err[512];
+
+/* ---- a folder ---- */
+
+static int new_folder(void **state)
+{
+    const char *tmp = getenv("TMPDIR");
+
+    (void)state;
+    snprintf(dir, sizeof dir, "%s/Pack-XXXXXX", tmp != NULL ? tmp : "/tmp");
+    err[0] = '\0';
+    return mkdtemp(dir) != NULL ? 0 : -1;
+}
+
+struct names {
+    char name[64][64];
+    bool folder[64];
+    int n;
+};
+
+static void note_name(void *user, const struct plat_file *file)
+{
+    struct names *l = user;
+
+    if (l->n == 64)
+        return;
+    snprintf(l->name[l->n], sizeof l->name[0], "%s", file->name);
+    l->folder[l->n++] = file->folder;
+}
+
+static void remove_folder(const char *path)
+{
+    struct names l = { .n = 0 };
+
+    plat_list(path, note_name, &l);
+    for (int i = 0; i < l.n; i++) {
+        char below[PATH + 80];
+        snprintf(below, sizeof below, "%s/%s", path, l.name[i]);
+        if (l.folder[i])
+            remove_folder(below);
+        else
+            remove(below);
+    }
+    remove(path);
+}
+
+static int drop_folder(void **state)
+{
+    (void)state;
+    remove_folder(dir);
+    return 0;
+}
+
+static const char *in_dir(const char *name)
+{
+    static char path[PATH + 300];
+
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    return path;
+}
+
+static void put_bytes(const char *name, const void *data, size_t size)
+{
+    assert_true(plat_save(in_dir(name), data, size));
+}
+
+static void put_text(const char *name, const char *text)
+{
+    put_bytes(name, text, strlen(text));
+}
+
+static void put_game(const char *manifest)
+{
+    put_text("rom.lua", manifest);
+    put_text("main.lua", "print('hello')\n");
+}
+
+/* ---- pictures ---- */
+
+static uint32_t big32(uint8_t *p, uint32_t v)
+{
+    for (int i = 0; i < 4; i++)
+        p[i] = (uint8_t)(v >> (24 - 8 * i));
+    return v;
+}
+
+static size_t png_chunk(uint8_t *p, const char *kind, const uint8_t *data, size_t n)
+{
+    big32(p, (uint32_t)n);
+    memcpy(p + 4, kind, 4);
+    if (n > 0)
+        memcpy(p + 8, data, n);
+    big32(p + 8 + n, crc32_of(p + 4, n + 4));
+    return n + 12;
+}
+
+/* An RGBA picture as a PNG file whose data is stored, not compressed; rows are filtered by none. At most 65535 bytes.
+ */
+static void put_picture(const char *name, const uint32_t *argb, int w, int h)
+{
+    static uint8_t raw[65535 + 11], file[65535 + 100];
+    uint8_t header[13] = { 0 }, *p = raw + 7;
+    uint32_t a = 1, b = 0;
+    size_t n = (size_t)h * (1 + 4 * (size_t)w), size = 8;
+
+    assert_true(n <= 65535);
+    for (int y = 0; y < h; y++) {
+        *p++ = 0;
+        for (int x = 0; x < w; x++, p += 4, argb++)
+            big32(p, *argb << 8 | *argb >> 24);
+    }
+    memcpy(raw, "\x78\x01\x01", 3);
+    put16(raw + 3, (uint16_t)n);
+    put16(raw + 5, (uint16_t)~n);
+    for (size_t i = 0; i < n; i++) {
+        a = (a + raw[7 + i]) % 65521;
+        b = (b + a) % 65521;
+    }
+    big32(p, b << 16 | a);
+    big32(header, (uint32_t)w);
+    big32(header + 4, (uint32_t)h);
+    header[8] = 8;
+    header[9] = 6;
+    memcpy(file, "\x89PNG\r\n\x1a\n", 8);
+    size += png_chunk(file + size, "IHDR", header, 13);
+    size += png_chunk(file + size, "IDAT", raw, n + 11);
+    size += png_chunk(file + size, "IEND", NULL, 0);
+    put_bytes(name, file, size);
+}
+
+/* Palette entry i is #0000ii with the bank in red, but for bank 3's shade 2, which equals its shade 1. */
+static uint32_t colour(int i)
+{
+    return 0xff000000u | (uint32_t)(i / 16 * 16) << 16 | (uint32_t)(i == 0x32 ? 0x31 : i);
+}
+
+static void put_palette(const char *name)
+{
+    uint32_t argb[256];
+
+    for (int i = 0; i < 256; i++)
+        argb[i] = colour(i);
+    put_picture(name, argb, 16, 16);
+}
+
+/* A sheet from a drawing: . is transparent, a letter a shade (a is 1) of bank 3, # a colour of no bank, ~ half
+ * transparent. */
+static void put_sheet(const char *name, const char *const *rows, int w, int h)
+{
+    static uint32_t argb[4096];
+
+    for (int i = 0; i < w * h; i++) {
+        char c = rows[i / w][i % w];
+        argb[i] = c == '.' ? 0x00ff00aau : c == '~' ? 0x7fff00aau : c == '#' ? 0xffff00aau : colour(0x30 + c - 'a' + 1);
+    }
+    put_picture(name, argb, w, h);
+}
+
+/* ---- packing ---- */
+
+static struct rom_image packed(bool nearest)
+{
+    struct rom_image image;
+    err[0] = '\0';
+    bool good = rom_image_load(dir, nearest, &image, err, sizeof err);
+
+    assert_string_equal(err, "");
+    assert_true(good);
+    return image;
+}
+
+static void refused(const char *line)
+{
+    uint8_t *bytes;
+    size_t size;
+
+    assert_false(pack_folder(dir, false, &bytes, &size, err, sizeof err));
+    assert_string_equal(err, line);
+}
+
+static struct lump find(const struct rom *rom, const char *name)
+{
+    int i = rom_find(rom, name);
+    struct lump l;
+
+    if (i < 0)
+        fail_msg("no lump %s", name);
+    rom_lump(rom, i, &l);
+    return l;
+}
+
+static void assert_lump(const struct rom *rom, const char *name, const char *text)
+{
+    struct lump l = find(rom, name);
+
+    assert_int_equal(l.size, strlen(text));
+    assert_memory_equal(l.data, text, l.size);
+}
+
+static struct sprite sprite(const struct rom *rom, const char *name)
+{
+    struct cart cart;
+    struct sprite s;
+
+    assert_true(cart_open(&cart, rom, err, sizeof err));
+    assert_true(cart_find_sprite(&cart, name) >= 0);
+    cart_sprite(&cart, cart_find_sprite(&cart, name), &s);
+    return s;
+}
+
+static void test_smallest(void **state)
+{
+    struct rom_image image;
+    struct cart cart;
+    char want[32] = "pack_", std[128];
+
+    (void)state;
+    put_game("return {}");
+    image = packed(false);
+    assert_true(cart_open(&cart, &image.rom, err, sizeof err));
+    snprintf(want, sizeof want, "pack_%s", strrchr(dir, '-') + 1);
+    for (char *c = want; *c != '\0'; c++)
+        *c = *c >= 'A' && *c <= 'Z' ? (char)(*c + 32) : *c;
+    assert_string_equal(cart.m.id, want);
+    assert_lump(&image.rom, "script/main.lua", "print('hello')\n");
+    assert_int_equal(find(&image.rom, "palette/main").size, 768);
+    assert_int_equal(cart.n_glyphs, 0);
+    assert_int_equal(image.rom.count, 3 + std_script_count);
+    for (int i = 0; i < std_script_count; i++) {
+        snprintf(std, sizeof std, "script/@std/%s.lua", std_scripts[i].name);
+        assert_int_equal(find(&image.rom, std).size, std_scripts[i].size);
+        assert_memory_equal(find(&image.rom, std).data, std_scripts[i].data, std_scripts[i].size);
+    }
+    rom_image_free(&image);
+    assert_null(image.bytes);
+}
+
+static void test_what_goes_in(void **state)
+{
+    struct rom_image image;
+
+    (void)state;
+    put_game("\xef\xbb\xbfreturn { entry = 'boot/start' }");
+    put_text("boot/start.lua", "\xef\xbb\xbfreturn 7");
+    put_text("stages/deep/one.lua", "return 1");
+    put_text("names.txt", "\xef\xbb\xbf"
+                          "Ann\r\n");
+    put_text("data/x.txt", "");
+    put_bytes("demos/attract.demo", "\0\1\2", 3);
+    put_text("demos/readme.txt", "hi");
+    put_text("other/late.demo", "not packed");
+    put_text("tests/broken.lua", "= = =");
+    put_text("stages/tests/t.lua", "return 2");
+    put_text("README.md", "no");
+    put_text(".hidden.lua", "= = =");
+    put_text(".git/x.lua", "= = =");
+    image = packed(false);
+    assert_lump(&image.rom, "script/boot/start.lua", "return 7");
+    assert_lump(&image.rom, "script/stages/deep/one.lua", "return 1");
+    assert_lump(&image.rom, "script/stages/tests/t.lua", "return 2");
+    assert_lump(&image.rom, "data/names.txt",
+                "\xef\xbb\xbf"
+                "Ann\r\n");
+    assert_lump(&image.rom, "data/data/x.txt", "");
+    assert_lump(&image.rom, "data/demos/readme.txt", "hi");
+    assert_int_equal(find(&image.rom, "demo/attract").size, 3);
+    assert_int_equal(image.rom.count, 10 + std_script_count);
+    rom_image_free(&image);
+}
+
+static void test_same_bytes(void **state)
+{
+    struct rom_image a, b;
+
+    (void)state;
+    put_game("return { sheets = { s = { file = 's.png', bank = 3 } },"
+             "  sprites = { a = { sheet = 's', w = 2, h = 1, rotations = 7 }, b = { sheet = 's', w = 1, h = 1 } } }");
+    put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
+    put_text("b.lua", "return 1");
+    a = packed(true);
+    remove(in_dir("b.lua")); /* another order of entries in the folder, other times */
+    put_text("c.txt", "1");
+    put_text("b.lua", "return 1");
+    remove(in_dir("c.txt"));
+    b = packed(true);
+    assert_int_equal(a.size, b.size);
+    assert_memory_equal(a.bytes, b.bytes, a.size);
+    rom_image_free(&a);
+    rom_image_free(&b);
+}
+
+static void test_std(void **state)
+{
+    struct rom_image image;
+    char file[128], lump[128];
+
+    (void)state;
+    assert_true(std_script_count > 0);
+    snprintf(file, sizeof file, "std/%s.lua", std_scripts[0].name);
+    snprintf(lump, sizeof lump, "script/@std/%s.lua", std_scripts[0].name);
+    put_game("return {}");
+    put_text(file, "return 'mine'");
+    image = packed(false);
+    assert_lump(&image.rom, lump, "return 'mine'");
+    assert_int_equal(image.rom.count, 3 + std_script_count);
+    rom_image_free(&image);
+    put_text("std/nonesuch.lua", "return 1");
+    refused("std/nonesuch.lua: the standard library has no such script to replace");
+}
+
+static void test_palette(void **state)
+{
+    struct rom_image image;
+    struct lump l;
+
+    (void)state;
+    put_game("return { palette = 'art/p.png', palettes = { dusk = 'art/p.png' } }");
+    put_palette("art/p.png");
+    image = packed(false);
+    l = find(&image.rom, "palette/main");
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(l.data[i * 3] << 16 | l.data[i * 3 + 1] << 8 | l.data[i * 3 + 2], colour(i) & 0xffffff);
+    assert_memory_equal(find(&image.rom, "palette/dusk").data, l.data, 768);
+    rom_image_free(&image);
+}
+
+static const char art_manifest[] =
+    "return { palette = 'p.png', sheets = { s = { file = 'art/s.png', bank = 3 } }, sprites = {\n"
+    "  two = { sheet = 's', x = 1, y = 1, w = 3, h = 2, frames = 2, every = 9, origin = { -1, 2 } } } }";
+
+static void test_sprite(void **state)
+{
+    static const uint8_t want[4][8] = { { 0x31, 0, 0x33 }, { 0x3f }, { 0, 0x35 }, { 0, 0, 0x31 } };
+    struct rom_image image;
+    struct sprite s;
+
+    (void)state;
+    put_game(art_manifest);
+    put_palette("p.png");
+    put_sheet("art/s.png", (const char *const[]){ "########", "#a.c.e.#", "#o....b#" }, 8, 3);
+    image = packed(false);
+    s = sprite(&image.rom, "two");
+    assert_int_equal(s.w, 3);
+    assert_int_equal(s.h, 2);
+    assert_int_equal(s.pitch, 8);
+    assert_int_equal(s.ox, -1);
+    assert_int_equal(s.oy, 2);
+    assert_int_equal(s.frames, 2);
+    assert_int_equal(s.every, 9);
+    assert_int_equal(s.rotations, 1);
+    assert_int_equal(s.bank, 3);
+    assert_memory_equal(s.pix, want, sizeof want); /* b has the colour of a: the lowest shade is taken */
+    rom_image_free(&image);
+}
+
+static void test_half_transparent(void **state)
+{
+    struct rom_image image;
+
+    (void)state;
+    put_game(art_manifest);
+    put_palette("p.png");
+    put_sheet("art/s.png", (const char *const[]){ "........", ".~~~~~~.", ".~~~~~d." }, 8, 3);
+    image = packed(false);
+    assert_int_equal(sprite(&image.rom, "two").pix[0], 0);
+    assert_int_equal(sprite(&image.rom, "two").pix[3 * 8 + 2], 0x34);
+    rom_image_free(&image);
+}
+
+static void test_foreign_colour(void **state)
+{
+    struct rom_image image;
+
+    (void)state;
+    put_game(art_manifest);
+    put_palette("p.png");
+    put_sheet("art/s.png", (const char *const[]){ "........", ".aaaaaa.", ".aaaa#a." }, 8, 3);
+    refused("art/s.png: pixel 5,2: colour #ff00aa is not in bank 3");
+    image = packed(true);
+    assert_int_equal(sprite(&image.rom, "two").pix[3 * 8 + 1], 0x3f); /* #30003f is nearest to #ff00aa */
+    rom_image_free(&image);
+}
+
+/* Pixel (x, y) of picture i, counted from the anchor. */
+static uint8_t at(const struct sprite *s, int i, int x, int y)
+{
+    x += s->ox;
+    y += s->oy;
+    return x < 0 || y < 0 || x >= s->w || y >= s->h ? 0 : s->pix[(i * s->h + y) * s->pitch + x];
+}
+
+/* Quarter turns keep every pixel; about the anchor's pixel when it is named, and clockwise. */
+static void test_turned(void **state)
+{
+    struct rom_image image;
+    struct sprite s;
+
+    (void)state;
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
+             "  pin = { sheet = 's', w = 4, h = 1, frames = 2, rotations = 4, origin = { 0, 0 } },\n"
+             "  odd = { sheet = 's', x = 0, w = 3, h = 1, rotations = 4 } } }");
+    put_palette("p.png");
+    put_sheet("s.png", (const char *const[]){ "acde.fg." }, 8, 1);
+    image = packed(false);
+    s = sprite(&image.rom, "pin");
+    assert_int_equal(s.rotations, 4);
+    assert_int_equal(s.frames, 2);
+    for (int k = 0; k < 4; k++) {
+        static const uint8_t first[4] = { 0x31, 0x33, 0x34, 0x35 }, second[4] = { 0, 0x36, 0x37, 0 };
+        assert_int_equal(at(&s, 0, k, 0), first[k]);
+        assert_int_equal(at(&s, 1, 0, k), first[k]);
+        assert_int_equal(at(&s, 2, -k, 0), first[k]);
+        assert_int_equal(at(&s, 3, 0, -k), first[k]);
+        assert_int_equal(at(&s, 4, k, 0), second[k]);
+        assert_int_equal(at(&s, 7, 0, -k), second[k]);
+    }
+    assert_int_equal(s.w, 7);
+    assert_int_equal(s.h, 7);
+    s = sprite(&image.rom, "odd"); /* about its middle pixel */
+    assert_int_equal(s.w, 3);
+    assert_int_equal(s.h, 3);
+    assert_int_equal(at(&s, 0, -1, 0), 0x31);
+    assert_int_equal(at(&s, 0, 0, 0), 0x33);
+    assert_int_equal(at(&s, 1, 0, 1), 0x34);
+    rom_image_free(&image);
+}
+
+/* Two sheets with a sprite each, one of nothing at all, turned: a picture of one empty pixel. */
+static void test_two_sheets(void **state)
+{
+    struct rom_image image;
+
+    (void)state;
+    put_game(
+        "return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 }, t = { file = 't.png', bank = 3 } },"
+        "  sprites = { a = { sheet = 't', w = 1, h = 1 }, b = { sheet = 's', w = 2, h = 1, rotations = 3 } } }");
+    put_palette("p.png");
+    put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
+    put_sheet("t.png", (const char *const[]){ "d" }, 1, 1);
+    image = packed(false);
+    assert_int_equal(sprite(&image.rom, "a").pix[0], 0x34);
+    assert_int_equal(sprite(&image.rom, "b").w, 1);
+    assert_int_equal(sprite(&image.rom, "b").pix[0], 0);
+    rom_image_free(&image);
+}
+
+/* All turns lie inside the picture: as many pixels as the sprite has, about. */
+static void test_many_turns(void **state)
+{
+    struct rom_image image;
+    struct sprite s;
+
+    (void)state;
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
+             "  bar = { sheet = 's', w = 16, h = 4, rotations = 64 } } }");
+    put_palette("p.png");
+    put_sheet("s.png",
+              (const char *const[]){ "aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa" },
+              16, 4);
+    image = packed(false);
+    s = sprite(&image.rom, "bar");
+    assert_true(s.w >= 16 && s.w <= 18 && s.h >= 16 && s.h <= 18);
+    for (int i = 0; i < 64; i++) {
+        int n = 0;
+        for (int k = 0; k < s.pitch * s.h; k++)
+            n += s.pix[i * s.pitch * s.h + k] != 0;
+        assert_in_range(n, 50, 80);
+    }
+    rom_image_free(&image);
+}
+
+static void test_font(void **state)
+{
+    static uint32_t argb[128 * 16];
+    struct rom_image image;
+    struct lump l;
+
+    (void)state;
+    argb[8 * 128 + 9] = 0xff000005; /* cell 17, that is character 49, pixel 1,0 */
+    put_game("return { palette = 'p.png', font = 'font.png' }");
+    put_palette("p.png");
+    put_picture("font.png", argb, 128, 16);
+    image = packed(false);
+    l = find(&image.rom, "font");
+    assert_int_equal(l.size, 32 * 64);
+    for (uint32_t i = 0; i < l.size; i++)
+        assert_int_equal(l.data[i], i == 17 * 64 + 1 ? 5 : 0);
+    rom_image_free(&image);
+    argb[3] = 0xff123456;
+    put_picture("font.png", argb, 128, 16);
+    refused("font.png: pixel 3,0: colour #123456 is not in bank 0");
+    put_picture("font.png", argb, 120, 16);
+    refused("font.png: 120x16 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row");
+    put_picture("font.png", argb, 128, 12);
+    refused("font.png: 128x12 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row");
+}
+
+static void test_art_errors(void **state)
+{
+    (void)state;
+    put_game("return { palette = 'art/p.png' }");
+    refused("art/p.png: no such file");
+    put_text("art/p.png", "not a picture");
+    assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
+    assert_int_equal(strncmp(err, "art/p.png: ", 11), 0);
+    put_sheet("art/p.png", (const char *const[]){ "ab" }, 2, 1);
+    refused("art/p.png: 2x1 pixels, expected 16x16: a row a bank, a column a shade");
+    put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
+             "  a = { sheet = 's', x = 1, w = 1, h = 1, frames = 2 } } }");
+    put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
+    refused("s.png: sprite \"a\": 2 frames of 1x1 at 1,0 are not inside the sheet's 2x1 pixels");
+    put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
+             "  a = { sheet = 's', y = 1, w = 1, h = 1 } } }");
+    refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 are not inside the sheet's 2x1 pixels");
+}
+
+static void test_too_large_turned(void **state)
+{
+    (void)state;
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {"
+             "  a = { sheet = 's', w = 2, h = 1, rotations = 2, origin = { 1000, 0 } } } }");
+    put_palette("p.png");
+    put_sheet("s.png", (const char *const[]){ "aa" }, 2, 1);
+    assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
+    assert_non_null(strstr(err, "s.png: sprite \"a\": 200"));
+    assert_non_null(strstr(err, " pixels when turned, expected at most 1024 each way"));
+}
+
+static void test_too_large(void **state)
+{
+    (void)state;
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {"
+             "  a = { sheet = 's', w = 16, h = 1, rotations = 256, frames = 256, origin = { 64, 64 } } } }");
+    put_palette("p.png");
+    static char row[4097];
+    memset(row, 'a', 4096);
+    put_sheet("s.png", (const char *const[]){ row }, 4096, 1);
+    refused("s.png: sprite \"a\": its frames and rotations take more than 64 MiB");
+}
+
+/* The id follows the folder's name, however it is spelled. */
+static void test_id(void **state)
+{
+    static const char *const spelled[] = { "My-Game", "My-Game/", "My-Game//", "x/../My-Game", "My-Game/." };
+
+    (void)state;
+    put_text("My-Game/rom.lua", "return {}");
+    put_text("My-Game/main.lua", "");
+    put_text("x/y", "");
+    for (size_t i = 0; i < sizeof spelled / sizeof spelled[0]; i++) {
+        struct rom_image image;
+        struct cart cart;
+        bool good = rom_image_load(in_dir(spelled[i]), false, &image, err, sizeof err);
+        assert_string_equal(err, "");
+        assert_true(good);
+        assert_true(cart_open(&cart, &image.rom, err, sizeof err));
+        assert_string_equal(cart.m.id, i == 4 ? "game" : "my_game");
+        rom_image_free(&image);
+    }
+}
+
+static void test_errors(void **state)
+{
+    char want[PATH + 64];
+
+    (void)state;
+    refused("rom.lua: no such file");
+    put_text("rom.lua", "return { bord = {} }");
+    refused("rom.lua: bord: unknown name (did you mean \"board\"?)");
+    put_text("rom.lua", "return {}");
+    refused("rom.lua: entry: there is no main.lua");
+    put_text("main.lua", "x = = 1");
+    refused("main.lua:1: unexpected symbol near '='");
+    put_text("main.lua", "\n\nx = 2^3");
+    refused("main.lua:3: the operator ^ is not available (results differ between machines); use x*x or math.sqrt");
+    put_text("main.lua", "return 1");
+    put_text("stages/one.lua", "for");
+    refused("stages/one.lua:1: <name> expected near <eof>");
+    put_text("stages/one.lua", "");
+    put_text("stages/my stage.lua", "");
+    refused("stages/my stage.lua: expected a name of letters, digits, _ - and . only");
+    remove(in_dir("stages/my stage.lua"));
+    put_text("a/b/c/d/e/f/g/h/i/x.lua", "");
+    refused("a/b/c/d/e/f/g/h/i: more than 8 folders deep");
+    snprintf(want, sizeof want, "%s/none: cannot be read as a folder", dir);
+    strcat(dir, "/none");
+    refused(want);
+    *strrchr(dir, '/') = '\0';
+}
+
+static void test_long_name(void **state)
+{
+    char name[160] = "stages/", want[300];
+
+    (void)state;
+    put_game("return {}");
+    memset(name + 7, 'n', 120);
+    strcpy(name + 127, ".lua");
+    put_text(name, "return 1");
+    snprintf(want, sizeof want, "%s: the name is too long", name);
+    refused(want);
+}
+
+static void test_load(void **state)
+{
+    struct rom_image folder, file;
+    char path[PATH + 16], want[PATH + 128];
+
+    (void)state;
+    put_game("return { title = 'T' }");
+    folder = packed(false);
+    snprintf(path, sizeof path, "%s/game.rom", dir);
+    assert_true(plat_save(path, folder.bytes, folder.size));
+    assert_true(rom_image_load(path, false, &file, err, sizeof err));
+    assert_int_equal(file.size, folder.size);
+    assert_memory_equal(file.bytes, folder.bytes, file.size);
+    assert_int_equal(rom_find(&file.rom, "manifest"), rom_find(&folder.rom, "manifest"));
+    rom_image_free(&file);
+    folder.bytes[folder.size - 1] ^= 1;
+    assert_true(plat_save(path, folder.bytes, folder.size));
+    assert_false(rom_image_load(path, false, &file, err, sizeof err));
+    snprintf(want, sizeof want, "%s: damaged: the checksum does not match", path);
+    assert_string_equal(err, want);
+    assert_null(file.bytes);
+    rom_image_free(&folder);
+    snprintf(path, sizeof path, "%s/none.rom", dir);
+    assert_false(rom_image_load(path, false, &file, err, sizeof err));
+    snprintf(want, sizeof want, "%s: no such file or folder", path);
+    assert_string_equal(err, want);
+    put_text("rom.lua", "return 1");
+    assert_false(rom_image_load(dir, false, &file, err, sizeof err));
+    assert_null(file.bytes);
+}
+
+/* A ROM of lumps that need not be a cart. */
+static struct rom_image loose(const struct lump *lumps, int n)
+{
+    struct rom_image image = { malloc(rom_write_size(lumps, n)), rom_write_size(lumps, n), { 0 } };
+
+    rom_write(image.bytes, lumps, n);
+    assert_true(rom_open(&image.rom, image.bytes, image.size, err, sizeof err));
+    return image;
+}
+
+static void add_line(void *user, const char *line)
+{
+    strcat(user, line);
+    strcat(user, "\n");
+}
+
+static void test_list(void **state)
+{
+    const struct lump lumps[] = { { "data/a.txt", (const uint8_t *)"123456789", 9 }, { "gfx/b", NULL, 0 } };
+    struct rom_image image = loose(lumps, 2);
+    char text[200] = "";
+
+    (void)state;
+    pack_list(&image.rom, add_line, text);
+    assert_string_equal(text, "data/a.txt 9 cbf43926\ngfx/b 0 00000000\n");
+    rom_image_free(&image);
+}
+
+static void assert_file(const char *name, const struct lump *l)
+{
+    uint8_t *data = malloc(l->size + 1);
+
+    assert_int_equal(plat_size(in_dir(name)), l->size);
+    assert_int_equal(plat_load(in_dir(name), data, l->size + 1), l->size);
+    assert_memory_equal(data, l->data, l->size);
+    free(data);
+}
+
+/* Every lump is a file again, byte for byte, under the name this says. */
+static void test_unpack(void **state)
+{
+    struct rom_image image;
+    char out[PATH + 8];
+
+    (void)state;
+    put_game(
+        "return { sheets = { s = { file = 's.png', bank = 3 } }, sprites = { orb = { sheet = 's', w = 2, h = 1 } } }");
+    put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
+    put_text("stages/one.lua", "return 1");
+    put_text("names.txt", "Ann");
+    put_bytes("demos/attract.demo", "\0\1\2", 3);
+    image = packed(false);
+    snprintf(out, sizeof out, "%s/out", dir);
+    assert_true(pack_unpack(&image.rom, out, err, sizeof err));
+    for (uint32_t i = 0; i < image.rom.count; i++) {
+        struct lump l;
+        char name[256];
+        rom_lump(&image.rom, (int)i, &l);
+        if (strncmp(l.name, "script/@std/", 12) == 0)
+            snprintf(name, sizeof name, "out/std/%s", l.name + 12);
+        else if (strncmp(l.name, "script/", 7) == 0)
+            snprintf(name, sizeof name, "out/%s", l.name + 7);
+        else if (strcmp(l.name, "data/names.txt") == 0)
+            snprintf(name, sizeof name, "out/names.txt");
+        else if (strcmp(l.name, "demo/attract") == 0)
+            snprintf(name, sizeof name, "out/demos/attract.demo");
+        else
+            snprintf(name, sizeof name, "out/lumps/%s", l.name);
+        assert_file(name, &l);
+    }
+    assert_false(pack_unpack(&image.rom, out, err, sizeof err));
+    assert_non_null(strstr(err, ": is already there"));
+    rom_image_free(&image);
+}
+
+static void test_unpack_refuses(void **state)
+{
+    static const char *const names[] = { "script/../evil.lua",
+                                         "data/a/../../evil.txt",
+                                         "script//etc/evil",
+                                         "data/.profile",
+                                         "gfx/..",
+                                         "script/C:evil.lua",
+                                         "script/",
+                                         "data/a\\b.txt",
+                                         "demo/x/" };
+    char want[256], out[PATH + 8];
+
+    (void)state;
+    snprintf(out, sizeof out, "%s/out", dir);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct lump lumps[] = { { "aaa", (const uint8_t *)"x", 1 }, { names[i], (const uint8_t *)"x", 1 } };
+        struct rom_image image = loose(lumps, 2);
+        assert_false(pack_unpack(&image.rom, out, err, sizeof err));
+        assert_non_null(strstr(err, "\" is not a file's name inside a folder"));
+        assert_int_equal(plat_size(in_dir("out/lumps/aaa")), -1); /* nothing was written */
+        rom_image_free(&image);
+    }
+    struct lump twice[] = { { "data/main.lua", (const uint8_t *)"x", 1 },
+                            { "gfx/between", NULL, 0 },
+                            { "script/main.lua", (const uint8_t *)"y", 1 } };
+    struct rom_image image = loose(twice, 3);
+    snprintf(want, sizeof want, "two lumps would become the file main.lua");
+    assert_false(pack_unpack(&image.rom, out, err, sizeof err));
+    assert_string_equal(err, want);
+    rom_image_free(&image);
+    image = loose(NULL, 0);
+    assert_true(pack_unpack(&image.rom, out, err, sizeof err));
+    rom_image_free(&image);
+}
+
+#define TEST(f) cmocka_unit_test_setup_teardown(f, new_folder, drop_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(test_smallest),
+        TEST(test_what_goes_in),
+        TEST(test_same_bytes),
+        TEST(test_std),
+        TEST(test_palette),
+        TEST(test_sprite),
+        TEST(test_half_transparent),
+        TEST(test_foreign_colour),
+        TEST(test_turned),
+        TEST(test_two_sheets),
+        TEST(test_too_large),
+        TEST(test_id),
+        TEST(test_many_turns),
+        TEST(test_font),
+        TEST(test_art_errors),
+        TEST(test_too_large_turned),
+        TEST(test_errors),
+        TEST(test_long_name),
+        TEST(test_load),
+        TEST(test_list),
+        TEST(test_unpack),
+        TEST(test_unpack_refuses),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

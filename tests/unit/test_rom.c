@@ -1,0 +1,579 @@
+/* test_rom.c - rom.h and cart.h: what is written is read back, and whatever is wrong with a ROM is refused in one
+ * sentence. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+#include "../../src/base/rom.h"
+#include "../../src/board/cart.h"
+
+/* A ROM in memory of exactly its size, so that a sanitizer sees any read beyond it. */
+struct block {
+    uint8_t *p;
+    size_t size;
+};
+
+static struct block make(const struct lump *lumps, int n)
+{
+    struct block b = { NULL, rom_write_size(lumps, n) };
+
+    b.p = malloc(b.size);
+    assert_non_null(b.p);
+    rom_write(b.p, lumps, n);
+    return b;
+}
+
+static const uint8_t *bytes(const char *s)
+{
+    return (const uint8_t *)s;
+}
+
+#define TEXT(name, s)                                                                                                  \
+    {                                                                                                                  \
+        name, bytes(s), sizeof(s) - 1                                                                                  \
+    }
+
+static struct block make_small(void)
+{
+    const struct lump lumps[] = { TEXT("data/a.txt", "alpha"), TEXT("gfx/b", ""), TEXT("script/main.lua", "return 1"),
+                                  TEXT("z", "0123456789abcdef!") };
+
+    return make(lumps, 4);
+}
+
+static uint8_t *entry(struct block b, uint32_t i)
+{
+    return b.p + ROM_HEADER + (size_t)i * ROM_ENTRY;
+}
+
+/* Makes the header's checksum good again. */
+static void repair(struct block b)
+{
+    put32(b.p + 12, crc32_of(b.p + 16, b.size - 16));
+}
+
+/* The checksums of the lumps, as far as they lie in the file, then the header's. */
+static void repair_all(struct block b)
+{
+    uint32_t count = get32(b.p + 16);
+
+    for (uint32_t i = 0; i < count && i < (b.size - ROM_HEADER) / ROM_ENTRY; i++) {
+        size_t at = get32(entry(b, i) + 4), size = get32(entry(b, i) + 8);
+        if (at <= b.size && size <= b.size - at)
+            put32(entry(b, i) + 12, crc32_of(b.p + at, size));
+    }
+    repair(b);
+}
+
+static void refused(struct block b, const char *sentence)
+{
+    char err[256] = "";
+    struct rom rom;
+
+    assert_false(rom_open(&rom, b.p, b.size, err, sizeof err));
+    assert_string_equal(err, sentence);
+    free(b.p);
+}
+
+static void opened(struct rom *rom, struct block b)
+{
+    char err[256] = "";
+    bool good = rom_open(rom, b.p, b.size, err, sizeof err);
+
+    assert_string_equal(err, "");
+    assert_true(good);
+}
+
+static void test_round_trip(void **state)
+{
+    struct block b = make_small();
+    struct rom rom;
+    struct lump l;
+
+    (void)state;
+    opened(&rom, b);
+    assert_int_equal(rom.count, 4);
+    assert_int_equal(rom.crc, get32(b.p + 12));
+    assert_int_equal(rom_find(&rom, "script/main.lua"), 2);
+    assert_int_equal(rom_find(&rom, "script/main"), -1);
+    assert_int_equal(rom_find(&rom, ""), -1);
+    assert_int_equal(rom_find(&rom, "zz"), -1);
+    assert_int_equal(rom_first(&rom, "gfx/"), 1);
+    assert_int_equal(rom_first(&rom, "zz"), 4);
+    rom_lump(&rom, 3, &l);
+    assert_string_equal(l.name, "z");
+    assert_int_equal(l.size, 17);
+    assert_memory_equal(l.data, "0123456789abcdef!", 17);
+    assert_int_equal((l.data - b.p) % ROM_ALIGN, 0);
+    rom_lump(&rom, 1, &l);
+    assert_int_equal(l.size, 0);
+    free(b.p);
+}
+
+static void test_empty(void **state)
+{
+    struct block b = make(NULL, 0);
+    struct rom rom;
+
+    (void)state;
+    assert_int_equal(b.size, ROM_HEADER);
+    opened(&rom, b);
+    assert_int_equal(rom_find(&rom, "a"), -1);
+    free(b.p);
+}
+
+static void test_same_bytes(void **state)
+{
+    struct block a = make_small(), b = make_small();
+
+    (void)state;
+    assert_int_equal(a.size, b.size);
+    assert_memory_equal(a.p, b.p, a.size);
+    free(a.p);
+    free(b.p);
+}
+
+static void test_too_large(void **state)
+{
+    struct lump lumps[2] = { { "a", NULL, UINT32_MAX - 100 }, { "b", NULL, 100 } };
+
+    (void)state;
+    assert_int_equal(rom_write_size(lumps, 2), 0);
+    assert_true(rom_write_size(lumps, 1) > 0);
+}
+
+/* A name of n letters. */
+static const char *letters(char *out, size_t n)
+{
+    memset(out, 'n', n);
+    out[n] = '\0';
+    return out;
+}
+
+static void test_names(void **state)
+{
+    char name[200];
+
+    (void)state;
+    assert_true(rom_name_ok(letters(name, ROM_NAME - 1)));
+    assert_false(rom_name_ok(letters(name, ROM_NAME)));
+    assert_false(rom_name_ok(""));
+    assert_false(rom_name_ok("a\tb"));
+    assert_false(rom_name_ok("\xc3\xa4"));
+}
+
+static void test_cut_anywhere(void **state)
+{
+    struct block whole = make_small();
+    struct rom rom;
+
+    (void)state;
+    for (size_t n = 0; n < whole.size; n++) {
+        char err[256] = "";
+        uint8_t *cut = malloc(n + (n == 0));
+        memcpy(cut, whole.p, n);
+        assert_false(rom_open(&rom, cut, n, err, sizeof err));
+        assert_string_not_equal(err, "");
+        if (n >= ROM_HEADER) { /* also when only the end of the data is gone, and the header was told so */
+            put32(cut + 20, (uint32_t)n);
+            repair((struct block){ cut, n });
+            assert_false(rom_open(&rom, cut, n, err, sizeof err));
+        }
+        free(cut);
+    }
+    free(whole.p);
+}
+
+static void test_one_byte_more(void **state)
+{
+    struct block b = make_small();
+    char want[80];
+
+    (void)state;
+    snprintf(want, sizeof want, "%zu bytes long, but its header says %zu", b.size + 1, b.size);
+    b.p = realloc(b.p, ++b.size);
+    b.p[b.size - 1] = 0;
+    refused(b, want);
+}
+
+static void test_header(void **state)
+{
+    struct block b;
+
+    (void)state;
+    refused((struct block){ calloc(1, 31), 31 }, "too short for a ROM (31 bytes)");
+    for (int i = 0; i < 8; i++) {
+        b = make_small();
+        b.p[i] ^= 0x20;
+        repair(b);
+        refused(b, "not a Curtain ROM");
+    }
+    b = make_small();
+    put32(b.p + 8, 2);
+    refused(b, "ROM format 2 is not known (this program reads 1)");
+    b = make_small();
+    b.p[13] ^= 1;
+    refused(b, "damaged: the checksum does not match");
+    b = make_small();
+    b.p[b.size - 1] ^= 1;
+    refused(b, "damaged: the checksum does not match");
+    for (int i = 24; i < 32; i++) {
+        b = make_small();
+        b.p[i] = 1;
+        repair(b);
+        refused(b, "reserved header bytes are not zero");
+    }
+    b = make_small();
+    put32(b.p + 16, 0xffffffff);
+    repair(b);
+    refused(b, "the directory of 4294967295 lumps runs past the end");
+}
+
+/* Field 0 to 3 (name, data, size, CRC) of lump i becomes v; only the header's checksum is made good. */
+static struct block with(uint32_t i, int field, uint32_t v)
+{
+    struct block b = make_small();
+
+    put32(entry(b, i) + field * 4, v);
+    repair(b);
+    return b;
+}
+
+static void test_directory(void **state)
+{
+    struct block b = make_small();
+    uint32_t size = (uint32_t)b.size, name2 = get32(entry(b, 2)), data0 = get32(entry(b, 0) + 4);
+
+    (void)state;
+    free(b.p);
+    refused(with(1, 0, ROM_HEADER), "lump 1: its name is outside the file");
+    refused(with(1, 0, size), "lump 1: its name is outside the file");
+    refused(with(1, 0, size + 4), "lump 1: its name is outside the file");
+    refused(with(1, 0, 0xffffffff), "lump 1: its name is outside the file");
+    refused(with(3, 0, size - 1), "lump 3: its name is outside the file"); /* no NUL from there on */
+    refused(with(1, 0, name2 - 1), "lump 1: its name is empty, too long or not plain ASCII");
+    refused(with(3, 0, name2), "lump 3 \"script/main.lua\" is not in the order of names");
+    refused(with(0, 0, name2), "lump 1 \"gfx/b\" is not in the order of names");
+    refused(with(2, 1, data0 + 1), "lump 2 \"script/main.lua\" is not aligned to 16 bytes");
+    refused(with(2, 1, 0xfffffff0), "lump 2 \"script/main.lua\" runs past the end");
+    refused(with(2, 2, size), "lump 2 \"script/main.lua\" runs past the end");
+    refused(with(2, 2, 0xffffffff), "lump 2 \"script/main.lua\" runs past the end");
+    refused(with(2, 1, data0), "lump 2 \"script/main.lua\" overlaps what stands before it");
+    refused(with(0, 1, 0), "lump 0 \"data/a.txt\" overlaps what stands before it");
+    refused(with(0, 1, ROM_HEADER + 4 * ROM_ENTRY), "lump 0 \"data/a.txt\" overlaps what stands before it");
+    refused(with(2, 3, 0), "lump 2 \"script/main.lua\" is damaged: its checksum does not match");
+}
+
+static void test_hashes(void **state)
+{
+    struct lump lumps[] = { TEXT("data/a.txt", "alpha"),
+                            TEXT("demo/d", "demo"),
+                            TEXT("font", "font"),
+                            TEXT("gfx/b", "pix"),
+                            TEXT("manifest", "m"),
+                            TEXT("palette/main", "p"),
+                            TEXT("script/main.lua", "return 1") };
+    const bool in_game[] = { true, false, false, false, true, false, true };
+    struct block b = make(lumps, 7);
+    struct rom rom;
+    uint64_t all, game;
+
+    (void)state;
+    opened(&rom, b);
+    all = rom_hash(&rom);
+    game = rom_game_hash(&rom);
+    free(b.p);
+    for (int i = 0; i < 7; i++) {
+        struct lump was = lumps[i];
+        lumps[i].data = bytes("x");
+        lumps[i].size = 1;
+        b = make(lumps, 7);
+        opened(&rom, b);
+        assert_true(rom_hash(&rom) != all);
+        assert_int_equal(rom_game_hash(&rom) != game, in_game[i]);
+        free(b.p);
+        lumps[i] = was;
+    }
+}
+
+/* ---- carts ---- */
+
+enum { FULL = 7, GFX = 4 * 8 + CART_GFX_HEADER };
+
+/* The lumps of a ROM that runs; a test spoils one. */
+struct full {
+    struct manifest m;
+    uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[2 * CART_GLYPH], gfx[GFX];
+    struct lump lumps[FULL];
+};
+
+static void full_init(struct full *f)
+{
+    uint8_t *g = f->gfx;
+
+    memset(f, 0, sizeof *f);
+    manifest_default(&f->m);
+    manifest_pack(&f->m, f->manifest);
+    f->palette[3] = 0xaa;
+    f->font[64] = 15;
+    put16(g, 5); /* w h pitch ox oy frames every rotations bank */
+    put16(g + 2, 2);
+    put16(g + 4, 8);
+    put16(g + 6, 2);
+    put16(g + 8, (uint16_t)-1);
+    put16(g + 10, 2);
+    put16(g + 12, 6);
+    put16(g + 14, 1);
+    put16(g + 16, 3);
+    g[24] = 0x31;
+    g[24 + 4] = 0x3f;
+    const struct lump lumps[FULL] = {
+        TEXT("data/names.txt", "Ann"),
+        { "font", f->font, sizeof f->font },
+        { "gfx/a", f->gfx, sizeof f->gfx },
+        { "gfx/orb", f->gfx, sizeof f->gfx },
+        { "manifest", f->manifest, sizeof f->manifest },
+        { "palette/main", f->palette, sizeof f->palette },
+        TEXT("script/main.lua", "return 1"),
+    };
+    memcpy(f->lumps, lumps, sizeof lumps);
+}
+
+static bool open_full(const struct full *f, int skip, char *err, size_t err_size)
+{
+    struct lump lumps[FULL];
+    struct cart cart;
+    struct rom rom;
+    int n = 0;
+
+    for (int i = 0; i < FULL; i++)
+        if (i != skip)
+            lumps[n++] = f->lumps[i];
+    struct block b = make(lumps, n);
+    opened(&rom, b);
+    bool good = cart_open(&cart, &rom, err, err_size);
+    free(b.p);
+    return good;
+}
+
+static void full_refused(const struct full *f, int skip, const char *sentence)
+{
+    char err[256] = "";
+
+    assert_false(open_full(f, skip, err, sizeof err));
+    assert_string_equal(err, sentence);
+}
+
+static void test_cart(void **state)
+{
+    struct full f;
+    struct block b;
+    struct rom rom;
+    struct cart cart;
+    struct sprite s;
+    char err[256] = "", name[200];
+    const char *text;
+    size_t size;
+
+    (void)state;
+    full_init(&f);
+    b = make(f.lumps, FULL);
+    opened(&rom, b);
+    assert_true(cart_open(&cart, &rom, err, sizeof err));
+    assert_string_equal(cart.m.title, "Untitled");
+    assert_int_equal(cart.sprites, 2);
+    assert_int_equal(cart.palettes, 1);
+    assert_int_equal(cart.n_glyphs, 2);
+    assert_int_equal(cart.glyphs[64], 15);
+    assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
+    assert_int_equal(cart_find_sprite(&cart, "or"), -1);
+    assert_int_equal(cart_find_sprite(&cart, letters(name, 150)), -1);
+    assert_string_equal(cart_sprite_name(&cart, 1), "orb");
+    cart_sprite(&cart, 1, &s);
+    assert_int_equal(s.w, 5);
+    assert_int_equal(s.h, 2);
+    assert_int_equal(s.pitch, 8);
+    assert_int_equal(s.ox, 2);
+    assert_int_equal(s.oy, -1);
+    assert_int_equal(s.frames, 2);
+    assert_int_equal(s.every, 6);
+    assert_int_equal(s.rotations, 1);
+    assert_int_equal(s.bank, 3);
+    assert_int_equal(s.pix[4], 0x3f);
+    assert_int_equal(cart_palette(&cart, "main")[3], 0xaa);
+    assert_null(cart_palette(&cart, "dusk"));
+    assert_true(cart_script(&cart, "main", &text, &size));
+    assert_int_equal(size, 8);
+    assert_memory_equal(text, "return 1", 8);
+    assert_false(cart_script(&cart, letters(name, 150), &text, &size));
+    assert_true(cart_text(&cart, "names.txt", &text, &size));
+    assert_memory_equal(text, "Ann", 3);
+    assert_false(cart_text(&cart, "main", &text, &size));
+    free(b.p);
+}
+
+static void test_cart_without_font(void **state)
+{
+    struct full f;
+    char err[256] = "";
+
+    (void)state;
+    full_init(&f);
+    assert_true(open_full(&f, 1, err, sizeof err));
+}
+
+static void test_cart_lumps(void **state)
+{
+    struct full f;
+
+    (void)state;
+    full_init(&f);
+    full_refused(&f, 4, "no lump \"manifest\"");
+    full_refused(&f, 5, "no lump \"palette/main\"");
+    full_refused(&f, 6, "no lump \"script/main.lua\", the entry script");
+    f.lumps[4].size = 3;
+    full_refused(&f, -1, "lump \"manifest\": 3 bytes long, expected 5176");
+    full_init(&f);
+    f.m.bullets = 5000000;
+    manifest_pack(&f.m, f.manifest);
+    full_refused(&f, -1, "lump \"manifest\": board.bullets: expected a whole number from 0 to 4194304, got 5000000");
+    full_init(&f);
+    f.lumps[5].size--;
+    full_refused(&f, -1, "lump \"palette/main\": 767 bytes long, expected 768");
+    full_init(&f);
+    f.lumps[1].size--;
+    full_refused(&f, -1, "lump \"font\": 127 bytes long, expected 64 for each of 1 to 224 characters");
+    f.lumps[1].size = 0;
+    full_refused(&f, -1, "lump \"font\": 0 bytes long, expected 64 for each of 1 to 224 characters");
+    full_init(&f);
+    f.font[100] = 16;
+    full_refused(&f, -1, "lump \"font\": shade 16 in character 33, expected 0 to 15");
+}
+
+static void test_sprite_size(void **state)
+{
+    struct full f;
+
+    (void)state;
+    full_init(&f);
+    f.lumps[2].size = 23;
+    full_refused(&f, -1, "lump \"gfx/a\": too short for a sprite (23 bytes)");
+    f.lumps[2].size = sizeof f.gfx - 1;
+    full_refused(&f, -1, "lump \"gfx/a\": 55 bytes long, its header says 56");
+    full_init(&f);
+    put16(f.gfx + 2, 1024); /* the largest header there is needs 64 bits */
+    put16(f.gfx + 4, 1024);
+    put16(f.gfx + 10, 256);
+    put16(f.gfx + 14, 256);
+    full_refused(&f, -1, "lump \"gfx/a\": 56 bytes long, its header says 68719476760");
+}
+
+static void test_sprite_header(void **state)
+{
+    static const struct {
+        int at;
+        int v;
+    } wrong[] = { { 0, 0 },    { 0, 9 },     { 0, 1025 }, { 2, 0 },     { 2, 1025 }, { 4, 0 },  { 4, 12 },
+                  { 4, 1032 }, { 6, -1025 }, { 6, 2049 }, { 8, -1025 }, { 8, 2049 }, { 10, 0 }, { 10, 257 },
+                  { 12, 0 },   { 14, 0 },    { 14, 257 }, { 16, 16 },   { 18, 1 },   { 20, 1 }, { 22, 1 } };
+    struct full f;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        full_init(&f);
+        put16(f.gfx + wrong[i].at, (uint16_t)wrong[i].v);
+        full_refused(&f, -1, "lump \"gfx/a\": its header is out of range");
+    }
+}
+
+static void test_sprite_pixels(void **state)
+{
+    static const uint8_t wrong[][2] = { { 24, 0x41 }, { 24, 0x30 }, { 24, 1 }, { 29, 0x31 }, { 31, 0x31 } };
+    struct full f;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        full_init(&f);
+        f.gfx[wrong[i][0]] = wrong[i][1];
+        full_refused(&f, -1, "lump \"gfx/a\": row 0 has a pixel outside bank 3 or the picture");
+    }
+    full_init(&f);
+    f.gfx[GFX - 1] = 0x31;
+    full_refused(&f, -1, "lump \"gfx/a\": row 3 has a pixel outside bank 3 or the picture");
+}
+
+/* Reads all that an opened ROM offers; returns something that depends on every byte. */
+static uint64_t read_everything(const struct rom *rom)
+{
+    struct cart cart;
+    struct sprite s;
+    char err[256];
+    uint64_t h = rom_hash(rom) ^ rom_game_hash(rom);
+
+    if (!cart_open(&cart, rom, err, sizeof err))
+        return h;
+    for (int i = 0; i < cart.sprites; i++) {
+        cart_sprite(&cart, i, &s);
+        h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
+    }
+    return h;
+}
+
+/* Spoiled anywhere, with checksums that hold: refused with a sentence or good to the last byte, and never a crash. */
+static void test_mutations(void **state)
+{
+    struct full f;
+    struct rng r;
+    struct block whole;
+    int good = 0, bad = 0;
+
+    (void)state;
+    full_init(&f);
+    whole = make(f.lumps, FULL);
+    rng_seed(&r, 7);
+    for (int i = 0; i < 20000; i++) {
+        char err[256] = "";
+        struct rom rom;
+        struct block b = { malloc(whole.size), whole.size };
+        memcpy(b.p, whole.p, b.size);
+        for (uint64_t k = rng_below(&r, 4); k < 4; k++) {
+            uint64_t at = rng_below(&r, rng_below(&r, 2) ? b.size : ROM_HEADER + FULL * (ROM_ENTRY + 12));
+            b.p[at] = (uint8_t)(rng_below(&r, 2) ? rng_next(&r) : b.p[at] + 1u);
+        }
+        repair_all(b);
+        if (rom_open(&rom, b.p, b.size, err, sizeof err)) {
+            good++;
+            read_everything(&rom);
+        } else {
+            bad++;
+            assert_string_not_equal(err, "");
+        }
+        free(b.p);
+    }
+    assert_true(good > 1000 && bad > 1000);
+    free(whole.p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_empty),
+        cmocka_unit_test(test_same_bytes),    cmocka_unit_test(test_too_large),
+        cmocka_unit_test(test_names),         cmocka_unit_test(test_cut_anywhere),
+        cmocka_unit_test(test_one_byte_more), cmocka_unit_test(test_header),
+        cmocka_unit_test(test_directory),     cmocka_unit_test(test_hashes),
+        cmocka_unit_test(test_cart),          cmocka_unit_test(test_cart_without_font),
+        cmocka_unit_test(test_cart_lumps),    cmocka_unit_test(test_sprite_size),
+        cmocka_unit_test(test_sprite_header), cmocka_unit_test(test_sprite_pixels),
+        cmocka_unit_test(test_mutations),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,208 @@
+/* test_script.c - script.h: what is refused, where it is found, and what looks like it but is fine. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/board/script.h"
+
+#define POWER "the operator ^ is not available (results differ between machines); use x*x or math.sqrt"
+#define GC    "the name __gc is not available (when it would run differs between machines)"
+#define MODE  "the name __mode is not available (what it keeps differs between machines)"
+
+/* Scans a copy of exactly the text's size, so that a sanitizer sees any read beyond it. */
+static bool scan(const char *text, size_t n, int *line, const char **what)
+{
+    char *copy = malloc(n + (n == 0));
+
+    memcpy(copy, text, n);
+    bool good = script_scan(copy, n, line, what);
+    free(copy);
+    return good;
+}
+
+static void fine(const char *text)
+{
+    const char *what = NULL;
+    int line = 0;
+
+    if (!scan(text, strlen(text), &line, &what))
+        print_message("%s\n%d: %s\n", text, line, what);
+    assert_null(what);
+}
+
+static void refused_n(const char *text, size_t n, int want_line, const char *want)
+{
+    const char *what = NULL;
+    int line = 0;
+
+    assert_false(scan(text, n, &line, &what));
+    assert_string_equal(what, want);
+    assert_int_equal(line, want_line);
+}
+
+static void refused(const char *text, int line, const char *what)
+{
+    refused_n(text, strlen(text), line, what);
+}
+
+static void test_power(void **state)
+{
+    (void)state;
+    refused("return 2^3", 1, POWER);
+    refused("x = 1\ny = x ^2", 2, POWER);
+    refused("local s = 'a' ^ 1", 1, POWER);
+    fine("-- 2^3\nreturn 1");
+    fine("return '2^3', \"^\", [[^]], [==[ ]] ^ ]==]");
+    fine("--[[ ^ \n ^ ]] return 1 --[=[ ^ ]] ]=] return 2");
+    fine("return ('a'):find('^a')");
+    refused("--[[ ]] ^", 1, POWER);
+    refused("--[ ^\n^", 2, POWER);
+    refused("--[=\n^", 2, POWER);
+    refused("a[b[1]]=2^2", 1, POWER);
+    refused("a[ [[x]] ] = 1 ^ 1", 1, POWER);
+}
+
+static void test_names(void **state)
+{
+    (void)state;
+    refused("t.__gc = 1", 1, GC);
+    refused("t = { __mode = 'k' }", 1, MODE);
+    refused("t['__gc'] = 1", 1, GC);
+    refused("t[\"__mode\"] = 1", 1, MODE);
+    refused("t[ [[__gc]] ] = 1", 1, GC);
+    refused("t[ [==[\n__gc]==] ] = 1", 1, GC);
+    refused("t[ [[\r\n__mode]] ] = 1", 1, MODE);
+    fine("t.__gcx = 1 x__gc = 2 t.__mod = 3 __modes = 4 _gc = 5 t.__index = 6");
+    fine("t = '__gc ' t = ' __mode' t = '__g' .. 'c'");
+    fine("t = [[\n\n__gc]]");
+    fine("-- __gc\n--[[ __mode ]]");
+    fine("return '__gc__mode'");
+}
+
+static void test_escapes(void **state)
+{
+    (void)state;
+    refused("'\\95_gc'", 1, GC);
+    refused("'\\095_gc'", 1, GC);
+    refused("'\\x5f\\x5Fgc'", 1, GC);
+    refused("'\\u{5f}_gc'", 1, GC);
+    refused("'\\u{00000005F}_gc'", 1, GC);
+    refused("'__\\z \n\t  gc'", 1, GC);
+    refused("'__\\z  \n\\z \n mode'", 1, MODE);
+    fine("'\\n__gc'");
+    fine("'__gc\\0'");
+    fine("'__gc\\\n'");
+    fine("'\\u{1005f}_gc'");
+    fine("'\\u{10000005f}_gc'");
+    fine("'\\'__gc\\''");
+    fine("'\\\\' '__g\\c'");
+    refused("'\\\\' ^ 2", 1, POWER);
+    refused("'\\'' ^ 2", 1, POWER);
+}
+
+static void test_lines(void **state)
+{
+    (void)state;
+    refused("\n\n^", 3, POWER);
+    refused("\r\n\r\n^", 3, POWER);
+    refused("\r\r^", 3, POWER);
+    refused("\n\r\n\r^", 3, POWER);
+    refused("--[[\n\n]]\n^", 4, POWER);
+    refused("x = [[\r\n\r\n]] ^", 3, POWER);
+    refused("x = 'a\\\nb' ^", 2, POWER);
+    refused("x = 'a\\\r\nb\\z \r\n c' ^", 3, POWER);
+    refused("-- a\r\n-- b\r\n^", 3, POWER);
+    refused_n("a = '\0' \n^", 10, 2, POWER);
+}
+
+/* Text that is not Lua is the compiler's business, but the scan ends. */
+static void test_unfinished(void **state)
+{
+    static const char *const texts[] = { "",
+                                         "'",
+                                         "\"a",
+                                         "[[",
+                                         "[==[ ]=]",
+                                         "--[[",
+                                         "--[==[ ]] ]=]",
+                                         "--",
+                                         "'\\",
+                                         "'\\x",
+                                         "'\\x5",
+                                         "'\\u",
+                                         "'\\u{",
+                                         "'\\u{5f",
+                                         "'\\9",
+                                         "'\\z",
+                                         "'\\z ",
+                                         "'a\nb'",
+                                         "[",
+                                         "[=",
+                                         "[==",
+                                         "-",
+                                         "'\\u{fffffffffffffffff}'",
+                                         "]]",
+                                         "[[]",
+                                         "[=[]",
+                                         "[=[]=" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        fine(texts[i]);
+}
+
+/* Bytes of all kinds, and every cut of them: the scan ends and stays inside. */
+static void test_any_bytes(void **state)
+{
+    static const char alphabet[] = "'\"[]=-\\xzu{}5f_gcmode^\n\r a9";
+    struct rng r;
+    char text[40];
+
+    (void)state;
+    rng_seed(&r, 11);
+    for (int i = 0; i < 20000; i++) {
+        size_t n = (size_t)rng_below(&r, sizeof text);
+        const char *what = NULL;
+        int line = 0;
+        for (size_t k = 0; k < n; k++)
+            text[k] = rng_below(&r, 50) ? alphabet[rng_below(&r, sizeof alphabet - 1)] : (char)rng_next(&r);
+        if (!scan(text, n, &line, &what))
+            assert_true(line >= 1 && what != NULL);
+    }
+}
+
+static void checked(const char *text, const char *want)
+{
+    char err[256] = "";
+
+    assert_int_equal(script_check(text, strlen(text), "@stages/one.lua", err, sizeof err), want[0] == '\0');
+    assert_string_equal(err, want);
+}
+
+static void test_check(void **state)
+{
+    (void)state;
+    checked("local x <const> = 1 return x // 2 & 3", "");
+    checked("-- nothing", "");
+    checked("\n\nx = 2 ^ 2", "stages/one.lua:3: " POWER);
+    checked("x = {\n__gc = 1 }", "stages/one.lua:2: " GC);
+    checked("x = \n= 1", "stages/one.lua:2: unexpected symbol near '='");
+    checked("\x1bLua", "stages/one.lua:1: compiled Lua, expected text");
+    checked("return 1\n[[a\nb]]", "stages/one.lua:3: <eof> expected near '[[a b]]'");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_power), cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
+        cmocka_unit_test(test_lines), cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
+        cmocka_unit_test(test_check),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

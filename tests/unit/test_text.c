@@ -1,0 +1,149 @@
+/*
+ * test_text.c - text against a painter that sets one pixel after the other.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../fb/text.h"
+#include "../../src/base/rng.h"
+
+enum { W = 64, H = 40, FIRST = 32, COUNT = 100, SAFE = 1 << 20 };
+
+struct bed {
+    struct fb fb;
+    uint8_t *mem;
+    uint8_t glyphs[COUNT * 64];
+    struct font font;
+    uint8_t want[H][W];
+    struct rng r;
+};
+
+static int bed_open(void **state)
+{
+    struct bed *b = calloc(1, sizeof *b);
+
+    assert_non_null(b);
+    rng_seed(&b->r, 11);
+    b->mem = malloc(fb_size(W, H));
+    assert_non_null(b->mem);
+    fb_init(&b->fb, b->mem, W, H);
+    for (size_t i = 0; i < sizeof b->glyphs; i++)
+        b->glyphs[i] = rng_below(&b->r, 2) ? (uint8_t)rng_below(&b->r, 16) : 0;
+    b->font = (struct font){ b->glyphs, FIRST, COUNT };
+    *state = b;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *b = *state;
+
+    free(b->mem);
+    free(b);
+    return 0;
+}
+
+static void bed_reset(struct bed *b, uint8_t c)
+{
+    fb_fill(&b->fb, c);
+    memset(b->want, c, sizeof b->want);
+}
+
+static void paint(struct bed *b, int64_t x, int64_t y, int c, uint8_t bank)
+{
+    if (c < FIRST || c >= FIRST + COUNT)
+        return;
+    for (int64_t k = 0; k < 64; k++) {
+        int64_t px = x + k % 8, py = y + k / 8;
+        uint8_t v = b->glyphs[(c - FIRST) * 64 + k];
+        if (v && px >= b->fb.x0 && px < b->fb.x1 && py >= b->fb.y0 && py < b->fb.y1)
+            b->want[py][px] = (uint8_t)(v + bank * 16);
+    }
+}
+
+static void expect(struct bed *b)
+{
+    for (int y = 0; y < H; y++)
+        assert_memory_equal(b->fb.pix + y * b->fb.pitch, b->want[y], W);
+}
+
+static void every_code(void **state)
+{
+    struct bed *b = *state;
+
+    fb_clip_all(&b->fb);
+    for (int c = 0; c < 256; c++) {
+        bed_reset(b, 3);
+        paint(b, 11, 9, c, (uint8_t)(c % 16));
+        text_glyph(&b->fb, &b->font, 11, 9, (uint8_t)c, (uint8_t)(c % 16));
+        expect(b);
+    }
+}
+
+static int any_place(struct rng *r)
+{
+    static const int ends[] = { INT32_MIN, INT32_MIN + 7, INT32_MAX, INT32_MAX - 8 };
+
+    return rng_below(r, 6) == 0 ? ends[rng_below(r, 4)] : (int)rng_below(r, 120) - 60;
+}
+
+static void any_string_anywhere(void **state)
+{
+    struct bed *b = *state;
+
+    for (int k = 0; k < 3000; k++) {
+        char s[40];
+        int n = (int)rng_below(&b->r, sizeof s), x = any_place(&b->r), y = any_place(&b->r);
+        uint8_t bank = (uint8_t)rng_below(&b->r, 16);
+        int64_t at = x, row = y;
+        for (int i = 0; i < n; i++)
+            s[i] = (char)(rng_below(&b->r, 8) == 0 ? '\n' : (int)(1 + rng_below(&b->r, 255)));
+        s[n] = '\0';
+        if (k % 2)
+            fb_clip(&b->fb, (int)rng_below(&b->r, W), (int)rng_below(&b->r, H), 1 + (int)rng_below(&b->r, W), 20);
+        else
+            fb_clip_all(&b->fb);
+        bed_reset(b, 200);
+        for (int i = 0; i < n; i++) {
+            if (s[i] != '\n')
+                paint(b, at, row, (uint8_t)s[i], bank);
+            at = s[i] == '\n' ? x : at + 8;
+            row += s[i] == '\n' ? 8 : 0;
+        }
+        text_draw(&b->fb, &b->font, x, y, s, bank);
+        expect(b);
+    }
+}
+
+/* The start of a long text is far off; its end is seen. */
+static void long_text_from_far_left(void **state)
+{
+    struct bed *b = *state;
+    char *s = malloc(SAFE + 3);
+
+    assert_non_null(s);
+    memset(s, 'x', SAFE);
+    strcpy(s + SAFE, "AB");
+    fb_clip_all(&b->fb);
+    bed_reset(b, 1);
+    for (int i = -1; i < 7; i++)
+        paint(b, 5 + 8 * i, 4, i < 4 ? 'x' : i == 4 ? 'A' : i == 5 ? 'B' : 0, 2);
+    text_draw(&b->fb, &b->font, 5 + 8 * (4 - SAFE), 4, s, 2);
+    expect(b);
+    free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_code),
+        cmocka_unit_test(any_string_anywhere),
+        cmocka_unit_test(long_text_from_far_left),
+    };
+    return cmocka_run_group_tests(tests, bed_open, bed_close);
+}

@@ -1,0 +1,104 @@
+/*
+ * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's.
+ * floor: tools
+ *
+ * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
+ * look at.
+ */
+#include "art.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+struct picture {
+    const char *name;
+    struct sheet (*make)(void);
+};
+
+static const struct picture GAME[] = {
+    { "bullets", art_bullets }, { "shots", art_shots },   { "sparks", art_sparks },
+    { "heron", art_heron },     { "petrel", art_petrel }, { "enemies", art_enemies },
+    { "guard", art_guard },     { "queen", art_queen },   { "blasts", art_blasts },
+    { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
+    { "font", art_font },       { NULL, NULL },
+};
+static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
+
+static bool write_png(const char *dir, const char *name, const uint8_t *rgba, int w, int h)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s.png", dir, name);
+    if (stbi_write_png(path, w, h, 4, rgba, w * 4))
+        return true;
+    fprintf(stderr, "art: %s: cannot write\n", path);
+    return false;
+}
+
+static void colour(uint8_t *px, uint32_t rgb, uint8_t alpha)
+{
+    px[0] = (uint8_t)(rgb >> 16);
+    px[1] = (uint8_t)(rgb >> 8);
+    px[2] = (uint8_t)rgb;
+    px[3] = alpha;
+}
+
+static bool write_sheet(const char *dir, const char *name, const struct sheet *s, const uint32_t rgb[256])
+{
+    uint8_t *rgba = calloc((size_t)(s->w * s->h), 4);
+    if (!rgba)
+        return false;
+    for (int i = 0; i < s->w * s->h; i++) {
+        if (s->px[i])
+            colour(&rgba[4 * i], rgb[s->bank * 16 + s->px[i]], 255);
+    }
+    bool ok = write_png(dir, name, rgba, s->w, s->h);
+    free(rgba);
+    return ok;
+}
+
+static bool write_palette(const char *dir, const uint32_t rgb[256])
+{
+    uint8_t rgba[256 * 4];
+    for (int i = 0; i < 256; i++)
+        colour(&rgba[4 * i], rgb[i], 255);
+    return write_png(dir, "palette", rgba, 16, 16);
+}
+
+/* Everything below one another on the floor's colour, magnified. */
+static bool write_contact(const char *dir, const char *name, const struct sheet *s, const uint32_t rgb[256], int scale)
+{
+    int w = s->w * scale, h = s->h * scale;
+    uint8_t *rgba = calloc((size_t)(w * h), 4);
+    if (!rgba)
+        return false;
+    for (int i = 0; i < w * h; i++) {
+        int c = sheet_get(s, i % w / scale, i / w / scale);
+        colour(&rgba[4 * i], c ? rgb[s->bank * 16 + c] : rgb[13 * 16 + 4], 255);
+    }
+    bool ok = write_png(dir, name, rgba, w, h);
+    free(rgba);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    uint32_t rgb[256];
+    if (argc < 2 || argc > 3) {
+        fprintf(stderr, "usage: art OUTDIR [card | sheet]\n");
+        return 2;
+    }
+    const char *dir = argv[1];
+    bool card = argc == 3 && !strcmp(argv[2], "card"), look = argc == 3 && !strcmp(argv[2], "sheet"), ok = true;
+    art_palette(rgb);
+    for (const struct picture *p = card ? CARD : GAME; p->name && ok; p++) {
+        struct sheet s = p->make();
+        ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
+        sheet_free(&s);
+    }
+    ok = ok && (look || write_palette(dir, rgb));
+    return ok ? 0 : 3;
+}

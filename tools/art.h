@@ -1,0 +1,91 @@
+/*
+ * art.h - draws the pictures of the built-in game: a small modeller that turns lit shapes into pixel art.
+ * floor: tools    used by: art.c art_*.c
+ *
+ * Everything is made of + - * / and sqrt on doubles, so that every host writes the same bytes. Angles are turns (1 is a
+ * whole turn), clockwise with y down; lengths are pixels. Light comes from the top left.
+ */
+#ifndef TOOLS_ART_H
+#define TOOLS_ART_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* -- pictures -- */
+
+/* A sheet of shades 0..15, 0 transparent; bank gives them colour when it is written. */
+struct sheet {
+    int w, h, bank;
+    uint8_t *px;
+};
+
+struct sheet sheet_new(int w, int h, int bank);
+void sheet_free(struct sheet *s);
+/* Sets one pixel; outside the sheet nothing happens. */
+void sheet_set(struct sheet *s, int x, int y, int shade);
+int sheet_get(const struct sheet *s, int x, int y);
+
+/* The 256 colours as 0xRRGGBB. */
+void art_palette(uint32_t rgb[256]);
+
+/* -- numbers -- */
+
+double art_sin(double turns);
+double art_cos(double turns);
+double art_clamp(double v, double lo, double hi);
+
+/* -- the modeller -- */
+
+/* How a surface takes the light. GLASS is dark where the light enters and bright where it leaves, with a hard
+ * highlight; GLOW is brightest in its middle; FLAT has one shade, `level`; VEIL is thin glass that lets what lies under
+ * it through. */
+enum style { MATTE, GLASS, GLOW, FLAT, VEIL };
+
+struct mat {
+    enum style style;
+    int lo, hi;   /* the shades it may use */
+    double level; /* FLAT: 0..1; the others: added to the light */
+};
+
+struct paint;
+
+/* A scene of w x h pixels with (0,0) in its middle. */
+struct paint *paint_new(int w, int h);
+/* From now on each shape is drawn twice, the second time with x negated. */
+void paint_mirror(struct paint *p, bool on);
+/* From now on only samples with y0 <= y <= y1 are drawn. */
+void paint_band(struct paint *p, double y0, double y1);
+void paint_ball(struct paint *p, struct mat m, double x, double y, double rx, double ry, double turn);
+/* A tube from a to b whose radius goes from ra to rb. */
+void paint_limb(struct paint *p, struct mat m, double ax, double ay, double ra, double bx, double by, double rb);
+/* A tube along the curve a..b pulled towards c. */
+void paint_curve(struct paint *p, struct mat m, const double a[2], const double c[2], const double b[2], double ra,
+                 double rb);
+/* A plate with edges bevelled over `bevel` pixels; xy holds n points, clockwise. */
+void paint_poly(struct paint *p, struct mat m, int n, const double *xy, double bevel);
+/* A fin: a skin from the root to n tips, with a rib to each and an edge that hangs in by `sag` (0..1) between them. */
+void paint_fin(struct paint *p, struct mat m, double x, double y, int n, const double *tips, double sag);
+/* Pen strokes of radius r along n segments (ax ay bx by each), as one body with bevelled edges. */
+void paint_stroke(struct paint *p, struct mat m, int n, const double *segs, double r, double bevel);
+/* Turns the scene into pixels with its top left at (x, y) of the sheet and frees it. Shade `rim` outlines it where the
+ * light does not fall, `lit` where it does; 0: no outline there. */
+void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit);
+
+/* -- the pictures: each returns a whole sheet -- */
+
+struct sheet art_bullets(void);
+struct sheet art_shots(void);
+struct sheet art_sparks(void);
+struct sheet art_heron(void);
+struct sheet art_petrel(void);
+struct sheet art_enemies(void);
+struct sheet art_guard(void);
+struct sheet art_queen(void);
+struct sheet art_blasts(void);
+struct sheet art_floor(void);
+struct sheet art_reef(void);
+struct sheet art_logo(void);
+struct sheet art_font(void);
+struct sheet art_card(void);
+
+#endif

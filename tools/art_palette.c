@@ -1,0 +1,144 @@
+/*
+ * art_palette.c - the 256 colours. A row is a bank of 16; column 0 is never drawn (it is the colour of the empty
+ * screen). floor: tools
+ *
+ * In every bank 1 is the darkest and 15 the lightest, so text can be drawn in any of them. Banks 0..7 are eight times
+ * the same ramp (rim, body, bright, core) for whatever is recoloured by adding a bank: bullets, sparks, text.
+ */
+#include "art.h"
+
+struct key {
+    int at;
+    uint32_t rgb;
+};
+
+#define RAMP(rim, dark, body, bright, pale)                                                                            \
+    {                                                                                                                  \
+        { 1, rim }, { 4, dark }, { 8, body }, { 11, bright }, { 13, pale }, { 15, 0xffffff },                          \
+    }
+
+/* Colours between two keys are mixed. */
+static const struct key KEYS[16][12] = {
+    RAMP(0x10162e, 0x3c4c88, 0x86a2e6, 0xbdd4ff, 0xe4efff), /* 0 pearl */
+    RAMP(0x2c0410, 0x8e0d2c, 0xf2283e, 0xff6e62, 0xffc6b8), /* 1 ruby */
+    RAMP(0x2c0e04, 0x943604, 0xf87c10, 0xffb044, 0xffe2b0), /* 2 amber */
+    RAMP(0x241a02, 0x846806, 0xeac818, 0xffe858, 0xfff6bc), /* 3 gold */
+    RAMP(0x042210, 0x0a6c36, 0x22d05c, 0x76f482, 0xceffc8), /* 4 green */
+    RAMP(0x032028, 0x06667e, 0x14c0dc, 0x64ecf4, 0xcafcff), /* 5 cyan */
+    RAMP(0x0c0c3e, 0x2832b0, 0x4c6cff, 0x88aaff, 0xd2deff), /* 6 indigo */
+    RAMP(0x26062e, 0x801486, 0xe840e2, 0xff8af0, 0xffd4fa), /* 7 magenta */
+    /* 8 heron: 2..6 hull, 7..9 glass, 10..12 accent, 13..14 flame */
+    { { 1, 0x0b1022 },
+      { 2, 0x2b3556 },
+      { 4, 0x8796ba },
+      { 6, 0xf0f6ff },
+      { 7, 0x0c5266 },
+      { 8, 0x22aab4 },
+      { 9, 0x90f4e6 },
+      { 10, 0x921f40 },
+      { 11, 0xec4c54 },
+      { 12, 0xffa488 },
+      { 13, 0xffb648 },
+      { 15, 0xffffff } },
+    /* 9 petrel: the same parts */
+    { { 1, 0x10101a },
+      { 2, 0x26344a },
+      { 4, 0x7ea8a6 },
+      { 6, 0xe6fff0 },
+      { 7, 0x7a3a08 },
+      { 8, 0xe09020 },
+      { 9, 0xffe48c },
+      { 10, 0x43247e },
+      { 11, 0x8458e0 },
+      { 12, 0xc8aaff },
+      { 13, 0x58d8ff },
+      { 15, 0xffffff } },
+    /* 10 cold glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x050c1c },
+      { 2, 0x123458 },
+      { 4, 0x257092 },
+      { 7, 0x5ccad0 },
+      { 9, 0xb8fff0 },
+      { 10, 0x86204e },
+      { 11, 0xdc4678 },
+      { 12, 0xff8c98 },
+      { 13, 0xffd2c2 },
+      { 14, 0xd2fff6 },
+      { 15, 0xffffff } },
+    /* 11 warm glass: the same parts */
+    { { 1, 0x120618 },
+      { 2, 0x381858 },
+      { 4, 0x74369a },
+      { 7, 0xcc76d4 },
+      { 9, 0xffc4f4 },
+      { 10, 0x8c5810 },
+      { 11, 0xe2a022 },
+      { 12, 0xffd85e },
+      { 13, 0xfff0b4 },
+      { 14, 0xffe4fb },
+      { 15, 0xffffff } },
+    /* 12 bosses: 2..8 glass, 9..11 gold, 12..13 heart */
+    { { 1, 0x080a20 },
+      { 2, 0x1c2058 },
+      { 4, 0x4048a4 },
+      { 6, 0x7c98ea },
+      { 8, 0xc4eaff },
+      { 9, 0x8a5214 },
+      { 10, 0xe0a232 },
+      { 11, 0xffe38a },
+      { 12, 0xc8265e },
+      { 13, 0xff7c9c },
+      { 14, 0xe6f8ff },
+      { 15, 0xffffff } },
+    /* 13 the deep: 1..12 slate, 13..15 what glimmers in it */
+    { { 1, 0x060914 },
+      { 4, 0x0f1829 },
+      { 8, 0x213248 },
+      { 12, 0x43586c },
+      { 13, 0x28606c },
+      { 14, 0x468a92 },
+      { 15, 0x9ab6bc } },
+    /* 14 fire */
+    { { 1, 0x1a0a22 },
+      { 2, 0x3a1040 },
+      { 4, 0xa2244c },
+      { 6, 0xf46036 },
+      { 8, 0xffb042 },
+      { 10, 0xffe682 },
+      { 13, 0xfff8d8 },
+      { 15, 0xffffff } },
+    /* 15 the title: 2..9 water, 10..14 gold */
+    { { 1, 0x040a1e },
+      { 2, 0x0a2048 },
+      { 4, 0x145684 },
+      { 6, 0x2aa0c0 },
+      { 8, 0x84e6e6 },
+      { 9, 0xd2fff8 },
+      { 10, 0x7c4a12 },
+      { 11, 0xc88a24 },
+      { 12, 0xf2c444 },
+      { 14, 0xfff2c0 },
+      { 15, 0xffffff } },
+};
+
+static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
+{
+    uint32_t out = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        int ca = (int)(a >> shift & 255), cb = (int)(b >> shift & 255);
+        out |= (uint32_t)((ca * (n - i) + cb * i + n / 2) / n) << shift;
+    }
+    return out;
+}
+
+void art_palette(uint32_t rgb[256])
+{
+    for (int bank = 0; bank < 16; bank++) {
+        const struct key *k = KEYS[bank];
+        rgb[bank * 16] = 0x04060e;
+        for (; k[0].at < 15; k++) {
+            for (int i = k[0].at; i <= k[1].at; i++)
+                rgb[bank * 16 + i] = mix(k[0].rgb, k[1].rgb, i - k[0].at, k[1].at - k[0].at);
+        }
+    }
+}

@@ -1,0 +1,334 @@
+/*
+ * art_scene.c - what is not alive: explosions, the sea floor, the reef at its sides, the title.
+ * floor: tools
+ */
+#include "art.h"
+
+#include <math.h>
+
+/* -- explosions: bank 14, 1 dark .. 15 white -- */
+
+static uint32_t next(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return *seed >> 8;
+}
+
+static double pick(uint32_t *seed, double lo, double hi)
+{
+    return lo + (hi - lo) * (next(seed) & 0xffff) / 65536.0;
+}
+
+/* Puffs thrown outward that burn from white to dark and are eaten from within; t runs from 0 to 1. */
+static void blast(struct sheet *s, int x, int y, int size, double t, int puffs, uint32_t seed)
+{
+    struct paint *p = paint_new(size, size);
+    double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
+    for (int ring = 0; ring < 2; ring++) {
+        for (int i = 0; i < puffs; i++) {
+            double a = (i + pick(&seed, 0.1, 0.9)) / puffs, far = pick(&seed, 0.42, 0.72) * (ring ? 0.55 : 1),
+                   big = pick(&seed, 0.22, 0.34);
+            double heat = 1.0 - t * (ring ? 0.95 : 1.15),
+                   grow = art_clamp(0.45 + t * 2.2, 0, 1) * art_clamp((1.06 - t) * 1.6, 0, 1);
+            int hi = 2 + (int)(art_clamp(heat, 0, 1) * 12.9), lo = hi > 4 ? hi - 3 : 1;
+            paint_ball(p, (struct mat){ MATTE, lo, hi, 0.2 }, art_cos(a) * far * r * ease, art_sin(a) * far * r * ease,
+                       big * r * grow, big * r * grow, 0);
+        }
+    }
+    if (t < 0.3)
+        paint_ball(p, (struct mat){ GLOW, 9, 15, 0.25 }, 0, 0, r * (0.35 + t * 1.5), r * (0.35 + t * 1.5), 0);
+    else if (t < 0.55)
+        paint_ball(p, (struct mat){ GLOW, 7, 13, 0.1 }, 0, 0, r * (0.8 - t), r * (0.8 - t), 0);
+    paint_done(p, s, x, y, 0, 0);
+}
+
+/* Long splinters that fly ahead of the fire. */
+static void splinters(struct sheet *s, int x, int y, int size, double t, int n, uint32_t seed)
+{
+    struct paint *p = paint_new(size, size);
+    double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
+    for (int i = 0; i < n; i++) {
+        double a = (i + pick(&seed, 0, 0.8)) / n, v = pick(&seed, 0.7, 1.0), d1 = r * v * ease,
+               d0 = d1 - r * 0.34 * (1 - t);
+        double wide = r * 0.055 * (1.1 - t), c = art_cos(a), q = art_sin(a);
+        paint_limb(p, (struct mat){ FLAT, 15 - (int)(t * 8), 15 - (int)(t * 8), 0 }, c * d0, q * d0, wide * 0.3, c * d1,
+                   q * d1, wide);
+    }
+    paint_done(p, s, x, y, 0, 0);
+}
+
+struct sheet art_blasts(void)
+{
+    struct sheet s = sheet_new(576, 104, 14);
+    for (int i = 0; i < 8; i++) {
+        blast(&s, 32 * i, 0, 32, (i + 0.5) / 8, 6, 7);
+        splinters(&s, 32 * i, 0, 32, (i + 0.5) / 8, 7, 40);
+        blast(&s, 72 * i, 32, 72, (i + 0.5) / 8, 11, 23);
+        splinters(&s, 72 * i, 32, 72, (i + 0.5) / 8, 13, 91);
+    }
+    return s;
+}
+
+/* -- the sea floor: bank 13; it repeats every 320 lines -- */
+
+static double dunes(double x, double y)
+{
+    double a = y / 320,
+           warp = 20 * art_sin(a + x / 600) + 11 * art_sin(2 * a + 0.3 + x / 330) + 5 * art_sin(3 * a + 0.7 - x / 210);
+    double broad = art_sin((x + warp * 1.5) / 118) * 5.2 + art_sin(a * 2 + (x + warp) / 170 + 0.2) * 4.6 +
+                   art_sin(a * 3 - x / 125 + 0.6) * 2.6;
+    double fine = art_sin(a * 15 + (x + warp * 2.2) / 74 + 0.16 * art_sin(a * 2 + x / 90)) *
+                  (0.75 + 0.55 * art_sin(a + x / 160 + 0.1));
+    return broad + fine;
+}
+
+static void sand(struct sheet *s)
+{
+    static const int level[] = { 1, 3, 4, 5, 7, 8 };
+    for (int y = 0; y < 320; y++) {
+        for (int x = 0; x < 240; x++) {
+            double slope = dunes(x + 1.2, y + 1.2) - dunes(x - 1.2, y - 1.2), off = (x - 119.5) / 120;
+            double v = 1.75 + slope * 0.85 + off * off * 0.8 + dunes(x, y) * 0.05;
+            sheet_set(s, x, y, level[(int)art_clamp(v + 0.5, 0, 5)]);
+        }
+    }
+}
+
+/* Pebbles and starfish half sunk in the sand, drawn three times so that they cross the seam. */
+static void debris(struct sheet *s)
+{
+    static const struct mat pebble = { MATTE, 1, 8, -0.05 }, star = { MATTE, 3, 9, 0 };
+    struct paint *p = paint_new(240, 320);
+    for (int copy = -1; copy <= 1; copy++) {
+        uint32_t seed = 19;
+        for (int i = 0; i < 26; i++) {
+            double x = pick(&seed, -118, 118), y = pick(&seed, -160, 160), r = pick(&seed, 1.6, 4.6),
+                   turn = pick(&seed, 0, 1);
+            x = x < 0 ? x * 0.5 - 60 : x * 0.5 + 60;
+            paint_ball(p, pebble, x, y + copy * 320, r * 1.3, r * 0.9, turn);
+            paint_ball(p, pebble, x + r * 1.9, y + r * 0.7 + copy * 320, r * 0.55, r * 0.45, 0);
+        }
+        for (int i = 0; i < 5; i++) {
+            double x = pick(&seed, -90, 90), y = pick(&seed, -160, 160) + copy * 320, turn = pick(&seed, 0, 1);
+            for (int k = 0; k < 5; k++)
+                paint_limb(p, star, x, y, 1.8, x + art_cos(turn + k / 5.0) * 5.4, y + art_sin(turn + k / 5.0) * 5.4,
+                           0.5);
+        }
+    }
+    paint_done(p, s, 0, 0, 1, 0);
+}
+
+/* Moonlight bent by the waves far above: the borders between cells of scattered points, on a bent grid. */
+static void caustics(struct sheet *s, int y0)
+{
+    enum { CELLS = 54 };
+    double px[CELLS], py[CELLS];
+    uint32_t seed = 2;
+    for (int i = 0; i < CELLS; i++) {
+        px[i] = (i % 6 + pick(&seed, 0.1, 0.9)) * 40;
+        py[i] = (i / 6 + pick(&seed, 0.1, 0.9)) * (320.0 / 9);
+    }
+    for (int y = 0; y < 320; y++) {
+        for (int x = 0; x < 240; x++) {
+            double u = x + 7 * art_sin(y / 64.0 + x / 240.0) + 3 * art_sin(x / 60.0 + y / 32.0);
+            double v = y + 7 * art_sin(x / 60.0 + 0.2 - y / 160.0) + 3 * art_sin(y / 40.0 + x / 30.0), d1 = 1e9,
+                   d2 = 1e9;
+            for (int i = 0; i < CELLS; i++) {
+                double dx = u - px[i], dy = v - py[i];
+                dx = dx > 120 ? dx - 240 : dx < -120 ? dx + 240 : dx;
+                dy = dy > 160 ? dy - 320 : dy < -160 ? dy + 320 : dy;
+                double d = sqrt(dx * dx + dy * dy);
+                d2 = d < d1 ? d1 : d < d2 ? d : d2;
+                d1 = d < d1 ? d : d1;
+            }
+            double fade = art_sin(x / 120.0 + y / 320.0 + 0.1) + art_sin(x / 240.0 - y / 160.0) + 0.15;
+            if (fade > 0 && d2 - d1 < 0.7 + 0.8 * art_clamp(fade, 0, 1))
+                sheet_set(s, x, y0 + y, d2 - d1 < 0.5 && fade > 0.7 ? 7 : 6);
+        }
+    }
+}
+
+struct sheet art_floor(void)
+{
+    struct sheet s = sheet_new(240, 640, 13);
+    sand(&s);
+    debris(&s);
+    caustics(&s, 320);
+    return s;
+}
+
+/* -- the reef: columns for the left edge, nearer and so brighter and faster; flipped they are the right edge -- */
+
+static const struct mat STONE = { MATTE, 2, 9, 0.02 }, CORAL = { MATTE, 4, 11, 0.08 }, TUBE = { MATTE, 4, 12, 0.04 },
+                        HOLE = { FLAT, 1, 1, 0 };
+static const struct mat BUD = { FLAT, 13, 15, 0.5 };
+
+static void branch(struct paint *p, struct mat m, double x, double y, double turn, double len, double r, int depth,
+                   uint32_t *seed)
+{
+    double nx = x + art_cos(turn) * len, ny = y + art_sin(turn) * len;
+    paint_limb(p, m, x, y, r, nx, ny, r * 0.74);
+    if (depth == 0) {
+        paint_ball(p, BUD, nx, ny, 0.9, 0.9, 0);
+        return;
+    }
+    branch(p, m, nx, ny, turn - pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
+    branch(p, m, nx, ny, turn + pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
+}
+
+static void boulders(struct paint *p, double y, uint32_t seed)
+{
+    for (int i = 0; i < 5; i++) {
+        double r = pick(&seed, 6, 13), x = pick(&seed, -36, -16), turn = pick(&seed, 0, 0.5);
+        paint_ball(p, STONE, x - r * 0.4, y + (i - 2) * 9.0, r, r * 0.85, turn);
+    }
+}
+
+static void tubes(struct paint *p, double y, uint32_t seed)
+{
+    for (int i = 0; i < 5; i++) {
+        double x = -33 + i * 5.5 + pick(&seed, -1, 1), top = y - pick(&seed, 4, 14), r = 3.4 - i * 0.25;
+        paint_limb(p, TUBE, x - 5, y + 16, r * 0.8, x, top, r);
+        paint_ball(p, TUBE, x, top - 0.6, r * 1.12, r * 0.75, 0);
+        paint_ball(p, HOLE, x + 0.2, top - 0.5, r * 0.7, r * 0.42, 0);
+    }
+}
+
+static void fan(struct paint *p, double x, double y, double size)
+{
+    double tips[14];
+    for (int i = 0; i < 7; i++) {
+        double a = -0.30 + i * 0.062, r = size * (i == 0 || i == 6 ? 0.8 : 1);
+        tips[2 * i] = x + art_cos(a) * r;
+        tips[2 * i + 1] = y + art_sin(a) * r;
+    }
+    paint_fin(p, (struct mat){ VEIL, 3, 9, -0.05 }, x, y, 7, tips, 0.08);
+}
+
+struct sheet art_reef(void)
+{
+    struct sheet s = sheet_new(72, 320, 13);
+    struct paint *p = paint_new(72, 320);
+    for (int copy = -1; copy <= 1; copy++) {
+        double y = copy * 320;
+        uint32_t seed = 5;
+        fan(p, -37, y - 116, 26);
+        fan(p, -37, y + 78, 30);
+        boulders(p, y - 92, 3);
+        boulders(p, y + 112, 12);
+        boulders(p, y + 20, 77);
+        branch(p, CORAL, -38, y - 128, -0.06, 12, 3.2, 3, &seed);
+        branch(p, CORAL, -38, y - 40, -0.03, 14, 3.6, 3, &seed);
+        branch(p, CORAL, -38, y + 58, 0.01, 11, 3.0, 3, &seed);
+        tubes(p, y - 66, 9);
+        tubes(p, y + 136, 31);
+    }
+    paint_done(p, &s, 0, 0, 1, 2);
+    return s;
+}
+
+/* -- the title: letters cut from glass, bank 15 -- */
+
+struct pen {
+    int n;
+    double seg[256];
+};
+
+static void to(struct pen *k, double ax, double ay, double bx, double by)
+{
+    double *s = &k->seg[4 * k->n++];
+    s[0] = ax;
+    s[1] = ay;
+    s[2] = bx;
+    s[3] = by;
+}
+
+static void arc(struct pen *k, double x, double y, double rx, double ry, double from, double sweep)
+{
+    for (int i = 0; i < 8; i++) {
+        double a = from + sweep * i / 8, b = from + sweep * (i + 1) / 8;
+        to(k, x + rx * art_cos(a), y + ry * art_sin(a), x + rx * art_cos(b), y + ry * art_sin(b));
+    }
+}
+
+/* A letter 26 wide and 34 high about (x, y). */
+static struct pen letter(char c, double x, double y)
+{
+    struct pen k = { 0 };
+    switch (c) {
+    case 'G':
+        arc(&k, x, y, 11.5, 15, -0.12, -0.76);
+        to(&k, x + 10.4, y + 8, x + 10.4, y + 2);
+        to(&k, x + 10.4, y + 2, x + 2.5, y + 2);
+        break;
+    case 'L':
+        to(&k, x - 8, y - 15, x - 8, y + 15);
+        to(&k, x - 8, y + 15, x + 9, y + 15);
+        break;
+    case 'A':
+        to(&k, x - 11.5, y + 15, x, y - 15);
+        to(&k, x, y - 15, x + 11.5, y + 15);
+        to(&k, x - 7, y + 5.5, x + 7, y + 5.5);
+        break;
+    case 'S':
+        arc(&k, x, y - 7.5, 9.5, 7.5, -0.08, -0.67);
+        arc(&k, x, y + 7.5, 9.5, 7.5, -0.25, 0.67);
+        break;
+    case 'T':
+        to(&k, x - 11.5, y - 15, x + 11.5, y - 15);
+        to(&k, x, y - 15, x, y + 15);
+        break;
+    case 'I':
+        to(&k, x, y - 15, x, y + 15);
+        break;
+    case 'D':
+        to(&k, x - 9, y - 15, x - 9, y + 15);
+        arc(&k, x - 4, y, 13.5, 15, -0.25, 0.5);
+        to(&k, x - 9, y - 15, x - 4, y - 15);
+        to(&k, x - 9, y + 15, x - 4, y + 15);
+        break;
+    default:
+        to(&k, x + 8.5, y - 15, x - 8.5, y - 15);
+        to(&k, x - 8.5, y - 15, x - 8.5, y + 15);
+        to(&k, x - 8.5, y + 15, x + 8.5, y + 15);
+        to(&k, x - 8.5, y, x + 5.5, y);
+        break;
+    }
+    return k;
+}
+
+/* The water stands to the middle of each letter: above it the glass is pale and darkens downwards, below it is deep and
+ * clears downwards. */
+static void word(struct paint *p, const char *text, double x, double y, double step)
+{
+    enum { BANDS = 14, WATER = 7 };
+    for (; *text; text++, x += step) {
+        struct pen k = letter(*text, x, y);
+        for (int i = 0; i < BANDS; i++) {
+            double top = y - 21 + i * 3, level = i < WATER ? 0.56 - i * 0.075 : -0.10 + (i - WATER) * 0.075;
+            paint_band(p, top, top + 3);
+            paint_stroke(p, (struct mat){ GLASS, 2, 9, level }, k.n, k.seg, 4.8, 2.6);
+        }
+    }
+    paint_band(p, -1e9, 1e9);
+}
+
+struct sheet art_logo(void)
+{
+    static const struct mat gold = { MATTE, 10, 14, 0.12 };
+    static const double a[] = { 7, -3.5 }, ac[] = { 22, -9.5 }, b[] = { 38, -3.5 }, bc[] = { 54, 2 },
+                        c[] = { 70, -3.5 }, cc[] = { 80, -7 }, d[] = { 88, -4.5 };
+    struct sheet s = sheet_new(208, 112, 15);
+    struct paint *p = paint_new(208, 112);
+    word(p, "GLASS", -72, -31, 36);
+    word(p, "TIDE", -51, 24, 34);
+    paint_mirror(p, true);
+    paint_curve(p, gold, a, ac, b, 1.3, 1.6);
+    paint_curve(p, gold, b, bc, c, 1.6, 1.2);
+    paint_curve(p, gold, c, cc, d, 1.2, 0.5);
+    paint_mirror(p, false);
+    paint_ball(p, gold, 0, -3.5, 4.2, 4.2, 0);
+    paint_ball(p, (struct mat){ GLASS, 4, 9, 0.15 }, 0, -3.5, 2.9, 2.9, 0);
+    paint_done(p, &s, 0, 0, 1, 2);
+    return s;
+}
