@@ -29,9 +29,13 @@ GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
 MACHINE   := $(patsubst tests/machine/%.c,$(OUT)/machine/%,$(wildcard tests/machine/test_*.c))
 
+# V=1 shows the commands.
+Q := $(if $(V),,@)
+SAY = $(if $(V),@true,@echo)
+
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs
+.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench
 
 all: deps
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -60,41 +64,51 @@ build/curtain-null: $(OUT)/curtain-null
 
 $(OUT)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) -MMD -MP -c $< -o $@
+	$(SAY) "  CC    $<"
+	$(Q)$(CC) $(ALL_C) -MMD -MP -c $< -o $@
 
 $(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
-	$(CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
 
 $(OUT)/gen/std.c: $(STD_LUA) $(OUT)/embed
 	@mkdir -p $(@D)
-	$(OUT)/embed std $(foreach f,$(STD_LUA),$(basename $(notdir $f))=$f) > $@
+	$(SAY) "  MAKE  $@"
+	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(basename $(notdir $f))=$f) > $@
 
 $(OUT)/gen/no_rom.c: $(OUT)/embed
 	@mkdir -p $(@D)
-	$(OUT)/embed rom > $@
+	$(SAY) "  MAKE  $@"
+	$(Q)$(OUT)/embed rom > $@
 
 $(OUT)/gen/%.o: $(OUT)/gen/%.c
-	$(CC) $(ALL_C) -c $< -o $@
+	$(SAY) "  CC    $<"
+	$(Q)$(CC) $(ALL_C) -c $< -o $@
 
 # The program that packs the built-in game has none itself.
 $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
-	$(CC) $(ALL_C) $^ $(LIBS) -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(GAME_SRC)
-	$(OUT)/curtain-bare pack $(GAME) -o $@
+	$(SAY) "  MAKE  $@"
+	$(Q)$(OUT)/curtain-bare pack $(GAME) -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
-	$(OUT)/embed rom $(OUT)/game.rom > $@
+	$(SAY) "  MAKE  $@"
+	$(Q)$(OUT)/embed rom $(OUT)/game.rom > $@
 
 $(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/rom.o
-	$(CC) $(ALL_C) $^ $(LIBS) $(SDL_L) -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) $(SDL_L) -o $@
 
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
-	$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
 play: deps
 	@$(MAKE) --no-print-directory build/curtain
@@ -109,17 +123,20 @@ install: all
 
 $(OUT)/art: $(wildcard tools/art*.c)
 	@mkdir -p $(@D)
-	$(CC) $(SEMANTIC) -O2 -Wno-unused-function $^ -lm -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(SEMANTIC) -O2 -Wno-unused-function $^ -lm -o $@
 
 # ---- tests ----
 
 $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
 
 programs: $(OUT)/curtain $(OUT)/curtain-null $(UNIT) $(MACHINE)
 
@@ -149,8 +166,13 @@ fuzz: deps
 mutants: deps
 	@tests/mutants.sh
 
+$(OUT)/bench: tools/bench.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 bench: all
-	@tools/bench.sh
+	@$(MAKE) --no-print-directory $(OUT)/bench
+	@OUT=$(OUT) tools/bench.sh
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

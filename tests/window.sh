@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # window.sh - the desktop port in a real (virtual) X server: pixels, keys, sizes, no sound card.
+#
 #     tests/window.sh [CURTAIN ROM]     with both: also that a played frame is the frame `curtain render` makes
+#
 # Needs Xvfb, xdotool, xwd, ImageMagick, SDL2. CC and BUILD (a folder for what it makes) may be set. Exit 77: a tool is missing.
 set -u
 cd "$(dirname "$0")/.."
@@ -44,16 +46,22 @@ start() {
     "$@" >"$BUILD/out" 2>"$BUILD/err" &
     child=$!
     win=
-    until_true found "$title" || { fail "$*: no window: $(cat "$BUILD/err")"; return 1; }
-    xdotool windowfocus --sync "$win"
+    until_true found "$title" || { fail "$*: no window: $(cat "$BUILD/err")"; end; return 1; }
+    timeout 5 xdotool windowfocus --sync "$win"
     xdotool windowmove "$win" 0 0
 }
 found() { win=$(xdotool search --onlyvisible --name "^$1\$" 2>/dev/null | head -1); [ -n "$win" ]; }
 stop() {
     xdotool key Escape
     until_true gone || fail "does not end on Escape"
+    kill -KILL "$child" 2>/dev/null
     wait "$child"
     check "exit code" $? "$1"
+    child=
+}
+end() {
+    kill -KILL "$child" 2>/dev/null
+    wait "$child"
     child=
 }
 
@@ -79,7 +87,7 @@ for scale in 1 2 3; do
 done
 if start "port probe" "$BUILD/port_probe" show 240 160 2; then
     for size in 501x333 777x481 479x700 240x161 719x479 1000x163; do
-        xdotool windowsize --sync "$win" ${size/x/ }
+        timeout 5 xdotool windowsize --sync "$win" ${size/x/ }
         picture "window of $size" 240 160 ${size/x/ }
     done
     stop 0
@@ -90,10 +98,11 @@ if start "port probe" "$BUILD/port_probe" show 64 1000 0; then
 fi
 
 # Without a window manager X has no fullscreen.
+managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
 fullscreen() {
     openbox --sm-disable >/dev/null 2>&1 &
     wm=$!
-    until_true xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q window
+    until_true managed
     if start "port probe" "$BUILD/port_probe" show 240 160 2; then
         picture "window before" 240 160 480 320
         xdotool key --delay 100 f
@@ -133,7 +142,7 @@ if start "port probe" "$BUILD/port_probe" show 240 160 2; then
     kill -CONT $child
     xdotool keyup x
     until_true says "key 27 up" || fail "a key stays down when the window loses the keyboard"
-    xdotool windowfocus --sync "$win"
+    timeout 5 xdotool windowfocus --sync "$win"
     xdotool type q
     until_true says "text q" || fail "typed text does not arrive"
     xdotool mousemove --window "$win" 101 51 click 1

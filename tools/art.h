@@ -87,5 +87,6 @@ struct sheet art_reef(void);
 struct sheet art_logo(void);
 struct sheet art_font(void);
 struct sheet art_card(void);
+struct sheet art_bench(void);
 
 #endif

@@ -300,8 +300,8 @@ struct sheet art_sparks(void)
     DRAW(&s, 128, 0, 8, 8, d_circle, dot, 3.6);
     bubble(&s, 136, 0, 12);
     bubble(&s, 148, 0, 8);
-    hoop(&s, 160, 0, 6, 1.7, 1.2, 10);
-    sheet_set(&s, 162, 1, 15);
+    hoop(&s, 160, 0, 7, 2.6, 1.1, 10);
+    sheet_set(&s, 162, 2, 15);
     for (int i = 0; i < 8; i++)
         hoop(&s, 48 * i, 64, 48, 3 + 2.8 * i, i < 3 ? 3 : i < 5 ? 2 : 1.2, 15 - i);
     return s;

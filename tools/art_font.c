@@ -161,15 +161,15 @@ struct sheet art_font(void)
  * lines. */
 struct sheet art_card(void)
 {
-    static const char *const f[ROWS] = { "######..", "#.......", "#.......", "####....",
-                                         "#.......", "#.......", "#......#", "........" };
+    static const char *const f[ROWS] = { "........", ".#####..", ".#......", ".####...",
+                                         ".#......", ".#....#.", ".#......", "........" };
     static const double arrow[] = { -10, -2.5, 2, -2.5, 2, -7.5, 11, 0, 2, 7.5, 2, 2.5, -10, 2.5 };
     struct sheet s = sheet_new(128, 32, 0);
     struct paint *p = paint_new(24, 24);
     for (int y = 0; y < 16; y++) {
         for (int x = 0; x < 16; x++) {
             bool edge = x == 0 || y == 0 || x == 15 || y == 15;
-            sheet_set(&s, x, y, edge ? 15 : f[y / 2][x / 2] == '#' ? 11 : 4);
+            sheet_set(&s, x, y, edge ? 15 : f[y / 2][x / 2] == '#' ? 12 : 4);
             sheet_set(&s, 48 + x, y, edge || x == y || x == 15 - y ? 13 : 0);
         }
     }

@@ -57,7 +57,7 @@ return {
     glint   = { sheet = "sparks", x = 0,   y = 0,  w = 12, h = 12, frames = 4, every = 4 },
     crumb   = { sheet = "sparks", x = 48,  y = 0,  w = 8,  h = 8,  frames = 4, every = 3 },
     dot     = { sheet = "sparks", x = 128, y = 0,  w = 8,  h = 8 },
-    fizz    = { sheet = "sparks", x = 160, y = 0,  w = 6,  h = 6 },
+    fizz    = { sheet = "sparks", x = 160, y = 0,  w = 7,  h = 7 },
     halo    = { sheet = "sparks", x = 0,   y = 16, w = 48, h = 48, frames = 4, every = 5 },
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
@@ -69,5 +69,5 @@ return {
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
   },
   difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
-  players = 2, extends = { 200000, 600000 },
+  players = 2, extends = { 100000, 300000 },
 }

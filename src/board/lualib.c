@@ -40,7 +40,7 @@ void lualib_trace(lua_State *L)
 }
 
 /* Raises the value on top in a carrier; a carrier, which a __close handler may get, as it is. */
-static int raise(lua_State *L)
+static int throw_value(lua_State *L)
 {
     if (!lualib_raised(L, -1)) {
         lua_newuserdatauv(L, 0, 1);
@@ -52,14 +52,14 @@ static int raise(lua_State *L)
     return lua_error(L);
 }
 
-static int raise_at(lua_State *L, int level)
+static int throw_at(lua_State *L, int level)
 {
     if (lua_type(L, 1) == LUA_TSTRING && level > 0) {
         luaL_where(L, level);
         lua_pushvalue(L, 1);
         lua_concat(L, 2);
     }
-    return raise(L);
+    return throw_value(L);
 }
 
 static int base_error(lua_State *L)
@@ -67,7 +67,7 @@ static int base_error(lua_State *L)
     lua_Integer level = luaL_optinteger(L, 2, 1);
 
     lua_settop(L, 1);
-    return raise_at(L, level < 0 || level > INT16_MAX ? 0 : (int)level);
+    return throw_at(L, level < 0 || level > INT16_MAX ? 0 : (int)level);
 }
 
 static int base_assert(lua_State *L)
@@ -78,7 +78,7 @@ static int base_assert(lua_State *L)
     lua_remove(L, 1);
     lua_pushliteral(L, "assertion failed!");
     lua_settop(L, 1);
-    return raise_at(L, 1);
+    return throw_at(L, 1);
 }
 
 /* Message handler of pcall: keeps the first fault and its traceback, while the stack is still there. */
@@ -300,7 +300,7 @@ static bool listed(const char *list, const char *name)
 {
     size_t n = strlen(name);
 
-    for (const char *p = list; (p = strstr(p, name)) != NULL; p++)
+    for (const char *p = list; n && (p = strstr(p, name)) != NULL; p++)
         if ((p == list || p[-1] == ' ') && (p[n] == ' ' || p[n] == '\0'))
             return true;
     return false;

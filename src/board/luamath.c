@@ -12,10 +12,10 @@ static const double turn = 4294967296.0;                     /* an ang's 2^32 */
 static const double turn_per_radian = 683565275.57643158978; /* 2^32 / 2 pi */
 static const double radian_per_turn = 1.4629180792671596e-9; /* 2 pi / 2^32 */
 
-/* The nearest ang to x radians; false for NaN and the infinities. */
+/* The nearest ang to x radians; false for NaN and the infinities. Beyond 1e290 a double names no angle. */
 static bool to_angle(double x, ang *out)
 {
-    double t = fmod(x, 1e300) == x ? fmod(x * turn_per_radian, turn) : NAN;
+    double t = fmod(fmod(x, 1e290) * turn_per_radian, turn);
 
     if (t != t)
         return false;
@@ -61,6 +61,8 @@ static double direction(double y, double x)
 
     if (y != y || x != x)
         return NAN;
+    if (y == 0 && x == 0)
+        return signbit(x) ? copysign(turn / 2 * radian_per_turn, y) : y;
     if (isinf(y) || isinf(x)) {
         y = isinf(y) ? copysign(1, y) : copysign(0, y);
         x = isinf(x) ? copysign(1, x) : copysign(0, x);

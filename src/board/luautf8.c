@@ -152,10 +152,9 @@ static int utf8_offset(lua_State *L)
     size_t size;
     const char *s = luaL_checklstring(L, 1, &size), *end = s + size, *p;
     lua_Integer n = luaL_checkinteger(L, 2);
-    size_t from = luatext_position(luaL_optinteger(L, 3, n > 0 ? 1 : (lua_Integer)size + 1), size);
+    size_t from = luatext_position(luaL_optinteger(L, 3, n >= 0 ? 1 : (lua_Integer)size + 1), size);
 
     luaL_argcheck(L, from >= 1 && from - 1 <= size, 3, "position out of bounds");
-    vm_charge(L, size / 2);
     p = s + from - 1;
     if (n == 0) {
         while (p > s && p < end && is_continuation(*p))
@@ -166,6 +165,7 @@ static int utf8_offset(lua_State *L)
         n -= n > 0;
         p = walk(s, p, end, &n);
     }
+    vm_charge(L, (uint64_t)(p > s + from ? p - (s + from) : s + from - p));
     if (n == 0)
         lua_pushinteger(L, p - s + 1);
     else

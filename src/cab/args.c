@@ -135,7 +135,7 @@ static int edits(const char *a, const char *b)
 const char *args_near(const char *word, const char *const *list, int n)
 {
     const char *best = NULL;
-    int limit = 1 + (int)strlen(word) / 4;
+    int limit = strlen(word) < 3 ? -1 : 1 + (int)strlen(word) / 4;
 
     for (int i = 0; i < n; i++) {
         int e = edits(word, list[i]);

@@ -651,7 +651,7 @@ static void take_identity(struct demo *d, const struct cart *cart)
     d->game_hash = rom_game_hash(cart->rom);
     d->rom_hash = rom_hash(cart->rom);
     snprintf(d->id, sizeof d->id, "%s", cart->m.id);
-    snprintf(d->lua, sizeof d->lua, "%s", LUA_RELEASE + strlen("Lua "));
+    snprintf(d->lua, sizeof d->lua, "%s", &LUA_RELEASE[sizeof "Lua"]);
 }
 
 static void take_given_start(struct demo *d, const struct board_start *start)

@@ -2,11 +2,11 @@
 local craft = require "players/craft"
 
 shot.def("fang",  { sprite = "fang",   bank = 2, hit = { box = { 10, 10 } }, damage = 1, turns = true })
-shot.def("spine", { sprite = "sliver", bank = 2, hit = { box = { 6, 10 } }, damage = 1, turns = true })
+shot.def("spine", { sprite = "sliver", bank = 2, hit = { box = { 6, 10 } }, damage = 2, turns = true })
 
 local function fire(p, beads, focused, beat)
-  if beat % 5 == 0 then
-    local step = focused and 3 or 11
+  if beat % 6 == 0 then
+    local step = focused and 3 or 8
     for i = -2, 2 do
       shot.fire { kind = "fang", by = p, x = p.x + 3 * i, y = p.y - 10, dir = 270 + step * i, speed = 9 }
     end

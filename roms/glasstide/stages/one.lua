@@ -32,6 +32,7 @@ local function shallows()
 end
 
 local function deep()
+  stage.at(2090) stage.wave { kind = "krill", n = 6, every = 12, path = vault, run = habits.drip }
   stage.at(2180) stage.wave { kind = "urchin", n = 4, every = 44, path = fall, dx = 57, run = habits.bristle }
   stage.at(2420) stage.wave { kind = "fish", n = 4, every = 12, path = hover, dx = 26, run = habits.gild }
                  stage.wave { kind = "fish", n = 4, every = 12, path = hover, dx = 26, mirror = true, run = habits.gild }
@@ -55,7 +56,7 @@ stage.def("one", function()
   boss.fight("guard")
   bullet.clear { spark = "glint" }
   sea.speed(2.4)
-  stage.at(2140)
+  stage.at(2070)
   stage.mark("deep")
   deep()
   stage.mark("queen")

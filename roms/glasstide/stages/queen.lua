@@ -3,7 +3,7 @@
 -- Opens, hangs, turns aside and goes on: one half of the flower turns the other way.
 local function bloom(name, turn, bank)
   return motion.def { name = name,
-    { speed = 0.5, over = 34 }, { bank = bank, wait = 10 }, { turn = turn, over = 40 }, { speed = 2.1, over = 60 } }
+    { speed = 0.5, over = 34 }, { bank = bank }, { wait = 10 }, { turn = turn, over = 40 }, { speed = 2.1, over = 60 } }
 end
 local bloom_left, bloom_right = bloom("bloom left", 1.7, 2), bloom("bloom right", -1.7, 7)
 local drift = motion.def { { turn = 0.5, over = 120 } }
@@ -16,9 +16,9 @@ end
 -- 1. Two wheels turn against each other; a volley of blades looks for a way between them.
 local function wheels(e)
   task.go(function()
-    local n = by_difficulty { easy = 3, normal = 5, hard = 7 }
+    local n = by_difficulty { easy = 3, normal = 4, hard = 6 }
     while true do
-      wait(100)
+      wait(110)
       pattern.fan { from = e, dy = 4, n = n, spread = 50, aim = true, kind = "kunai", bank = 1, speed = 2.4,
                     each = function(a) a.n, a.speed_to = 3, 3.4 pattern.stack(a) end }
       wander(e, 90)
@@ -27,7 +27,7 @@ local function wheels(e)
   task.go(pattern.spiral, { from = e, dy = -6, kind = "orb", bank = 6, n = forever, arms = by_difficulty { easy = 2, normal = 3, hard = 4 },
                             step = -11, every = 9, speed = 1.4 })
   pattern.spiral { from = e, dy = -6, kind = "rice", bank = 5, n = forever, arms = by_difficulty { easy = 4, normal = 5, hard = 6 }, step = 7,
-                   every = 6, speed = 1.8 }
+                   every = 7, speed = 1.7 }
 end
 
 -- 2. The water stops. What hangs in it turns white, then half of it looks at you and half goes home.
@@ -36,10 +36,10 @@ local function held(e)
   while true do
     local n = by_difficulty { easy = 18, normal = 24, hard = 30 }
     for i = 1, 7 do
-      pattern.ring { from = e, dy = -6, kind = "pearl", bank = 6, tag = "breath", n = n, dir = 180 * i / n + loose, speed = 1.5 + 0.45 * i }
-      wait(7)
+      pattern.ring { from = e, dy = -6, kind = "orb", bank = 6, tag = "breath", n = n, dir = 180 * i / n + loose, speed = 2.6 }
+      wait(10)
     end
-    wait(22)
+    wait(18)
     breath.speed, breath.bank = 0, 0
     pattern.aimed { from = e, kind = "needle", bank = 3, n = by_difficulty { easy = 4, normal = 6, hard = 9 }, every = 5, speed = 3.2, lock = true }
     wait(30)
@@ -125,10 +125,10 @@ local function flower(e, full)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, phases = {
-  { id = "wheels", hp = 1700, time = 45 * 60, run = wheels },
+  { id = "wheels", hp = 1500, time = 45 * 60, run = wheels },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1600, time = 50 * 60, bonus = 30000, run = held },
   { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1700, time = 50 * 60, bonus = 30000, run = ebb },
-  { id = "flower", spell = "Last Sign: Thousand-Fathom Flower", hp = 2000, time = 60 * 60, bonus = 60000, run = function(e) flower(e, 2000) end } } })
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 2000, time = 60 * 60, bonus = 60000, run = function(e) flower(e, 2000) end } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, phases = {

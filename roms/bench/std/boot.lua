@@ -1,0 +1,3 @@
+-- boot.lua - in place of the standard one: no title, no menus; a player stands in the crowd from the first frame on.
+local sys = ...
+return { run = function() sys.join(1, "target") end }

@@ -1,0 +1,76 @@
+/*
+ * fuzz_demo.c - libFuzzer: any bytes as a demo. Odd inputs go in as they are; for even ones the records' CRCs are made
+ * good first. What is read must hang together, and must not be much larger than the file.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/cab/demo.h"
+
+static void repair(uint8_t *p, size_t n)
+{
+    uint32_t crc = 0;
+
+    memcpy(p, "CDEM\x01\0\0\0", 8);
+    for (size_t at = 8; n - at >= 12; at += 12 + get32(p + at + 4)) {
+        size_t size = get32(p + at + 4);
+        if (size > n - at - 12)
+            return;
+        crc = crc32_add(crc, p + at, 8 + size);
+        put32(p + at + 8 + size, crc);
+    }
+}
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static void check(const struct demo *d, size_t file_size)
+{
+    uint16_t pads[PADS];
+    uint64_t h = 0;
+
+    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
+    must(memchr(d->start.stage, 0, sizeof d->start.stage) != NULL && memchr(d->id, 0, sizeof d->id) != NULL);
+    must(d->frames <= file_size * 60 && d->seconds <= file_size);
+    must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
+    for (uint32_t f = 0; f <= d->frames; f++) {
+        demo_pads(d, f, pads);
+        must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
+    }
+    for (uint32_t i = 0; i < d->seconds * (uint32_t)d->parts; i++)
+        h += d->track[i];
+    for (uint32_t i = 0; i < d->seconds; i++)
+        must(demo_row_frame(d, i) <= d->frames);
+    h += hash_bytes(0, d->start.nvram, d->start.nvram_size);
+    must(h != 1); /* uses it */
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static struct demo d; /* large for a stack */
+    size_t n = size > 0 ? size - 1 : 0;
+    uint8_t *copy = malloc(n + (n == 0));
+    char err[256] = "";
+
+    if (copy == NULL)
+        return 0;
+    if (n > 0)
+        memcpy(copy, data + 1, n);
+    if (n >= 8 && data[0] % 2 == 0)
+        repair(copy, n);
+    if (demo_read(&d, copy, n, err, sizeof err))
+        check(&d, n);
+    else
+        must(err[0] != '\0' && d.pads == NULL && d.track == NULL);
+    demo_free(&d);
+    free(copy);
+    return 0;
+}

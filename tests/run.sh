@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# run.sh - runs test programs, two at a time, and counts every single test case.
+#
+#     OUT=build/release tests/run.sh [all|torture|sanitizer]
+#
+# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; torture:
+# only what has torture in its name, at length; sanitizer: the C programs, where any finding ends the program.
+# Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
+# output of a program stays in $OUT/results, and is shown when something in it failed. Exit 1: something failed.
+set -u
+cd "$(dirname "$0")/.." || exit 2
+what=${1:-all}
+export OUT=${OUT:-build/release} CMOCKA_MESSAGE_OUTPUT=TAP LC_ALL=C
+results=$OUT/results
+seconds=600 # longer is a hang
+
+# Reads a program's TAP and exit code; writes "passed failed".
+count() {
+    awk -v rc="$2" '
+        /^1\.\.[0-9]+/ { plans++; planned += substr($1, 4) }
+        /^(not )?ok([ \t]|$)/ {
+            ran++
+            if ($1 == "not" || toupper($0) ~ /# *(SKIP|TODO)/) failed++; else passed++
+        }
+        END {
+            if (!plans || planned != ran) { print "# " (plans ? "planned " planned ", ran " ran + 0 : "no plan") >"/dev/stderr"; failed++ }
+            if (rc != 0 && !failed) { print "# exit code " rc >"/dev/stderr"; failed++ }
+            print passed + 0, failed + 0
+        }' "$1" 2>>"$1.why"
+}
+
+# One program: its output, then its line. Lines of several programs do not mix: each is one write.
+one() {
+    local program=$1 name=${1#"$OUT/"} file
+    name=${name#tests/}
+    file=$results/${name//\//-}
+    local from=${EPOCHREALTIME/./}
+    timeout -k 5 "$seconds" "./$program" >"$file" 2>&1 </dev/null
+    local rc=$? passed failed
+    local took=$(((${EPOCHREALTIME/./} - from) / 100000))
+    : >"$file.why"
+    read -r passed failed < <(count "$file" $rc)
+    echo "$passed $failed" >"$file.count"
+    {
+        printf '%-32s %5d passed' "$name" "$passed"
+        [ "$failed" = 0 ] || printf ' %d FAILED' "$failed"
+        printf ' %4d.%d s\n' $((took / 10)) $((took % 10))
+        if [ "$failed" != 0 ]; then
+            grep -avP '^ok (?!.*# *(SKIP|TODO))' "$file" | sed 's/^/    /'
+            [ $rc -lt 128 ] || echo "    # killed by signal $((rc - 128))"
+            [ $rc -ne 124 ] || echo "    # took longer than $seconds s"
+            sed 's/^/    /' "$file.why"
+        fi
+    } >"$file.line"
+    cat "$file.line"
+}
+
+if [ "$what" = --one ]; then
+    one "$2"
+    exit 0
+fi
+
+programs=()
+add() { # those of the globs that exist; what make built of a test that is gone is left out
+    local f
+    for f in "$@"; do
+        case $f in *.d | *.o) continue ;; esac
+        [ -f "$f" ] || continue
+        case $f in "$OUT"/*) [ -f "tests/${f#"$OUT/"}.c" ] || continue ;; esac
+        programs+=("$f")
+    done
+}
+case $what in
+all) add "$OUT"/machine/test_* tests/machine/*.sh tests/golden/*.sh tests/cli/*.sh tests/house/*.sh "$OUT"/unit/test_* ;;
+torture)
+    export CURTAIN_LONG=1
+    seconds=3600
+    add "$OUT"/unit/test_*torture* "$OUT"/machine/test_*torture* tests/machine/*torture*.sh
+    ;;
+sanitizer)
+    export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+    seconds=1800
+    add "$OUT"/machine/test_* "$OUT"/unit/test_*
+    ;;
+*)
+    echo "tests/run.sh: \"$what\" is none of all, torture, sanitizer" >&2
+    exit 2
+    ;;
+esac
+
+rm -rf "$results"
+mkdir -p "$results"
+if [ ${#programs[@]} = 0 ]; then
+    echo "tests/run.sh: nothing to run below $OUT" >&2
+    echo "0 passed, 1 failed"
+    exit 1
+fi
+printf '%s\0' "${programs[@]}" | xargs -0 -n 1 -P 2 "$0" --one
+# A program whose count is missing was lost with its runner.
+for program in "${programs[@]}"; do
+    name=${program#"$OUT/"}
+    name=${name#tests/}
+    cat "$results/${name//\//-}.count" 2>/dev/null || echo "0 1"
+done | awk '{ p += $1; f += $2 } END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 }'

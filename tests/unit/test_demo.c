@@ -1,0 +1,647 @@
+/*
+ * test_demo.c - demo.h: recordings of a small game, written, read, cut, damaged and gone back in. The game faults when
+ * select is down.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/demo.h"
+#include "../../src/cab/pack.h"
+
+enum { MAX_LUMPS = 64, MOST = 1 << 20 };
+
+static char dir[256], path[300], err[512];
+static uint8_t rom_bytes[1 << 20];
+static struct rom rom;
+static struct cart cart;
+static void *ram_block, *ram;
+static size_t ram_size;
+
+/* ---- a game ---- */
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
+}
+
+static void make_rom(void)
+{
+    static const char script[] = "task.go(function()\n"
+                                 "  while true do if pad.down(\"select\") then error(\"select\") end wait(1) end\n"
+                                 "end)\n";
+    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE];
+    static char names[MAX_LUMPS][64];
+    struct lump lumps[MAX_LUMPS];
+    struct manifest m;
+    int n = 0;
+
+    manifest_default(&m);
+    manifest_pack(&m, manifest);
+    lumps[n++] = (struct lump){ "manifest", manifest, sizeof manifest };
+    lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
+    lumps[n++] = (struct lump){ "script/main.lua", (const uint8_t *)script, sizeof script - 1 };
+    for (int i = 0; i < std_script_count; i++, n++) {
+        snprintf(names[n], sizeof names[n], "script/@std/%s.lua", std_scripts[i].name);
+        lumps[n] = (struct lump){ names[n], std_scripts[i].data, (uint32_t)std_scripts[i].size };
+    }
+    qsort(lumps, (size_t)n, sizeof lumps[0], by_name);
+    assert_true(rom_write_size(lumps, n) <= sizeof rom_bytes);
+    rom_write(rom_bytes, lumps, n);
+    if (!rom_open(&rom, rom_bytes, rom_write_size(lumps, n), err, sizeof err) ||
+        !cart_open(&cart, &rom, err, sizeof err) || !board_size(&rom, &ram_size, err, sizeof err))
+        fail_msg("%s", err);
+    ram_block = malloc(ram_size + 16);
+    ram = (uint8_t *)ram_block + (16 - (uintptr_t)ram_block % 16) % 16;
+}
+
+static int setup(void **state)
+{
+    const char *tmp = getenv("TMPDIR");
+
+    (void)state;
+    snprintf(dir, sizeof dir, "%s/Demo-XXXXXX", tmp != NULL ? tmp : "/tmp");
+    if (mkdtemp(dir) == NULL)
+        return -1;
+    snprintf(path, sizeof path, "%s/a.demo", dir);
+    make_rom();
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    remove(path);
+    rmdir(dir);
+    free(ram_block);
+    return 0;
+}
+
+static struct board *power(const struct board_start *start)
+{
+    struct board *b = board_power(ram, ram_size, &rom, start, false, err, sizeof err);
+
+    if (b == NULL || board_last(b)->fault != NULL)
+        fail_msg("%s", b ? board_last(b)->fault->message : err);
+    return b;
+}
+
+/* Any pads but select, held for some frames as by hands. */
+static void next_pads(struct rng *r, uint16_t pads[PADS])
+{
+    for (int i = 0; i < PADS; i++) {
+        if (rng_below(r, 8) == 0)
+            pads[i] = (uint16_t)(rng_below(r, PAD_ALL + 1) & ~(uint64_t)PAD_SELECT);
+    }
+}
+
+/* Ticks and records n frames. */
+static void play(struct demo_writer *w, struct board *b, struct rng *r, uint32_t n)
+{
+    uint16_t pads[PADS] = { 0 };
+
+    for (uint32_t i = 0; i < n; i++) {
+        next_pads(r, pads);
+        board_tick(b, pads);
+        assert_true(demo_frame(w, b, pads));
+    }
+}
+
+/* ---- comparing ---- */
+
+static void same(const struct demo *a, const struct demo *b)
+{
+    assert_int_equal(a->core, b->core);
+    assert_true(a->game_hash == b->game_hash && a->rom_hash == b->rom_hash);
+    assert_string_equal(a->id, b->id);
+    assert_string_equal(a->lua, b->lua);
+    assert_true(a->start.seed == b->start.seed);
+    assert_memory_equal(a->start.dip, b->start.dip, sizeof a->start.dip);
+    assert_int_equal(a->start.difficulty, b->start.difficulty);
+    assert_string_equal(a->start.stage, b->start.stage);
+    assert_int_equal(a->start.nvram_size, b->start.nvram_size);
+    assert_memory_equal(a->nvram, b->nvram, a->start.nvram_size);
+    assert_int_equal(a->flags, b->flags);
+    assert_int_equal(a->parts, b->parts);
+    for (int i = 0; i < a->parts; i++)
+        assert_string_equal(a->part[i], b->part[i]);
+    assert_int_equal(a->frames, b->frames);
+    if (a->frames)
+        assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
+    assert_int_equal(a->seconds, b->seconds);
+    if (a->seconds)
+        assert_memory_equal(a->track, b->track, a->seconds * (size_t)a->parts * sizeof a->track[0]);
+    assert_int_equal(a->complete, b->complete);
+    assert_int_equal(a->fault, b->fault);
+}
+
+static void loads(struct demo *d)
+{
+    if (!demo_load(d, path, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+/* Records n frames into the file; the writer holds them too. */
+static void record(struct demo_writer *w, const struct board_start *start, uint32_t n)
+{
+    struct rng r;
+    struct board *b = power(start);
+
+    rng_seed(&r, n);
+    assert_true(demo_begin(w, path, &cart, b, start, 0));
+    play(w, b, &r, n);
+    assert_true(demo_end(w, b));
+}
+
+static uint8_t file[MOST];
+
+static size_t file_bytes(void)
+{
+    long n = plat_load(path, file, sizeof file);
+
+    assert_true(n > 0 && n < MOST);
+    return (size_t)n;
+}
+
+/* ---- tests ---- */
+
+static void test_round_trip(void **state)
+{
+    static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 119, 120, 200, 1000 };
+    struct board_start start = { .seed = 0xfedcba9876543210u, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        record(&w, &start, lengths[i]);
+        loads(&d);
+        same(&d, &w.demo);
+        assert_true(d.complete);
+        assert_int_equal(d.frames, lengths[i]);
+        assert_int_equal(d.seconds, 1 + (lengths[i] + 59) / 60);
+        assert_int_equal(demo_row_frame(&d, d.seconds - 1), lengths[i]);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+/* The track holds what the board said at those frames. */
+static void test_track(void **state)
+{
+    struct board_start start = { .seed = 5, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    uint64_t hashes[MAX_PARTS];
+    uint16_t pads[PADS];
+    struct demo d;
+
+    (void)state;
+    record(&w, &start, 130);
+    loads(&d);
+    struct board *b = power(&d.start);
+    for (uint32_t f = 0, row = 0; f <= 130; f++) {
+        if (f == demo_row_frame(&d, row)) {
+            board_hashes(b, hashes);
+            assert_memory_equal(hashes, d.track + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
+            row++;
+        }
+        demo_pads(&d, f, pads);
+        board_tick(b, pads);
+    }
+    demo_pads(&d, 130, pads);
+    assert_true(pads[0] == 0 && pads[1] == 0);
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+static void fill_nvram(uint8_t *p, size_t n, int kind)
+{
+    struct rng r;
+
+    rng_seed(&r, (uint64_t)kind);
+    for (size_t i = 0; i < n; i++)
+        p[i] = kind == 0 ? 0 : kind == 1 ? (uint8_t)rng_next(&r) : kind == 2 ? (uint8_t)(i / 2) : (uint8_t)(i / 131);
+}
+
+static void test_start(void **state)
+{
+    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, NVRAM_BYTES };
+    static uint8_t nvram[NVRAM_BYTES];
+    struct board_start start = { .seed = 1, .difficulty = 0, .nvram = nvram };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (int i = 0; i < MAX_DIPS; i++)
+        start.dip[i] = i < cart.m.n_dips ? 0 : -i * 100000000;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        for (int kind = 0; kind < 4; kind++) {
+            struct board *b = power(&(struct board_start){ .seed = 1, .difficulty = -1 });
+            start.nvram_size = sizes[i];
+            fill_nvram(nvram, sizes[i], kind);
+            assert_true(demo_begin(&w, path, &cart, b, &start, DEMO_ASSISTED));
+            assert_true(demo_end(&w, b));
+            loads(&d);
+            same(&d, &w.demo);
+            assert_memory_equal(d.start.nvram, nvram, sizes[i]);
+            assert_int_equal(d.flags, DEMO_ASSISTED);
+            demo_free(&d);
+            demo_free(&w.demo);
+        }
+    }
+}
+
+/* A crash: the file holds all but the second that was going on. */
+static void test_crash(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct board *b = power(&start);
+    struct demo_writer w = { .on = false };
+    struct rng r;
+    struct demo d;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    for (uint32_t f = 0; f < 250; f++) {
+        loads(&d);
+        assert_false(d.complete);
+        assert_int_equal(d.frames, f / 60 * 60);
+        assert_int_equal(d.seconds, f / 60 + 1);
+        if (d.frames)
+            assert_memory_equal(d.pads, w.demo.pads, d.frames * sizeof d.pads[0]);
+        demo_free(&d);
+        play(&w, b, &r, 1);
+    }
+    demo_free(&w.demo);
+}
+
+static void test_cut(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+    uint32_t frames = 0;
+
+    (void)state;
+    record(&w, &start, 200);
+    size_t n = file_bytes();
+    for (size_t i = 0; i < n; i++) {
+        uint8_t *part = malloc(i + 1); /* so that a sanitizer sees a byte too far */
+        memcpy(part, file, i);
+        bool ok = demo_read(&d, part, i, err, sizeof err);
+        free(part);
+        if (!ok) {
+            assert_int_equal(frames, 0);
+            continue;
+        }
+        assert_false(d.complete);
+        assert_true(d.frames >= frames && (d.frames % 60 == 0 || d.frames == 200));
+        frames = d.frames;
+        demo_free(&d);
+    }
+    assert_int_equal(frames, 200);
+    demo_free(&w.demo);
+}
+
+static void test_flips(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    record(&w, &start, 100);
+    size_t n = file_bytes();
+    for (size_t i = 0; i < n * 8; i++) {
+        file[i / 8] ^= (uint8_t)(1 << i % 8);
+        if (demo_read(&d, file, n, err, sizeof err)) {
+            assert_false(d.complete); /* a length: it looks cut */
+            demo_free(&d);
+        }
+        file[i / 8] ^= (uint8_t)(1 << i % 8);
+    }
+    demo_free(&w.demo);
+}
+
+/* ---- records by hand ---- */
+
+static size_t record_at(int i)
+{
+    size_t at = 8;
+
+    while (i-- > 0)
+        at += 12 + get32(file + at + 4);
+    return at;
+}
+
+/* Makes all CRCs good again. */
+static void repair(size_t n)
+{
+    uint32_t crc = 0;
+
+    for (size_t at = 8; n - at >= 12; at += 12 + get32(file + at + 4)) {
+        size_t size = get32(file + at + 4);
+        if (size > n - at - 12)
+            return;
+        crc = crc32_add(crc, file + at, 8 + size);
+        put32(file + at + 8 + size, crc);
+    }
+}
+
+static void refused(size_t n, const char *part)
+{
+    struct demo d;
+
+    err[0] = 0;
+    assert_false(demo_read(&d, file, n, err, sizeof err));
+    assert_null(d.pads);
+    assert_null(d.track);
+    if (strstr(err, part) == NULL)
+        fail_msg("\"%s\" does not say \"%s\"", err, part);
+}
+
+/* Changes a byte, makes the CRCs good, and expects a refusal. */
+static void refused_with(size_t n, size_t at, int value, const char *part)
+{
+    uint8_t old = file[at];
+
+    file[at] = (uint8_t)value;
+    repair(n);
+    refused(n, part);
+    file[at] = old;
+    repair(n);
+}
+
+static void test_order(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+
+    (void)state;
+    record(&w, &start, 300);
+    size_t n = file_bytes(), from = record_at(3), to = record_at(4);
+    memmove(file + from, file + to, n - to); /* a lost second: each record alone is good */
+    refused(n - (to - from), "CRC");
+    n = file_bytes();
+    file[n] = 0;
+    refused(n + 1, "has 1 bytes after its end");
+    demo_free(&w.demo);
+}
+
+static void test_nonsense(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+
+    (void)state;
+    record(&w, &start, 100);
+    size_t n = file_bytes(), head = record_at(0) + 8, first = record_at(1) + 8, second = record_at(2) + 8;
+    size_t end = record_at(4) + 8;
+    refused(0, "not a demo");
+    refused(7, "not a demo");
+    refused(8, "cut short in its header");
+    refused_with(n, 0, 'X', "not a demo");
+    refused_with(n, 4, 9, "demo format 9, this build reads 1");
+    refused_with(n, record_at(0), 'S', "damaged (no header)");
+    refused_with(n, record_at(1), 'X', "damaged (kind or size)");
+    refused_with(n, record_at(2), 'H', "damaged (a second header)");
+    refused_with(n, head + 21, 'A', "damaged (header)"); /* the game's id */
+    refused_with(n, head + 21, 27, "damaged (header)");
+    refused_with(n, head + 20, 200, "damaged");
+    refused_with(n, first + 4, 1, "damaged (number of frames)");
+    refused_with(n, first + 6, 0, "damaged (number of frames)");
+    refused_with(n, second, 1, "damaged (frames out of order)");
+    refused_with(n, second + 4, 61, "damaged (number of frames)");
+    refused_with(n, second + 4, 59, "damaged (pads)");
+    refused_with(n, second + 5, 0, "damaged (pads)");
+    refused_with(n, second + 6, 2, "damaged (frames out of order)");
+    refused_with(n, second + 6, 0, "damaged (size)");
+    refused_with(n, second + 8, 0, "damaged (pads)");
+    refused_with(n, second + 9, 0xff, "damaged (pads)");  /* a run far longer than the second */
+    refused_with(n, second + 11, 0x80, "damaged (pads)"); /* a button that is none */
+    refused_with(n, end, 99, "damaged (end mark)");
+    refused_with(n, end + 4, FAULT_INTERRUPTED, "damaged (end mark)");
+    refused_with(n, end + 4, FAULT_SCRIPT, "the end does not match the track");
+    demo_free(&w.demo);
+}
+
+/* An nvram that would unpack to more than there is room for, or to less than it says. */
+static void test_nvram_lies(void **state)
+{
+    static uint8_t nvram[1000];
+    struct board_start start = { .difficulty = -1, .nvram = nvram, .nvram_size = sizeof nvram };
+    struct board *b = power(&(struct board_start){ .difficulty = -1 });
+    struct demo_writer w = { .on = false };
+
+    (void)state;
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    assert_true(demo_end(&w, b));
+    size_t n = file_bytes(), coded = record_at(1) - 4 - 16, size = coded - 4; /* 8 runs, 2 bytes each */
+    assert_int_equal(get32(file + size), 1000);
+    refused_with(n, size, 0xe7, "damaged (nvram)");
+    refused_with(n, size, 0xe9, "damaged (nvram)");
+    refused_with(n, size + 2, 1, "damaged (nvram)");
+    refused_with(n, coded, 200, "damaged (nvram)");
+    refused_with(n, coded + 14, 127, "damaged (nvram)");
+    demo_free(&w.demo);
+}
+
+/* ---- going back, ends ---- */
+
+static void test_rewind(void **state)
+{
+    static const uint32_t to[] = { 0, 1, 59, 60, 61, 120, 149, 150 };
+    struct board_start start = { .seed = 3, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof to / sizeof to[0]; i++) {
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, i);
+        assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+        play(&w, b, &r, 150);
+        b = power(&start); /* go back: the same frames again */
+        for (uint32_t f = 0; f < to[i]; f++)
+            board_tick(b, w.demo.pads[f]);
+        assert_true(demo_rewind(&w, to[i]));
+        play(&w, b, &r, 75);
+        assert_true(demo_end(&w, b));
+        loads(&d);
+        same(&d, &w.demo);
+        assert_int_equal(d.frames, to[i] + 75);
+        assert_int_equal(d.seconds, 1 + (d.frames + 59) / 60);
+        assert_int_equal(d.flags, DEMO_BRANCHED);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+static void test_flags(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct board *b = power(&start);
+    struct demo_writer w = { .on = false };
+    struct rng r;
+    struct demo d;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    play(&w, b, &r, 70);
+    assert_true(demo_flag(&w, DEMO_ASSISTED));
+    loads(&d);
+    assert_int_equal(d.flags, DEMO_ASSISTED); /* at once, not at the end */
+    demo_free(&d);
+    assert_true(demo_flag(&w, DEMO_TOUCHED));
+    play(&w, b, &r, 70);
+    assert_true(demo_end(&w, b));
+    loads(&d);
+    assert_int_equal(d.flags, DEMO_ASSISTED | DEMO_TOUCHED);
+    same(&d, &w.demo);
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* A run that ends in a fault holds the tick that faulted, and no hash after it. */
+static void test_fault(void **state)
+{
+    static const uint32_t at[] = { 0, 30, 59, 60, 119 };
+    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, i);
+        assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+        play(&w, b, &r, at[i]);
+        board_tick(b, select);
+        assert_non_null(board_last(b)->fault);
+        assert_true(demo_frame(&w, b, select));
+        assert_true(demo_end(&w, b));
+        loads(&d);
+        same(&d, &w.demo);
+        assert_true(d.complete);
+        assert_int_equal(d.fault, FAULT_SCRIPT);
+        assert_int_equal(d.frames, at[i] + 1);
+        assert_int_equal(d.seconds, 1 + at[i] / 60);
+        assert_int_equal(d.pads[at[i]][0], PAD_SELECT);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+/* Only the last second has no hashes. */
+static void test_after_fault(void **state)
+{
+    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    struct board_start start = { .difficulty = -1 };
+    struct board *b = power(&start);
+    struct demo_writer w = { .on = false };
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    play(&w, b, &r, 59);
+    board_tick(b, select);
+    assert_true(demo_frame(&w, b, select) && demo_end(&w, b));
+    size_t n = file_bytes(), end = record_at(3);
+    assert_int_equal(file[end], 'E');
+    assert_int_equal(n, end + 20);
+    memmove(file + end, file + record_at(2), end - record_at(2)); /* the second once more, as the next one */
+    n = end + (end - record_at(2));
+    file[end + 8] = 60;
+    repair(n);
+    refused(n, "frames out of order");
+    demo_free(&w.demo);
+}
+
+/* Where nothing can be written the recording goes on in memory, and says so once. */
+static void test_no_file(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct board *b = power(&start);
+    struct demo_writer w = { .on = false };
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_false(demo_begin(&w, dir, &cart, b, &start, 0)); /* a folder has that name */
+    assert_non_null(strstr(w.err, "cannot be written"));
+    assert_non_null(strstr(w.err, dir));
+    play(&w, b, &r, 130);
+    assert_int_equal(w.demo.frames, 130);
+    assert_true(demo_end(&w, b));
+    demo_free(&w.demo);
+}
+
+static void test_idle_writer(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct board *b = power(&start);
+    struct demo_writer w = { .on = false };
+    uint16_t pads[PADS] = { 0 };
+
+    (void)state;
+    assert_true(demo_frame(&w, b, pads) && demo_flag(&w, 1) && demo_rewind(&w, 0) && demo_end(&w, b));
+    assert_int_equal(w.demo.frames, 0);
+    assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
+    assert_true(demo_end(&w, b) && demo_end(&w, b));
+    demo_free(&w.demo);
+}
+
+static void test_fits(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+    char buf[128];
+
+    (void)state;
+    record(&w, &start, 1);
+    loads(&d);
+    assert_true(demo_fits(&d, &cart, err, sizeof err));
+    assert_null(demo_doubt(&d, &cart, buf, sizeof buf));
+    d.game_hash++;
+    assert_string_equal(demo_doubt(&d, &cart, buf, sizeof buf), "recorded on another build");
+    d.core += 6;
+    assert_non_null(strstr(demo_doubt(&d, &cart, buf, sizeof buf), "recorded on core version"));
+    d.id[0] = 'z';
+    assert_false(demo_fits(&d, &cart, err, sizeof err));
+    assert_non_null(strstr(err, "another game"));
+    demo_free(&d);
+    assert_false(demo_load(&d, dir, err, sizeof err));
+    assert_non_null(strstr(err, dir));
+    demo_free(&w.demo);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_trip),  cmocka_unit_test(test_track),    cmocka_unit_test(test_start),
+        cmocka_unit_test(test_crash),       cmocka_unit_test(test_cut),      cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_order),       cmocka_unit_test(test_nonsense), cmocka_unit_test(test_nvram_lies),
+        cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),    cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),  cmocka_unit_test(test_idle_writer),
+        cmocka_unit_test(test_fits),
+    };
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
