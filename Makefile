@@ -166,7 +166,7 @@ fuzz: deps
 mutants: deps
 	@tests/mutants.sh
 
-$(OUT)/bench: tools/bench.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 

@@ -1,7 +1,7 @@
 # tap.sh - sourced by the test scripts: TAP for shell. The current folder is the repository's.
 #
 #     check "name" command...     passes when the command succeeds; what it says is shown when it does not
-#     refuse "name" command...    passes when the command fails: a planted fault is found
+#     refuse "name" "words" command...    passes when the command fails and says the words: a planted fault is found
 #     done_testing                the plan; the last line of a script
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
@@ -27,9 +27,12 @@ check() {
     result $? "$name"
 }
 refuse() {
-    local name=$1
-    shift
-    if "$@" >"$scratch/said" 2>&1; then result 1 "$name"; else result 0 "$name"; fi
+    local name=$1 words=$2
+    shift 2
+    if "$@" >"$scratch/said" 2>&1; then result 1 "$name"; else
+        grep -qF -- "$words" "$scratch/said"
+        result $? "$name"
+    fi
 }
 done_testing() {
     echo "1..$tap_n"
@@ -37,5 +40,7 @@ done_testing() {
 }
 # The files of the repository as they are now: new ones too, removed ones not.
 tree() {
-    git ls-files -co --exclude-standard -- "$@" | while read -r f; do [ -f "$f" ] && echo "$f"; done
+    git ls-files -co --exclude-standard -- "$@" | while read -r f; do
+        [ ! -f "$f" ] || echo "$f"
+    done
 }

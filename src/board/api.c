@@ -560,10 +560,10 @@ static void fold_value(lua_State *L, struct board *b, int at)
     }
 }
 
-static void fold_arguments(lua_State *L, struct board *b, int entry, const struct api_value *v, int n)
+static void fold_arguments(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
 {
     b->script.calls++;
-    script_fold(b, 0x1000 + (uint64_t)entry);
+    script_fold(b, entry);
     for (int i = 0; i < n; i++)
         if (v[i].given) {
             script_fold(b, (uint64_t)i);
@@ -603,7 +603,8 @@ static const struct api_entry *fire_entry(void)
     return entry_named("bullet.fire");
 }
 
-/* Every API function. Upvalue 1: the entry's address as light userdata; 2: its number. */
+/* Every API function. Upvalue 1: the entry's address as light userdata; 2: a hash of its name, which stands for it in the
+ * digest, so that further entries do not change old demos. */
 static int call(lua_State *L)
 {
     const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1));
@@ -616,7 +617,7 @@ static int call(lua_State *L)
         return api_error(L, e->name, "call it with a colon, on a thing");
     arguments(L, e, v);
     if (e->flags & API_CHANGES)
-        fold_arguments(L, b, (int)lua_tointeger(L, lua_upvalueindex(2)), v, e->count);
+        fold_arguments(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, e->count);
     int results = e->run(L, b, v);
     if (e->flags & API_CHANGES)
         for (int i = -results; i < 0; i++)
@@ -784,21 +785,21 @@ static void open_handles(lua_State *L)
 
 /* ---- opening ---- */
 
-static void push_function(lua_State *L, const struct api_entry *e, int number)
+static void push_function(lua_State *L, const struct api_entry *e)
 {
     lua_pushlightuserdata(L, (void *)(uintptr_t)e);
-    lua_pushinteger(L, number);
+    lua_pushinteger(L, (lua_Integer)hash_bytes(HASH_START, e->name, strlen(e->name)));
     lua_pushcclosure(L, call, 2);
 }
 
 /* "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
-static void install(lua_State *L, const struct api_entry *e, int number, int sys)
+static void install(lua_State *L, const struct api_entry *e, int sys)
 {
     const char *split = strpbrk(e->name, ".:");
     char space[32];
 
     if (!split) {
-        push_function(L, e, number);
+        push_function(L, e);
         lua_setglobal(L, e->name);
         return;
     }
@@ -815,7 +816,7 @@ static void install(lua_State *L, const struct api_entry *e, int number, int sys
         lua_pushvalue(L, -1);
         lua_setglobal(L, space);
     }
-    push_function(L, e, number);
+    push_function(L, e);
     lua_setfield(L, -2, split + 1);
     lua_pop(L, 1);
 }
@@ -840,7 +841,7 @@ void api_open(lua_State *L)
     int sys = lua_gettop(L);
     for (int i = 0; i < api_count(); i++)
         if (!(api_entry(i)->flags & API_LUA))
-            install(L, api_entry(i), i, sys);
+            install(L, api_entry(i), sys);
     lua_pushcfunction(L, sys_check);
     lua_setfield(L, sys, "check");
     api_rom_open(L);

@@ -109,6 +109,8 @@ static const struct api_entry entries[] = {
     LUA("stage.wave", wave, 0, 0, NULL, "n enemies along a path, one each every frames; returns at once"),
     LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
+    { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
+      "is the stage being run through, to the mark it starts at?" },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL, "declares a boss: phases = { { id, hp, time, run, ... }, ... }"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL, "one phase of boss.def"),
     LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),

@@ -155,7 +155,6 @@ static void lay_out(struct board *b)
     uint32_t cap[PARTS];
 
     b->hand = (struct hand *)next;
-    memset(b->hand, 0, sizeof *b->hand);
     next += aligned(sizeof *b->hand);
     capacities(&b->cart.m, cap);
     for (int i = 0; i < PARTS; i++) {
@@ -169,7 +168,8 @@ static void lay_out(struct board *b)
     b->events = (struct events){ .cap = (uint32_t)event_room(&b->cart.m), .list = (struct event *)next };
     next += aligned(event_room(&b->cart.m) * sizeof(struct event));
     set_up(b);
-    b->vm = (struct vm){ .heap = (struct heap *)next, .counting = b->vm.counting };
+    b->vm.heap = (struct heap *)next;
+    b->vm.L = b->vm.running = NULL;
 }
 
 static bool boot(struct board *b)
@@ -205,11 +205,14 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
         return NULL;
     }
     lay_out(b);
+    memset(b->hand, 0, sizeof *b->hand);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
     if (!boot(b)) {
         snprintf(err, err_size, "board.lua_kib = %d is too little to start Lua", b->cart.m.lua_kib);
         return NULL;
     }
+    b->hand->out.log = b->hand->log;
+    b->hand->out.log_size = b->hand->log_size;
     return b;
 }
 

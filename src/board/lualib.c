@@ -89,6 +89,7 @@ static int note_fault(lua_State *L)
         return 1;
     }
     lua_settop(L, 1);
+    vm_place(L);
     lua_pushvalue(L, 1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &fault_key);
     luaL_traceback(L, L, NULL, 1);

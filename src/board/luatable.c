@@ -289,10 +289,10 @@ static size_t add_field(lua_State *L, luaL_Buffer *out, lua_Integer i)
     int type = lua_geti(L, 1, i);
     size_t n;
 
-    if (type == LUA_TNUMBER) {
+    if (type == LUA_TNUMBER && !lua_isinteger(L, -1)) {
         luatext_push_number(L, -1);
         lua_remove(L, -2);
-    } else if (type != LUA_TSTRING) {
+    } else if (type != LUA_TNUMBER && type != LUA_TSTRING) {
         luaL_error(L, "invalid value (at index %I) in table for 'concat'", (LUAI_UACINT)i);
     }
     lua_tolstring(L, -1, &n);

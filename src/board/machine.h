@@ -48,6 +48,8 @@ struct hand {
     struct board_fault fault;
     size_t log_size;
     char log[4096];
+    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
+    bool deep;               /* it was in many nested calls */
 };
 
 struct board {

@@ -9,6 +9,7 @@
 #include <lua.h>
 #include <stdio.h>
 #include <string.h>
+#include "../base/heap.h"
 
 static const char no_power[] =
     "the operator ^ is not available (results differ between machines); use x*x or math.sqrt";
@@ -236,9 +237,15 @@ bool script_scan(const char *text, size_t n, int *line, const char **what)
     return true;
 }
 
-static bool compile(const char *text, size_t n, const char *chunk, char *err, size_t err_size)
+static void *allocate(void *heap, void *p, size_t old, size_t size)
 {
-    lua_State *lua = luaL_newstate();
+    return heap_realloc(heap, p, p == NULL ? 0 : old, size);
+}
+
+static bool compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
+                    size_t err_size)
+{
+    lua_State *lua = lua_newstate(allocate, heap_init(work, work_size));
     bool good;
 
     if (lua == NULL) {
@@ -255,7 +262,8 @@ static bool compile(const char *text, size_t n, const char *chunk, char *err, si
     return good;
 }
 
-bool script_check(const char *text, size_t n, const char *chunk, char *err, size_t err_size)
+bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
+                  size_t err_size)
 {
     const char *what;
     int line;
@@ -268,5 +276,5 @@ bool script_check(const char *text, size_t n, const char *chunk, char *err, size
         snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
         return false;
     }
-    return compile(text, n, chunk, err, err_size);
+    return compile(text, n, chunk, work, work_size, err, err_size);
 }

@@ -13,8 +13,9 @@
  * nothing. */
 bool script_scan(const char *text, size_t n, int *line, const char **what);
 
-/* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; err gets "stages/one.lua:42: what".
- */
-bool script_check(const char *text, size_t n, const char *chunk, char *err, size_t err_size);
+/* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; work is work_size bytes
+ * to think in, 16-byte aligned, at least HEAP_MIN; too few are said to be. err gets "stages/one.lua:42: what". */
+bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
+                  size_t err_size);
 
 #endif

@@ -14,12 +14,47 @@
 #include "machine.h"
 #include "script.h"
 
+/* Where the nearest caller outside @std stands, or the nearest at all: "FILE:LINE: ", or "". Allocates nothing. Level 0
+ * is a C function, or in a hook the function that was interrupted. */
+static void find_place(lua_State *L, char *place, size_t size)
+{
+    lua_Debug ar;
+
+    place[0] = 0;
+    for (int level = 0; lua_getstack(L, level, &ar); level++) {
+        lua_getinfo(L, "Sl", &ar);
+        bool std = strncmp(ar.short_src, "@std/", 5) == 0;
+        if (ar.currentline <= 0 || (std && place[0]))
+            continue;
+        snprintf(place, size, "%s:%d: ", ar.short_src, ar.currentline);
+        if (!std)
+            return;
+    }
+}
+
+enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
+
+/* An allocation failed. When collecting does not help, the error that follows has lost its stack. */
+static void note_shortage(struct board *b)
+{
+    struct hand *h = b->hand;
+    lua_Debug ar;
+
+    if (!b->vm.running)
+        return;
+    find_place(b->vm.running, h->shortage, sizeof h->shortage);
+    h->deep = lua_getstack(b->vm.running, DEEP, &ar);
+}
+
 static void *allocate(void *ud, void *p, size_t old, size_t size)
 {
     struct board *b = ud;
-
     /* For a new block Lua passes a type in place of the old size. */
-    return heap_realloc(b->vm.heap, p, p ? old : 0, size);
+    void *q = heap_realloc(b->vm.heap, p, p ? old : 0, size);
+
+    if (!q && size)
+        note_shortage(b);
+    return q;
 }
 
 struct board *vm_board(lua_State *L)
@@ -29,37 +64,38 @@ struct board *vm_board(lua_State *L)
 
 /* ---- faults ---- */
 
-/* Pushes "FILE:LINE: " of the nearest caller outside @std, or of the nearest at all. */
-static void push_place(lua_State *L)
+/* Does it start with "FILE:LINE: "? */
+static bool has_place(const char *message)
 {
-    lua_Debug ar, nearest;
-    bool found = false;
-
-    for (int level = 1; lua_getstack(L, level, &ar); level++) {
-        lua_getinfo(L, "Sl", &ar);
-        if (ar.currentline <= 0)
-            continue;
-        if (strncmp(ar.short_src, "@std/", 5)) {
-            lua_pushfstring(L, "%s:%d: ", ar.short_src, ar.currentline);
-            return;
-        }
-        if (!found)
-            nearest = ar;
-        found = true;
+    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE; p++) {
+        size_t digits = strspn(p + 1, "0123456789");
+        if (digits && p[digits + 1] == ':')
+            return true;
     }
-    if (found)
-        lua_pushfstring(L, "%s:%d: ", nearest.short_src, nearest.currentline);
-    else
-        lua_pushliteral(L, "");
+    return false;
+}
+
+void vm_place(lua_State *L)
+{
+    char place[VM_PLACE];
+
+    if (lua_type(L, -1) != LUA_TSTRING || has_place(lua_tostring(L, -1)))
+        return;
+    find_place(L, place, sizeof place);
+    lua_pushstring(L, place);
+    lua_insert(L, -2);
+    lua_concat(L, 2);
 }
 
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
 {
+    char place[VM_PLACE];
     va_list args;
 
     vm_board(L)->vm.kind = kind;
     lua_checkstack(L, 4);
-    push_place(L);
+    find_place(L, place, sizeof place);
+    lua_pushstring(L, place);
     va_start(args, format);
     lua_pushvfstring(L, format, args);
     va_end(args);
@@ -67,15 +103,20 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
     return lua_error(L);
 }
 
+static void on_count(lua_State *L, lua_Debug *ar);
+
 void vm_charge(lua_State *L, uint64_t work)
 {
     struct vm *vm = &vm_board(L)->vm;
 
+    if (vm->interrupted) /* hooks do not run inside C functions */
+        vm_fault(L, FAULT_INTERRUPTED, "interrupted");
     vm->work += work;
-    if (vm->work > WORK_LIMIT) {
-        vm->work = 0; /* reporting may use the library too */
-        vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
-    }
+    if (vm->work <= WORK_LIMIT)
+        return;
+    if (vm->counting)
+        lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
+    vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
 }
 
 static void on_count(lua_State *L, lua_Debug *ar)
@@ -94,12 +135,12 @@ enum { EVERYTHING = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT };
 
 void vm_watch(struct board *b, lua_State *L)
 {
-    if (b->vm.interrupted)
-        lua_sethook(L, on_interrupt, EVERYTHING, 1);
-    else if (b->vm.counting)
+    if (b->vm.counting)
         lua_sethook(L, on_count, LUA_MASKCOUNT, WORK_STEP);
     else if (lua_gethook(L))
         lua_sethook(L, NULL, 0, 0);
+    if (b->vm.interrupted) /* last: it may come at any moment */
+        lua_sethook(L, on_interrupt, EVERYTHING, 1);
 }
 
 void board_interrupt(struct board *b)
@@ -117,8 +158,6 @@ void board_count(struct board *b, bool on)
 
 static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
 {
-    if (status == LUA_ERRMEM)
-        return FAULT_MEMORY;
     if (b->vm.kind != FAULT_NONE)
         return b->vm.kind;
     if (status == LUA_ERRERR || strstr(message, "stack overflow"))
@@ -131,21 +170,44 @@ static void copy_text(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from);
 }
 
+static void report_shortage(const struct board *b, struct board_fault *f)
+{
+    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s", b->hand->shortage,
+             b->cart.m.lua_kib, b->hand->deep ? ", deep in calls: an endless recursion?" : "");
+}
+
+/* Any other error value. */
+static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
+{
+    char place[VM_PLACE] = "", odd[48];
+    bool raised = lualib_raised(from, -1);
+
+    if (raised)
+        lualib_unwrap(from, -1);
+    int type = lua_type(from, -1);
+    const char *message = odd;
+    if (type == LUA_TSTRING || type == LUA_TNUMBER)
+        message = lua_tostring(from, -1);
+    else
+        snprintf(odd, sizeof odd, "error: the value raised is a %s, not text", lua_typename(from, type));
+    if (!has_place(message))
+        find_place(from, place, sizeof place);
+    f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
+    snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
+             f->kind == FAULT_STACK ? " (calls nested too deeply: an endless recursion?)" : "");
+}
+
 void vm_report(struct board *b, lua_State *from, int status)
 {
     struct board_fault *f = &b->hand->fault;
-    const char *message = "out of Lua memory (board.lua_kib in rom.lua)";
 
     if (f->kind != FAULT_NONE)
         return;
-    if (status != LUA_ERRMEM) {
-        if (lualib_raised(from, -1))
-            lualib_unwrap(from, -1);
-        message = lua_type(from, -1) == LUA_TSTRING || lua_type(from, -1) == LUA_TNUMBER ? lua_tostring(from, -1)
-                                                                                         : luaL_typename(from, -1);
-    }
-    f->kind = kind_of(b, status, message);
-    copy_text(f->message, sizeof f->message, message);
+    f->kind = FAULT_MEMORY;
+    if (status == LUA_ERRMEM)
+        report_shortage(b, f);
+    else
+        report_error(b, from, status, f);
     b->hand->out.fault = f;
 }
 
@@ -153,7 +215,9 @@ void vm_trace(struct board *b, lua_State *L, lua_State *from)
 {
     if (b->hand->fault.trace[0])
         return;
-    luaL_traceback(L, from, NULL, 0);
+    lualib_trace(L); /* of a fault that went through a pcall */
+    if (!lua_isstring(L, -1))
+        luaL_traceback(L, from, NULL, 0);
     copy_text(b->hand->fault.trace, sizeof b->hand->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }

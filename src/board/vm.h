@@ -20,6 +20,7 @@ struct board;
 enum {
     WORK_LIMIT = 1000000000, /* VM instructions, or library work worth as many, in one tick */
     WORK_STEP = 100000,      /* instructions between two looks when counting */
+    VM_PLACE = 80            /* bytes of "FILE:LINE: " */
 };
 
 struct vm {
@@ -44,6 +45,9 @@ struct board *vm_board(lua_State *L);
 
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
+
+/* Puts "FILE:LINE: " before the message on top of the stack if it has none. */
+void vm_place(lua_State *L);
 
 /* Adds work (1: about one VM instruction) to this tick's sum and raises FAULT_LOOP over WORK_LIMIT. */
 void vm_charge(lua_State *L, uint64_t work);

@@ -396,11 +396,33 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
     return frame < d->frames ? frame : d->frames;
 }
 
+/* The first DIP switch that has no such value as the demo's; -1: none. */
+static int bad_dip(const struct demo *d, const struct manifest *m)
+{
+    for (int i = 0; i < m->n_dips; i++) {
+        const struct dip *dip = &m->dips[i];
+        int32_t v = d->start.dip[i];
+        if (v < dip->lo || v > dip->hi)
+            return i;
+    }
+    return -1;
+}
+
 bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size)
 {
-    if (strcmp(d->id, cart->m.id) == 0)
+    const struct manifest *m = &cart->m;
+    int dip = bad_dip(d, m);
+
+    if (strcmp(d->id, m->id) != 0)
+        snprintf(err, err_size, "a demo of another game (\"%s\", this is \"%s\")", d->id, m->id);
+    else if (d->start.difficulty >= m->n_difficulties)
+        snprintf(err, err_size, "its difficulty %d is none of this build's %d", (int)d->start.difficulty,
+                 (int)m->n_difficulties);
+    else if (dip >= 0)
+        snprintf(err, err_size, "its DIP switch %s has %d, which this build does not know", m->dips[dip].name,
+                 (int)d->start.dip[dip]);
+    else
         return true;
-    snprintf(err, err_size, "a demo of another game (\"%s\", this is \"%s\")", d->id, cart->m.id);
     return false;
 }
 

@@ -18,10 +18,11 @@
 #include "png.h"
 
 enum {
-    MAX_FILE = 256 << 20, /* bytes of any file read */
-    MAX_SCRIPT = 4 << 20, /* bytes of a script or rom.lua */
-    MAX_FILES = 1 << 16,  /* in a folder and all below it */
-    MAX_DEPTH = 8,        /* folders in folders: a link to a folder above ends here */
+    MAX_FILE = 256 << 20,    /* bytes of any file read */
+    MAX_SCRIPT = 4 << 20,    /* bytes of a script or rom.lua */
+    SCRIPT_WORK = 256 << 20, /* bytes to compile a script in; what is not needed is never touched */
+    MAX_FILES = 1 << 16,     /* in a folder and all below it */
+    MAX_DEPTH = 8,           /* folders in folders: a link to a folder above ends here */
     PATH = 1024
 };
 
@@ -408,7 +409,11 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     drop_mark(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
-    if (!script_check((const char *)text, size, chunk, p->err, p->err_size)) {
+    void *work = malloc(SCRIPT_WORK);
+    bool good = work != NULL ? script_check((const char *)text, size, chunk, work, SCRIPT_WORK, p->err, p->err_size)
+                             : fail(p->err, p->err_size, "out of memory");
+    free(work);
+    if (!good) {
         free(text);
         return false;
     }

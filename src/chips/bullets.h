@@ -28,10 +28,7 @@ enum {
     MUTE_SPEED = 1 << 1,
     STEP_BEGUN = 1 << 7, /* the step at pc has begun */
 
-    MAX_KINDS = 1024,
-    PARK = -(16384 << 16), /* one pixel past the end of the world */
-    WORLD = 16383,         /* positions reach from -WORLD to WORLD px */
-    MAX_SPEED = 8191       /* px/frame; radii too */
+    MAX_KINDS = 1024
 };
 
 /* What bullet.def and shot.def declare. */
@@ -64,11 +61,6 @@ struct bullets {
     uint8_t *mute;
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
     uint32_t moved;   /* bullets moved this frame */
-};
-
-/* A rectangle of field positions, ends included. */
-struct box {
-    fx x0, y0, x1, y1;
 };
 
 /* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */

@@ -6,7 +6,7 @@
 #define CHIPS_ENEMIES_H
 
 #include "../base/fx.h"
-#include "bullets.h"
+#include "motion.h"
 #include "slots.h"
 
 enum {

@@ -1,6 +1,7 @@
 /*
- * motion.h - motion programs: small steps as data, shared by every bullet that names the program, run in C.
- * floor: chips    used by: bullets board/
+ * motion.h - the world things move in, and motion programs: small steps as data, shared by every bullet that names the
+ * program, run in C.
+ * floor: chips    used by: chips/ board/
  *
  * A program is a run of steps in the `steps` list. What stands in one step happens together, in the order of struct
  * motion_step's bits, and lasts `over` frames (0: at once). After the last step the bullet flies straight on.
@@ -10,6 +11,17 @@
 
 #include "../base/fx.h"
 #include "slots.h"
+
+enum {
+    PARK = -(16384 << 16), /* one pixel past the end of the world */
+    WORLD = 16383,         /* positions reach from -WORLD to WORLD px */
+    MAX_SPEED = 8191       /* px/frame; radii too */
+};
+
+/* A rectangle of field positions, ends included. */
+struct box {
+    fx x0, y0, x1, y1;
+};
 
 enum {
     DOES_WAIT = 1 << 0,

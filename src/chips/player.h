@@ -7,7 +7,7 @@
 
 #include "../base/fx.h"
 #include "../base/pads.h"
-#include "bullets.h"
+#include "motion.h"
 #include "slots.h"
 
 enum { REGISTERS = 16 };

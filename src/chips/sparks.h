@@ -7,7 +7,7 @@
 
 #include "../base/fx.h"
 #include "../base/rng.h"
-#include "bullets.h"
+#include "motion.h"
 #include "slots.h"
 
 /* What spark.def declares. */

@@ -53,9 +53,10 @@ static void text(const char *data, size_t size)
 
 static void script(const char *data, size_t size)
 {
+    static _Alignas(16) char work[4 << 20];
     char err[256] = "";
 
-    if (!script_check(data, size, "@a.lua", err, sizeof err))
+    if (!script_check(data, size, "@a.lua", work, sizeof work, err, sizeof err))
         need_line(err);
 }
 

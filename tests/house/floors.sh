@@ -10,19 +10,19 @@ cp -r --parents src fb platform "$scratch"
 planted() {
     cp "$1" "$scratch/kept"
     echo "#include $2" >>"$scratch/$1"
-    (cd "$scratch" && FLOORS_FEW=1 python3 "$OLDPWD/tests/house/floors.py" "$1")
+    (cd "$scratch" && python3 "$OLDPWD/tests/house/floors.py" "$1")
     local rc=$?
     cp "$scratch/kept" "$scratch/$1"
     return $rc
 }
 check "the copy is clean" planted src/board/hit.c '"../base/geom.h"'
-refuse "planted: base includes fb" planted src/base/geom.c '"../../fb/fb.h"'
-refuse "planted: a chip includes the board" planted src/chips/pal.c '"../board/board.h"'
-refuse "planted: a chip includes another" planted src/chips/sparks.c '"bullets.h"'
-refuse "planted: a chip sees Lua" planted src/chips/fix.c '<lua.h>'
-refuse "planted: the cabinet sees Lua" planted src/cab/pack.c '<lauxlib.h>'
-refuse "planted: the board includes the platform" planted src/board/video.c '"../../platform/platform.h"'
-refuse "planted: a port looks inside" planted platform/null.c '"../src/cab/keys.h"'
-refuse "planted: stb in the board" planted src/board/video.c '<stb/stb_image.h>'
-refuse "planted: a clock below the cabinet" planted src/base/rng.h '<time.h>'
+refuse "planted: base includes fb" "higher floor" planted src/base/geom.c '"../../fb/fb.h"'
+refuse "planted: a chip includes the board" "higher floor" planted src/chips/pal.c '"../board/board.h"'
+refuse "planted: a chip includes another" "no other chip" planted src/chips/sparks.c '"bullets.h"'
+refuse "planted: a chip sees Lua" "only src/board sees Lua" planted src/chips/fix.c '<lua.h>'
+refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab/pack.c '<lauxlib.h>'
+refuse "planted: the board includes the platform" "only src/cab" planted src/board/video.c '"../../platform/platform.h"'
+refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/keys.h"'
+refuse "planted: stb in the board" "stb is for" planted src/board/video.c '<stb/stb_image.h>'
+refuse "planted: a clock below the cabinet" "there is no <time.h>" planted src/base/rng.h '<time.h>'
 done_testing

@@ -1,11 +1,18 @@
-/* test_cli.c - args.h and cli.h: what a command line means, and how a wrong one is refused. */
+/*
+ * test_cli.c - args.h and cli.h: what a command line means, and how a wrong one is refused; then whole commands on a
+ * small game in a temporary folder, with their output and exit codes.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <cmocka.h>
+#include "../../platform/platform.h"
 #include "../../src/cab/args.h"
 #include "../../src/cab/cli.h"
 
@@ -232,18 +239,271 @@ static void test_help_text(void **state)
     assert_non_null(strstr(help, "--scale N"));
 }
 
-static void test_exit_codes(void **state)
+/* ---- whole commands ---- */
+
+static char dir[256], out[8192], log_text[4096];
+
+/* Takes the place of the port's: errors are kept, not shown. */
+void plat_log(const char *line)
 {
-    static const char *const bad[] = {
-        "hash",         "hash /nowhere/at-all.rom", "verify /nowhere/a.rom d", "/nowhere/game", "render g",
-        "help nothing", "pack /nowhere/dir",        "play --scale x"
-    };
+    size_t n = strlen(log_text);
+
+    snprintf(log_text + n, sizeof log_text - n, "%s\n", line);
+}
+
+static void take_output(int from)
+{
+    char path[300];
+
+    fflush(stdout);
+    dup2(from, STDOUT_FILENO);
+    close(from);
+    snprintf(path, sizeof path, "%s/stdout", dir);
+    long n = plat_load(path, out, sizeof out - 1);
+    out[n > 0 ? n : 0] = 0;
+}
+
+/* Runs a line in which @ stands for the temporary folder; gives the exit code, out and log_text. */
+static int run(const char *line)
+{
+    char full[sizeof text], path[300];
+    size_t n = 0;
+
+    for (; *line && n < sizeof full - sizeof dir; line++) {
+        if (*line == '@')
+            n += (size_t)snprintf(full + n, sizeof full - n, "%s", dir);
+        else
+            full[n++] = *line;
+    }
+    full[n] = 0;
+    log_text[0] = 0;
+    snprintf(path, sizeof path, "%s/stdout", dir);
+    fflush(stdout);
+    int was = dup(STDOUT_FILENO);
+    assert_non_null(freopen(path, "w", stdout));
+    int code = cli_main(cut(full), words);
+    take_output(was);
+    return code;
+}
+
+static void runs(const char *line, int code)
+{
+    int got = run(line);
+
+    if (got != code)
+        fail_msg("%s: exit code %d, not %d: %s", line, got, code, log_text);
+    if (code == EXIT_DONE || code == EXIT_DIFFERS)
+        assert_string_equal(log_text, "");
+    else /* one line, and it says what went wrong */
+        assert_ptr_equal(strchr(log_text, '\n'), log_text + strlen(log_text) - 1);
+}
+
+static void says(const char *where, const char *what)
+{
+    if (strstr(where, what) == NULL)
+        fail_msg("\"%s\" does not say \"%s\"", where, what);
+}
+
+static void write_file(const char *name, const char *content)
+{
+    char path[300];
+
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    assert_true(plat_save(path, content, strlen(content)));
+}
+
+static const char game[] = "task.go(function() while true do wait(1) board.note(board.frame() * %d) end end)\n";
+
+static void write_game(int factor)
+{
+    char script[256];
+
+    snprintf(script, sizeof script, game, factor);
+    write_file("g/main.lua", script);
+}
+
+static int setup(void **state)
+{
+    const char *tmp = getenv("TMPDIR");
 
     (void)state;
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        int n = cut(bad[i]);
-        assert_int_equal(cli_main(n, words), EXIT_INPUT);
+    snprintf(dir, sizeof dir, "%s/Cli-XXXXXX", tmp != NULL ? tmp : "/tmp");
+    if (mkdtemp(dir) == NULL)
+        return -1;
+    write_file("g/rom.lua", "return { id = 'tiny', dip = { coins = { 'free', 'one' }, lives = { min = 1, max = 9 } },\n"
+                            "  difficulties = { 'easy', 'hard' }, screen = { w = 64, h = 64 } }\n");
+    write_game(1);
+    return 0;
+}
+
+static void remove_all(void *user, const struct plat_file *file)
+{
+    char path[600];
+
+    snprintf(path, sizeof path, "%s/%s", (const char *)user, file->name);
+    if (file->folder)
+        plat_list(path, remove_all, path);
+    remove(path);
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    plat_list(dir, remove_all, dir);
+    return remove(dir);
+}
+
+static void test_exit_codes(void **state)
+{
+    static const char *const bad[] = { "hash",
+                                       "hash /nowhere/at-all.rom",
+                                       "verify /nowhere/a.rom d",
+                                       "/nowhere/game",
+                                       "render g",
+                                       "help nothing",
+                                       "pack /nowhere/dir",
+                                       "play --scale x",
+                                       "hash @/g --dip coin=one",
+                                       "hash @/g --dip coins=two",
+                                       "hash @/g --dip lives=10",
+                                       "hash @/g --difficulty medium",
+                                       "hash @/g --frames 1:2",
+                                       "help lua no.such",
+                                       "hash @/g --demo @/g/main.lua",
+                                       "verify @/g @/none.demo",
+                                       "list @/g/main.lua",
+                                       "pack @/g/main.lua",
+                                       "render @/g --frames 0:8388608 --sheet @/s.png" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        runs(bad[i], EXIT_INPUT);
+    runs("hash @/g --dip coin=one", EXIT_INPUT);
+    assert_string_equal(log_text, "curtain: --dip: unknown DIP switch \"coin\" (did you mean \"coins\"?)\n");
+    runs("hash @/g --dip lives=10", EXIT_INPUT);
+    assert_string_equal(log_text, "curtain: --dip: lives: expected a whole number from 1 to 9, got \"10\"\n");
+    runs("hash @/g --difficulty medium", EXIT_INPUT);
+    assert_string_equal(log_text, "curtain: --difficulty: unknown difficulty \"medium\" (expected easy or hard)\n");
+}
+
+static void test_host_failures(void **state)
+{
+    (void)state;
+    write_file("plain", "x"); /* a file where a folder is asked for */
+    runs("render @/g --frames 1 -o @/plain", EXIT_HOST);
+    says(log_text, "/plain/000001.png: cannot be written");
+    runs("pack @/g -o @/plain/x.rom", EXIT_HOST);
+    runs("unpack @/g @/plain", EXIT_HOST);
+    runs("hash @/g --record @/plain/x.demo", EXIT_HOST);
+    says(log_text, "/plain/x.demo: cannot be written");
+}
+
+static void test_hash(void **state)
+{
+    char first[sizeof out];
+    unsigned frame;
+    int n = 0, at;
+
+    (void)state;
+    runs("hash @/g --frames 7 --every 3", EXIT_DONE);
+    strcpy(first, out);
+    for (const char *p = out; sscanf(p, "%u %*16[0-9a-f]\n%n", &frame, &at) == 1; p += at, n++)
+        assert_int_equal(frame, 3 * n);
+    assert_int_equal(n, 3);
+    runs("hash @/g --frames 7 --every 3 --seed 0", EXIT_DONE);
+    assert_string_equal(out, first);
+    runs("pack @/g -o @/g.rom", EXIT_DONE);
+    runs("hash @/g.rom --frames 7 --every 3", EXIT_DONE);
+    assert_string_equal(out, first);
+    runs("hash @/g --frames 7 --every 3 --seed 1", EXIT_DONE);
+    assert_string_not_equal(out, first);
+    runs("hash @/g --frames 0 --parts", EXIT_DONE);
+    says(out, " script=");
+    says(out, " bullets=");
+}
+
+/* Record, verify; then the same on a game that acts otherwise from some frame on. */
+static void test_verify(void **state)
+{
+    (void)state;
+    runs("hash @/g --frames 150 --every 150 --record @/a.demo", EXIT_DONE);
+    runs("hash @/g --frames 20 --every 20 --seed 9 --dip lives=3 --record @/b.demo", EXIT_DONE);
+    runs("verify @/g @/a.demo @/b.demo", EXIT_DONE);
+    says(out, "/a.demo: holds, 150 frames\n");
+    says(out, "/b.demo: holds, 20 frames\n");
+    write_game(2);
+    runs("verify @/g @/a.demo @/b.demo", EXIT_DIFFERS);
+    says(out, "/a.demo: frame 60: script, board differ (recorded on another build)\n");
+    says(out, "/b.demo: frame 20: script, board differ (recorded on another build)\n");
+    write_game(1);
+    runs("verify @/g @/none.demo @/a.demo", EXIT_INPUT); /* the others are looked at all the same */
+    says(out, "/a.demo: holds, 150 frames\n");
+}
+
+static void test_cut_demo(void **state)
+{
+    char path[300], bytes[8192];
+
+    (void)state;
+    runs("hash @/g --frames 150 --every 150 --record @/a.demo", EXIT_DONE);
+    snprintf(path, sizeof path, "%s/a.demo", dir);
+    long n = plat_load(path, bytes, sizeof bytes);
+    snprintf(path, sizeof path, "%s/cut.demo", dir);
+    assert_true(plat_save(path, bytes, (size_t)n - 21)); /* the end mark, and one byte */
+    runs("verify @/g @/cut.demo", EXIT_INPUT);
+    says(log_text, "/cut.demo: cut short: it has 120 frames and no end mark\n");
+    assert_int_equal(run("hash @/g --demo @/cut.demo --every 120"), EXIT_DONE);
+    says(log_text, "playing the 120 frames it has");
+    says(out, "\n120 ");
+}
+
+/* A fault is one line that names file and line; recorded, it has to happen again. */
+static void test_fault(void **state)
+{
+    (void)state;
+    write_file("g/main.lua", "task.go(function()\n wait(70) error('boom') end)\n");
+    runs("hash @/g --every 1000 --record @/f.demo", EXIT_INPUT);
+    assert_string_equal(log_text, "main.lua:2: boom\n");
+    runs("verify @/g @/f.demo", EXIT_DONE);
+    says(out, ", ends in the fault it was recorded with\n");
+    assert_int_equal(run("hash @/g --every 1000 --trace"), EXIT_INPUT);
+    says(log_text, "main.lua:2: boom\nstack traceback:\n");
+    write_file("g/main.lua", "task.go(function()\n wait(1000) error('boom') end)\n");
+    runs("verify @/g @/f.demo", EXIT_DIFFERS);
+    write_game(1);
+}
+
+static void test_render(void **state)
+{
+    char path[300];
+
+    (void)state;
+    runs("render @/g --frames 0,3:9:3 -o @/deep/er --sheet @/sheet.png", EXIT_DONE);
+    for (int f = 0; f <= 10; f++) {
+        snprintf(path, sizeof path, "%s/deep/er/%06d.png", dir, f);
+        assert_int_equal(plat_size(path) > 0, f % 3 == 0 && f < 10);
     }
+    snprintf(path, sizeof path, "%s/sheet.png", dir);
+    assert_true(plat_size(path) > 0);
+}
+
+static void test_rom_commands(void **state)
+{
+    (void)state;
+    runs("pack @/g -o @/g.rom", EXIT_DONE);
+    runs("list @/g.rom", EXIT_DONE);
+    says(out, "script/main.lua ");
+    says(out, "\nrom ");
+    runs("unpack @/g.rom @/un", EXIT_DONE);
+    runs("unpack @/g.rom @/un", EXIT_INPUT);
+    says(log_text, "is already there");
+    runs("--version", EXIT_DONE);
+    says(out, "curtain core version ");
+    says(out, "\nLua 5.4.");
+    runs("help play", EXIT_DONE);
+    says(out, "p1.fire");
+    runs("help lua bullet.fire", EXIT_DONE);
+    says(out, "bullet.fire");
 }
 
 int main(void)
@@ -252,7 +512,10 @@ int main(void)
         cmocka_unit_test(test_commands),         cmocka_unit_test(test_values),    cmocka_unit_test(test_frames),
         cmocka_unit_test(test_bad_values),       cmocka_unit_test(test_misfits),   cmocka_unit_test(test_near),
         cmocka_unit_test(test_help_and_version), cmocka_unit_test(test_help_text), cmocka_unit_test(test_exit_codes),
+        cmocka_unit_test(test_host_failures),    cmocka_unit_test(test_hash),      cmocka_unit_test(test_verify),
+        cmocka_unit_test(test_cut_demo),         cmocka_unit_test(test_fault),     cmocka_unit_test(test_render),
+        cmocka_unit_test(test_rom_commands),
     };
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, setup, teardown);
 }

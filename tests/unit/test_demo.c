@@ -47,6 +47,9 @@ static void make_rom(void)
     int n = 0;
 
     manifest_default(&m);
+    m.n_dips = 2;
+    m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .values = 2, .value_name = { "free", "one" } };
+    m.dips[1] = (struct dip){ .name = "lives", .number = true, .lo = 0, .hi = 9 };
     manifest_pack(&m, manifest);
     lumps[n++] = (struct lump){ "manifest", manifest, sizeof manifest };
     lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
@@ -573,6 +576,39 @@ static void test_after_fault(void **state)
     demo_free(&w.demo);
 }
 
+static void misfits(struct demo *d, const char *part)
+{
+    assert_false(demo_fits(d, &cart, err, sizeof err));
+    if (strstr(err, part) == NULL)
+        fail_msg("\"%s\" does not say \"%s\"", err, part);
+}
+
+/* A start from another build, or made up, never reaches a board that does not know it. */
+static void test_foreign_start(void **state)
+{
+    static const struct {
+        int dip;
+        int32_t good, bad;
+    } rows[] = { { 0, 1, 2 }, { 0, 0, -1 }, { 0, 1, INT32_MAX }, { 1, 9, 10 }, { 1, 0, INT32_MIN } };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    record(&w, &start, 1);
+    loads(&d);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        d.start.dip[rows[i].dip] = rows[i].bad;
+        misfits(&d, "DIP switch");
+        d.start.dip[rows[i].dip] = rows[i].good;
+        assert_true(demo_fits(&d, &cart, err, sizeof err));
+    }
+    d.start.difficulty = 1;
+    misfits(&d, "difficulty");
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
 /* Where nothing can be written the recording goes on in memory, and says so once. */
 static void test_no_file(void **state)
 {
@@ -635,12 +671,12 @@ static void test_fits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),  cmocka_unit_test(test_track),    cmocka_unit_test(test_start),
-        cmocka_unit_test(test_crash),       cmocka_unit_test(test_cut),      cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_order),       cmocka_unit_test(test_nonsense), cmocka_unit_test(test_nvram_lies),
-        cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),    cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),  cmocka_unit_test(test_idle_writer),
-        cmocka_unit_test(test_fits),
+        cmocka_unit_test(test_round_trip),  cmocka_unit_test(test_track),         cmocka_unit_test(test_start),
+        cmocka_unit_test(test_crash),       cmocka_unit_test(test_cut),           cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_order),       cmocka_unit_test(test_nonsense),      cmocka_unit_test(test_nvram_lies),
+        cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
+        cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

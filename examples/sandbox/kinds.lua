@@ -1,0 +1,17 @@
+-- kinds.lua - what the manual's examples take for granted.
+bullet.def("orb",  { sprite = "orb",  hit = { circle = 3.5 } })
+bullet.def("rice", { sprite = "rice", hit = { circle = 2 }, turns = true })
+bullet.def("star", { sprite = "star", hit = { circle = 4 } })
+bullet.def("big",  { sprite = "big",  hit = { circle = 8 } })
+spark.def("glint", { sprite = "glint", life = 16, drag = 0.06 })
+shot.def("dart",   { sprite = "dart", hit = { box = { 6, 12 } }, damage = 2, turns = true })
+enemy.def("wisp",  { sprite = "wisp",  hit = { box = { 16, 16 } }, hp = 8, score = 200, spark = "glint" })
+enemy.def("jelly", { sprite = "jelly", hit = { box = { 28, 26 } }, hp = 40, score = 1000, spark = "glint" })
+enemy.def("queen", { sprite = "queen", hit = { box = { 52, 56 } }, score = 50000, spark = "glint" })
+
+player.def("ship", { sprite = "ship", hit = { circle = 2 }, registers = { power = 1, bombs = 3 }, run = function(p)
+  while true do
+    if pad.down("fire", p) then shot.fire { kind = "dart", from = p, dy = -12, speed = 9 } end
+    wait(5)
+  end
+end })

@@ -1,0 +1,12 @@
+-- main.lua - a stage that does nothing but run try.lua: what that returns, if it is a function, is a task of an enemy.
+require "kinds"
+local try = require "try"
+
+stage.def("try", function()
+  local e = enemy.spawn { kind = "jelly", x = 120, y = 70 }
+  e.safe = forever
+  if type(try) == "function" then task.own(e, try, player.get(1)) end
+  wait(forever)
+end)
+
+boot.run { stages = { "try" }, players = { "ship" } }

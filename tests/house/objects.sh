@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# objects.sh - what the objects below the cabinet hold and call: no writable memory, and of C and Lua only what touches
+# no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
+. "$(dirname "$0")/../tap.sh"
+
+sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c; }
+linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
+
+all_linked() {
+    diff <(sources | sed "s,^,$OUT/,;s,c\$,o," | sort) <(linked | sort)
+}
+
+# Sections that are loaded, not empty and not read-only; tables of pointers (.data.rel.ro) are made read-only by the
+# loader. And symbols the linker would give room to.
+writable() {
+    local found=0 o
+    for o in "$@"; do
+        objdump -hw "$o" | awk -v o="$o" '
+            $1 ~ /^[0-9]+$/ && / ALLOC/ && !/READONLY/ && $3 !~ /^0+$/ && $2 !~ /^\.data\.rel\.ro/ {
+                print o ": writable section " $2 " of 0x" $3 " bytes"; bad = 1
+            }
+            END { exit bad }' || found=1
+        nm "$o" | awk -v o="$o" '$2 == "C" { print o ": common symbol " $NF; bad = 1 } END { exit bad }' || found=1
+    done
+    return $found
+}
+
+# allowed: why
+cat >"$scratch/allowed" <<'EOL'
+memcpy memmove memset memcmp memchr: bytes
+strlen strcmp strncmp strcpy strchr strstr strspn strpbrk: text
+snprintf vsnprintf: messages, into the caller's buffer
+strtod: correctly rounded; the host never calls setlocale
+qsort: of names that all differ, so that how it sorts cannot show
+sqrt fmod ldexp frexp floor fabs: exact or correctly rounded by IEEE 754
+__assert_fail abort: the C programmer was wrong
+_GLOBAL_OFFSET_TABLE_ __stack_chk_fail: the compiler's own
+__memcpy_chk __memmove_chk __memset_chk __strcpy_chk __snprintf_chk __vsnprintf_chk: the same where the compiler fortifies
+luaopen_base luaopen_table luaopen_string luaopen_math luaopen_utf8: vm.c takes the good parts of them
+EOL
+sed 's/:.*//' "$scratch/allowed" | tr ' ' '\n' | sort -u >"$scratch/names_allowed"
+# Lua: all but what allocates with malloc, reads files or reaches the host.
+lua_forbidden='^(luaL_newstate|luaL_openlibs|luaL_loadfilex|luaL_fileresult|luaL_execresult|luaL_testudata|luaopen_(os|io|debug|package|coroutine))$'
+
+calls() {
+    nm --defined-only "$@" | awk 'NF == 3 { print $3 }' | sort -u >"$scratch/defined"
+    nm -uA "$@" | awk '{ print $NF, $1 }' | sort -u >"$scratch/undefined"
+    awk -v forbidden="$lua_forbidden" '
+        FILENAME ~ /defined$/ && FILENAME !~ /undefined$/ || FILENAME ~ /names_allowed$/ { ok[$1] = 1; next }
+        ok[$1] || ($1 ~ /^luaL?_/ && $1 !~ forbidden) { next }
+        { print $2 " calls " $1; bad = 1 }
+        END { exit bad }' "$scratch/defined" "$scratch/names_allowed" "$scratch/undefined"
+}
+
+# The parts and the pictures know no script.
+low_calls() {
+    nm -uA $(linked | grep -v /src/board/) | awk '$NF ~ /^lua|strtod$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
+}
+
+check "the link map names every object below the cabinet" all_linked
+check "no writable memory below the cabinet" writable $(linked)
+check "nothing below the cabinet calls what it must not" calls $(linked)
+check "Lua and the reading of numbers are for the board alone" low_calls
+
+# planted WHAT TEXT: hit.c with the text at its end, compiled and looked at
+planted() {
+    sed "s,\"\.\./,\"$PWD/src/,;s,\"hit.h\",\"$PWD/src/board/hit.h\"," src/board/hit.c >"$scratch/planted.c"
+    echo "$2" >>"$scratch/planted.c"
+    ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" -o "$scratch/planted.o" || return 0
+    case $1 in
+    writable) writable "$scratch/planted.o" ;;
+    calls) calls $(linked | grep -v /hit.o) "$scratch/planted.o" ;;
+    esac
+}
+check "hit.c as it is has none" planted writable ""
+check "hit.c as it is calls none" planted calls ""
+refuse "planted: a static" ".bss" planted writable 'int planted(void); int planted(void) { static int n; return ++n; }'
+refuse "planted: a static with a value" ".data" planted writable 'int planted(void); static int n = 3; int planted(void) { return n++; }'
+refuse "planted: a global" ".bss" planted writable 'int planted;'
+refuse "planted: a static of the thread" ".tbss" planted writable '_Thread_local int planted;'
+refuse "planted: a common symbol" "common" planted writable '__attribute__((common)) int planted;'
+refuse "planted: malloc" "calls malloc" planted calls '#include <stdlib.h>
+void *planted(void) { return malloc(8); }'
+refuse "planted: a clock" "calls time" planted calls '#include <time.h>
+long planted(void) { return (long)time(NULL); }'
+refuse "planted: a file" "calls fopen" planted calls '#include <stdio.h>
+void *planted(void) { return fopen("a", "r"); }'
+refuse "planted: printf" "calls puts" planted calls '#include <stdio.h>
+void planted(void) { printf("here\n"); }'
+refuse "planted: rand" "calls rand" planted calls '#include <stdlib.h>
+int planted(void) { return rand(); }'
+refuse "planted: a sine of the host" "calls sin" planted calls '#include <math.h>
+double planted(double x) { return sin(x); }'
+refuse "planted: pow" "calls pow" planted calls '#include <math.h>
+double planted(double x, double y) { return pow(x, y); }'
+refuse "planted: Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
+void *planted(void) { return luaL_newstate(); }'
+done_testing

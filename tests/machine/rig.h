@@ -1,0 +1,322 @@
+/*
+ * rig.h - what the tests of whole boards share: games packed from a folder or from script texts, boards with RAM of
+ * their own, pads, pictures.
+ * floor: tests    used by: tests/machine/
+ *
+ * A program that includes this runs in the repository's root.
+ */
+#ifndef TESTS_RIG_H
+#define TESTS_RIG_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+#include "../../src/board/api.h"
+#include "../../src/board/machine.h"
+#include "../../src/cab/demo.h"
+#include "../../src/cab/pack.h"
+
+/* A game in memory. */
+struct rig_game {
+    struct rom_image image;
+    struct cart cart;
+};
+
+/* A board and all that is around one. */
+struct rig {
+    const struct rig_game *game;
+    void *block, *ram;
+    size_t ram_size;
+    struct board *b;
+    struct fb fb;
+    void *pix, *scratch;
+    uint8_t *snapshot; /* of rig_spoil; snapshot_room bytes */
+    size_t snapshot_room;
+};
+
+struct rig_script {
+    const char *name, *text; /* "main" */
+};
+
+/* Is there time for the long variants? */
+static inline bool rig_long(void)
+{
+    const char *s = getenv("CURTAIN_LONG");
+
+    return s && *s && strcmp(s, "0") != 0;
+}
+
+/* ---- games ---- */
+
+/* The sprites of a game made here: 8x8; 16x16 in 16 turned copies; 4 frames of 8x8. Nothing about them is symmetric. */
+static inline void rig_sprite(uint8_t *out, int side, int frames, int every, int rotations, int bank)
+{
+    const int fields[] = { side, side, side, side / 2, side / 2, frames, every, rotations, bank };
+
+    memset(out, 0, CART_GFX_HEADER);
+    for (int i = 0; i < 9; i++) {
+        out[2 * i] = (uint8_t)fields[i];
+        out[2 * i + 1] = (uint8_t)(fields[i] >> 8);
+    }
+    for (int i = 0; i < frames * rotations * side * side; i++)
+        out[CART_GFX_HEADER + i] = (uint8_t)((i * 7 + i / side) % 5 ? bank * 16 + 1 + i % 15 : 0);
+}
+
+static inline int rig_by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
+}
+
+/* Takes lumps in any order. */
+static inline void rig_write(struct rig_game *g, struct lump *lumps, int n)
+{
+    char err[512];
+
+    qsort(lumps, (size_t)n, sizeof *lumps, rig_by_name);
+    g->image.size = rom_write_size(lumps, n);
+    g->image.bytes = malloc(g->image.size);
+    rom_write(g->image.bytes, lumps, n);
+    if (!rom_open(&g->image.rom, g->image.bytes, g->image.size, err, sizeof err) ||
+        !cart_open(&g->cart, &g->image.rom, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+/* Small capacities; sprites "dot", "arrow", "wink". */
+static inline struct manifest rig_manifest(void)
+{
+    struct manifest m;
+
+    manifest_default(&m);
+    snprintf(m.id, sizeof m.id, "rig");
+    m.bullets = 256;
+    m.shots = 64;
+    m.enemies = 32;
+    m.sparks = 128;
+    m.sprites = 16;
+    m.motions = 32;
+    m.tasks = 64;
+    m.lua_kib = 1024;
+    m.players = 2;
+    return m;
+}
+
+/* A game of these scripts; m NULL: rig_manifest. */
+static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
+{
+    enum { MOST = 64 };
+    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[96 * CART_GLYPH];
+    static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
+    struct manifest own = m ? *m : rig_manifest();
+    char names[MOST][80];
+    struct lump lumps[MOST];
+    int k = 0;
+
+    manifest_pack(&own, manifest);
+    for (int i = 0; i < CART_PALETTE; i++)
+        palette[i] = (uint8_t)(i * 37 + i / 3);
+    for (int i = 0; i < 96 * CART_GLYPH; i++)
+        font[i] = (uint8_t)((i * 5 + i / 64 * 3) % 16);
+    rig_sprite(dot, 8, 1, 1, 1, 0);
+    rig_sprite(arrow, 16, 1, 1, 16, 0);
+    rig_sprite(wink, 8, 4, 3, 1, 0);
+    lumps[k++] = (struct lump){ "manifest", manifest, sizeof manifest };
+    lumps[k++] = (struct lump){ "palette/main", palette, sizeof palette };
+    lumps[k++] = (struct lump){ "palette/other", palette, sizeof palette };
+    lumps[k++] = (struct lump){ "font", font, sizeof font };
+    lumps[k++] = (struct lump){ "gfx/dot", dot, sizeof dot };
+    lumps[k++] = (struct lump){ "gfx/arrow", arrow, sizeof arrow };
+    lumps[k++] = (struct lump){ "gfx/wink", wink, sizeof wink };
+    lumps[k++] = (struct lump){ "data/words.txt", (const uint8_t *)"words\n", 6 };
+    for (int i = 0; i < n; i++, k++) {
+        snprintf(names[k], sizeof names[k], "script/%s.lua", s[i].name);
+        lumps[k] = (struct lump){ names[k], (const uint8_t *)s[i].text, (uint32_t)strlen(s[i].text) };
+    }
+    for (int i = 0; i < std_script_count; i++, k++) {
+        snprintf(names[k], sizeof names[k], "script/@std/%s.lua", std_scripts[i].name);
+        lumps[k] = (struct lump){ names[k], std_scripts[i].data, (uint32_t)std_scripts[i].size };
+    }
+    rig_write(g, lumps, k);
+}
+
+static inline void rig_script(struct rig_game *g, const struct manifest *m, const char *text)
+{
+    const struct rig_script s = { m ? m->entry : "main", text };
+
+    rig_scripts(g, m, &s, 1);
+}
+
+/* Packs roms/NAME. */
+static inline void rig_folder(struct rig_game *g, const char *name)
+{
+    char path[256], err[512];
+
+    snprintf(path, sizeof path, "roms/%s", name);
+    if (!rom_image_load(path, false, &g->image, err, sizeof err) ||
+        !cart_open(&g->cart, &g->image.rom, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+static inline void rig_game_free(struct rig_game *g)
+{
+    free(g->image.bytes);
+    g->image.bytes = NULL;
+}
+
+/* The game's demo of that name; false: it has none. */
+static inline bool rig_demo(const struct rig_game *g, const char *name, struct demo *d)
+{
+    char lump_name[80], err[512];
+    struct lump lump;
+
+    snprintf(lump_name, sizeof lump_name, "demo/%s", name);
+    int i = rom_find(&g->image.rom, lump_name);
+    if (i < 0)
+        return false;
+    rom_lump(&g->image.rom, i, &lump);
+    if (!demo_read(d, lump.data, lump.size, err, sizeof err))
+        fail_msg("demo %s: %s", name, err);
+    return true;
+}
+
+/* ---- boards ---- */
+
+/* Powers a board in RAM full of rubbish. A fault while loading is left to look at. start NULL: seed 1. */
+static inline void rig_power_any(struct rig *r, const struct rig_game *g, const struct board_start *start)
+{
+    struct board_start plain = { .seed = 1, .difficulty = -1 };
+    char err[512];
+    int w, h;
+
+    memset(r, 0, sizeof *r);
+    r->game = g;
+    if (!board_size(&g->image.rom, &r->ram_size, err, sizeof err))
+        fail_msg("%s", err);
+    r->block = malloc(r->ram_size + 16);
+    r->ram = (uint8_t *)r->block + (16 - (uintptr_t)r->block % 16) % 16;
+    memset(r->ram, 0x5a, r->ram_size);
+    r->b = board_power(r->ram, r->ram_size, &g->image.rom, start ? start : &plain, false, err, sizeof err);
+    if (!r->b)
+        fail_msg("%s", err);
+    board_screen(r->b, &w, &h);
+    r->pix = malloc(fb_size(w, h));
+    fb_init(&r->fb, r->pix, w, h);
+    r->scratch = malloc(board_scratch(r->b));
+}
+
+static inline const struct board_fault *rig_fault(const struct rig *r)
+{
+    return board_last(r->b)->fault;
+}
+
+static inline void rig_sound(const struct rig *r)
+{
+    if (rig_fault(r))
+        fail_msg("frame %u: %s\n%s", board_frame(r->b), rig_fault(r)->message, rig_fault(r)->trace);
+}
+
+static inline void rig_power(struct rig *r, const struct rig_game *g, const struct board_start *start)
+{
+    rig_power_any(r, g, start);
+    rig_sound(r);
+}
+
+static inline void rig_free(struct rig *r)
+{
+    free(r->block);
+    free(r->pix);
+    free(r->scratch);
+    free(r->snapshot);
+    memset(r, 0, sizeof *r);
+}
+
+/* One frame, which must not fault. */
+static inline void rig_tick(struct rig *r, const uint16_t pads[PADS])
+{
+    board_tick(r->b, pads);
+    rig_sound(r);
+}
+
+static inline void rig_run(struct rig *r, int frames)
+{
+    const uint16_t none[PADS] = { 0 };
+
+    while (frames-- > 0)
+        rig_tick(r, none);
+}
+
+/* Snapshot into r->snapshot; rig_spoil fills all of RAM with rubbish and puts the snapshot back. */
+static inline void rig_save(struct rig *r)
+{
+    size_t n = board_snapshot_size(r->b);
+
+    if (n > r->snapshot_room) {
+        r->snapshot = realloc(r->snapshot, n);
+        r->snapshot_room = n;
+    }
+    board_save(r->b, r->snapshot);
+}
+
+static inline void rig_restore(struct rig *r)
+{
+    memset(r->ram, 0xa5, r->ram_size);
+    board_restore(r->b, r->snapshot);
+}
+
+static inline void rig_spoil(struct rig *r)
+{
+    rig_save(r);
+    rig_restore(r);
+}
+
+/* Picture and colours as one number. */
+static inline uint64_t rig_picture(struct rig *r)
+{
+    uint32_t rgb[256];
+    uint64_t h = HASH_START;
+
+    board_draw(r->b, &r->fb, rgb, r->scratch);
+    for (int y = 0; y < r->fb.h; y++)
+        h = hash_bytes(h, r->fb.pix + (ptrdiff_t)y * r->fb.pitch, (size_t)r->fb.w);
+    for (int i = 0; i < 256; i++)
+        h = hash_fold(h, rgb[i]);
+    return h;
+}
+
+/* The first part whose hash differs, or NULL. */
+static inline const char *rig_differs(const struct rig *a, const struct rig *b)
+{
+    uint64_t ha[MAX_PARTS], hb[MAX_PARTS];
+
+    board_hashes(a->b, ha);
+    board_hashes(b->b, hb);
+    for (int i = 0; i < board_parts(a->b); i++)
+        if (ha[i] != hb[i])
+            return board_part(a->b, i);
+    return NULL;
+}
+
+/* ---- pads ---- */
+
+/* Buttons held for some frames, as by hands. Start and select are pressed now and then only. */
+static inline void rig_pads(struct rng *rng, uint16_t pads[PADS])
+{
+    const uint64_t rare = PAD_START | PAD_SELECT;
+
+    for (int i = 0; i < PADS; i++) {
+        if (rng_below(rng, 10) == 0)
+            pads[i] = (uint16_t)((rng_below(rng, PAD_ALL + 1) & ~rare) | (rng_below(rng, 4) ? PAD_FIRE : 0));
+        pads[i] &= (uint16_t)~rare;
+        if (rng_below(rng, 150) == 0)
+            pads[i] |= PAD_START;
+    }
+}
+
+#endif

@@ -1,0 +1,167 @@
+/* test_stdio.c - the defaults of the platform seam: files, folders, the alarm. Works in a folder of its own under
+ * TMPDIR. */
+#define _XOPEN_SOURCE 700
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+
+static char home[512], name[1024];
+
+static int into_folder(void **state)
+{
+    const char *tmp = getenv("TMPDIR");
+    (void)state;
+    snprintf(home, sizeof home, "%s/curtain-test-XXXXXX", tmp ? tmp : "/tmp");
+    return mkdtemp(home) && chdir(home) == 0 && setenv("XDG_DATA_HOME", home, 1) == 0 ? 0 : -1;
+}
+
+static int out_of_folder(void **state)
+{
+    (void)state;
+    snprintf(name, sizeof name, "rm -rf '%s'", home);
+    return chdir("/") == 0 && system(name) == 0 ? 0 : -1;
+}
+
+static void save_load_append(void **state)
+{
+    char buf[16] = { 0 };
+    (void)state;
+    assert_int_equal(plat_size("a"), -1);
+    assert_int_equal(plat_load("a", buf, sizeof buf), -1);
+    assert_true(plat_save("a", "hello", 5));
+    assert_int_equal(plat_size("a"), 5);
+    assert_int_equal(plat_load("a", buf, 3), 3);
+    assert_int_equal(plat_load("a", buf, sizeof buf), 5);
+    assert_memory_equal(buf, "hello", 5);
+    assert_true(plat_append("a", "!!", 2));
+    assert_true(plat_append("b", "new", 3));
+    assert_int_equal(plat_size("a"), 7);
+    assert_int_equal(plat_size("b"), 3);
+    assert_true(plat_save("a", "", 0));
+    assert_int_equal(plat_size("a"), 0);
+}
+
+static void folders_are_made(void **state)
+{
+    (void)state;
+    assert_true(plat_save("x/y/z", "1", 1));
+    assert_int_equal(plat_size("x/y/z"), 1);
+    assert_int_equal(plat_size("x/y"), -1);
+    assert_int_equal(plat_load("x/y", name, 1), -1);
+    assert_true(plat_save("user:game.nv", "12", 2));
+    assert_int_equal(plat_size("curtain/game.nv"), 2);
+    assert_int_equal(plat_size("user:game.nv"), 2);
+}
+
+static void the_users_folder(void **state)
+{
+    (void)state;
+    setenv("XDG_DATA_HOME", "relative", 1);
+    setenv("HOME", home, 1);
+    assert_true(plat_save("user:h", "123", 3));
+    assert_int_equal(plat_size(".local/share/curtain/h"), 3);
+    unsetenv("HOME");
+    assert_false(plat_save("user:h", "123", 3));
+    assert_int_equal(plat_size("user:h"), -1);
+    setenv("XDG_DATA_HOME", home, 1);
+}
+
+static void count(void *user, const struct plat_file *file)
+{
+    int *seen = user;
+    assert_true(file->time > 0);
+    seen[0] += strcmp(file->name, "one") == 0 && !file->folder;
+    seen[1] += strcmp(file->name, "sub") == 0 && file->folder;
+}
+
+static void listing(void **state)
+{
+    int seen[2] = { 0 };
+    (void)state;
+    assert_true(plat_save("list/one", "1", 1));
+    assert_true(plat_save("list/sub/two", "1", 1));
+    assert_int_equal(plat_list("list", count, seen), 2);
+    assert_int_equal(seen[0], 1);
+    assert_int_equal(seen[1], 1);
+    assert_int_equal(plat_list("list/none", count, seen), -1);
+}
+
+/* What cannot be replaced stays, and no half file is left beside it. */
+static void a_failed_save_leaves_all(void **state)
+{
+    int seen[2] = { 0 };
+    (void)state;
+    assert_true(plat_save("dir/taken/file", "1", 1));
+    assert_false(plat_save("dir/taken", "22", 2)); /* a folder is in the way */
+    assert_int_equal(plat_size("dir/taken/file"), 1);
+    assert_int_equal(plat_list("dir", count, seen), 1);
+    assert_false(plat_save("dir/taken/file/below", "3", 1));
+    assert_int_equal(plat_size("dir/taken/file"), 1);
+}
+
+static volatile sig_atomic_t rang, wrong_thread;
+static pthread_t main_thread;
+
+static void ring(void)
+{
+    rang = rang + 1;
+    if (!pthread_equal(pthread_self(), main_thread))
+        wrong_thread = 1;
+}
+
+static void *idle(void *stop)
+{
+    while (!*(volatile int *)stop)
+        sched_yield();
+    return 0;
+}
+
+/* The signal is raised, not waited for: on another thread, which must pass it on to the one that armed. */
+static void the_alarm_rings_where_it_was_armed(void **state)
+{
+    pthread_t other;
+    int stop = 0;
+    (void)state;
+    main_thread = pthread_self();
+    assert_int_equal(pthread_create(&other, 0, idle, &stop), 0);
+    assert_true(plat_alarm(1000000, ring));
+    pthread_kill(other, SIGALRM);
+    while (!rang)
+        sched_yield();
+    assert_int_equal(wrong_thread, 0);
+    raise(SIGALRM); /* only once */
+    assert_int_equal(rang, 1);
+    assert_true(plat_alarm(1000000, ring));
+    raise(SIGALRM);
+    assert_int_equal(rang, 2);
+    assert_true(plat_alarm(1000000, ring));
+    assert_true(plat_alarm(0, 0));
+    raise(SIGALRM);
+    assert_int_equal(rang, 2);
+    stop = 1;
+    pthread_join(other, 0);
+    assert_true(plat_alarm(1, ring));
+    while (rang < 3)
+        sched_yield();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(save_load_append),         cmocka_unit_test(folders_are_made),
+        cmocka_unit_test(the_users_folder),         cmocka_unit_test(listing),
+        cmocka_unit_test(a_failed_save_leaves_all), cmocka_unit_test(the_alarm_rings_where_it_was_armed),
+    };
+    return cmocka_run_group_tests(tests, into_folder, out_of_folder);
+}

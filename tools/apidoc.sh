@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# apidoc.sh - writes docs/api.md from the API table that the board itself uses: every entry with its parameters.
+#
+#     tools/apidoc.sh [CURTAIN] > docs/api.md
+set -euo pipefail
+cd "$(dirname "$0")/.."
+curtain=${1:-build/curtain-null}
+
+cat <<'END'
+# The Lua API, entry by entry
+
+Made by `tools/apidoc.sh` from the table that checks the arguments (`curtain help lua`). `name{...}` takes a table of
+named arguments, `thing:name()` is a method, `-> what` is what it returns; the words after an argument are its type, its
+range and `=` its default.
+END
+# An entry is a line that does not begin with a blank.
+section=
+"$curtain" help lua | sed 's/   .*//' | while IFS= read -r entry; do
+    name=$(printf '%s\n' "$entry" | sed -E 's/^([A-Za-z_0-9]+([.:][A-Za-z_0-9]+)?).*/\1/')
+    space=${name%%[.:]*}
+    if [ "$space" != "$section" ]; then
+        section=$space
+        printf '\n## %s\n' "$space"
+        properties=$("$curtain" help lua "$space" | sed -n '/^properties of/,$p')
+        [ -z "$properties" ] || printf '\n```\n%s\n```\n' "$properties"
+    fi
+    printf '\n### %s\n\n```\n' "$name"
+    "$curtain" help lua "$name"
+    printf '```\n'
+done
