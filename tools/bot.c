@@ -128,24 +128,31 @@ static int try_way(struct bot *bot, uint16_t first, uint16_t second, double *val
     return AHEAD;
 }
 
+/* The best of all first decisions, each followed by the k-th kind of second one. */
+static void search(struct bot *bot, int k, double *best, uint16_t *chosen)
+{
+    for (int i = 0; i < WAYS; i++) {
+        double value;
+        uint16_t second = k == 0 ? 0 : k == 1 ? way(i) : way(i < 9 ? (i * 5 + 3) % 9 : 9 + (i * 5) % 8);
+        int lived = try_way(bot, way(i), second, &value);
+        board_restore(bot->b, bot->snapshot);
+        value += 1000.0 * lived;
+        if (value > *best) {
+            *best = value;
+            *chosen = way(i);
+        }
+    }
+}
+
+/* Looks further only when the simple ways all end badly. */
 static uint16_t decide(struct bot *bot)
 {
     double best = -1e18;
     uint16_t chosen = 0;
 
     save(bot);
-    for (int i = 0; i < WAYS; i++)
-        for (int k = 0; k < 3; k++) {
-            double value;
-            uint16_t second = k == 0 ? way(i) : k == 1 ? 0 : way(i < 9 ? (i * 5 + 3) % 9 : 9 + (i * 5) % 8);
-            int lived = try_way(bot, way(i), second, &value);
-            board_restore(bot->b, bot->snapshot);
-            value += 1000.0 * lived;
-            if (value > best) {
-                best = value;
-                chosen = way(i);
-            }
-        }
+    for (int k = 0; k < 3 && best < 1000.0 * AHEAD - 100; k++)
+        search(bot, k, &best, &chosen);
     return chosen;
 }
 

@@ -182,6 +182,24 @@ static bool boot(struct board *b)
     return true;
 }
 
+/* Is what the start asks for in the manifest? */
+static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
+{
+    if (start->difficulty >= m->n_difficulties) {
+        snprintf(err, err_size, "difficulty %d: the game has %d", start->difficulty, m->n_difficulties);
+        return false;
+    }
+    for (int i = 0; i < m->n_dips; i++) {
+        const struct dip *d = &m->dips[i];
+        int32_t lo = d->number ? d->lo : 0, hi = d->number ? d->hi : d->values - 1;
+        if (start->dip[i] < lo || start->dip[i] > hi) {
+            snprintf(err, err_size, "DIP %s: %d is not from %d to %d", d->name, start->dip[i], lo, hi);
+            return false;
+        }
+    }
+    return true;
+}
+
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
                           char *err, size_t err_size)
 {
@@ -200,10 +218,8 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     b->start.nvram_size = 0;
     b->start.stage[sizeof b->start.stage - 1] = 0;
     b->vm.counting = count;
-    if (start->difficulty >= b->cart.m.n_difficulties) {
-        snprintf(err, err_size, "difficulty %d: the game has %d", start->difficulty, b->cart.m.n_difficulties);
+    if (!start_fits(&b->cart.m, start, err, err_size))
         return NULL;
-    }
     lay_out(b);
     memset(b->hand, 0, sizeof *b->hand);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);

@@ -1,0 +1,24 @@
+-- kinds.lua - what flies, and the programs it flies by: every key of a motion step, at once and over time.
+spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
+spark.def("long", { sprite = "box", life = 400 })
+
+bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
+bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4 })
+bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
+bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
+
+shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
+shot.def("ball", { sprite = "steps", hit = { circle = 4 }, bank = 5 })
+
+motion.def { name = "all",
+  { wait = 3 },
+  { kind = "needle", bank = 7 }, { dir = 100 }, { aim = true }, { turn = 30 }, { speed = 1 }, { accel = 0.25 },
+  { kind = "crate", bank = 3, turn = 2, speed = 2.5, over = 9 },
+  { aim = true, accel = 0.05, over = 6 },
+  { home = 4, over = 20 },
+  { loop = 3, { wait = 2 }, { loop = 2, { turn = -20 }, { turn = 10, over = 2 } } },
+  { accel = -0.1, over = 12 },
+  { wait = 20 }, { die = true } }
+motion.def { name = "spin", { loop = forever, { turn = 3, over = 10 }, { bank = 9 }, { turn = -3, over = 10 }, { bank = 1 } } }
+motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { wait = 1 }, { accel = 0.02 } } } } }, { wait = forever } }
+motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = true, turn = 5, speed = 3 } }

@@ -1,0 +1,37 @@
+-- main.lua - declares the kinds and handlers, and starts the shell. Select on player 2's pad resets the board.
+require "kinds"
+require "ships"
+require "world"
+
+local seen = 0 -- what the handlers were told
+
+on.graze(function(p, b)
+  seen = seen + p.grazes
+  score.add(10, p)
+  if b.alive then b.bank = (b.bank + 1) % 16 end
+  spark.burst { kind = "ping", from = p, n = 2, speed = 2 }
+end)
+on.hit(function(p, by)
+  if rng.chance(0.25) then p.safe = 10 end
+  bullet.fire { kind = "dot", from = by, dir = 270, speed = 3, tag = "revenge" } -- first moves next frame
+end)
+on.death(function(p)
+  bullet.clear { x = p.x, y = p.y, radius = 50, spark = "ping" }
+  task.go(function(lives) wait(2) seen = seen + lives end, p.lives)
+end)
+on.game_over(function() seen = seen + 1000 end)
+on.kill(function(_, p) if p then p.power = p.power + 1 end end)
+on.leave(function(e) seen = seen + (e.alive and 1 or 2) end)
+on.extend(function(p) p.lives = math.min(p.lives, 9) end)
+on.phase(function(e, id, won) board.note(id) board.note(won) if e.alive then e:hurt(1) end end)
+on.stage(function(name, state) board.note(name .. state) end)
+
+task.go(function()
+  while true do
+    wait(1)
+    board.note(seen)
+    if pad.pressed("select", 2) then board.reset() end
+  end
+end)
+
+boot.run { stages = { "first", "second" }, players = { "fast", "slow" }, demo = "torture" }

@@ -1,0 +1,18 @@
+-- rom.lua - torture: a game for tests. It calls every function of the API, runs every key of a motion step, and keeps
+-- every pool near its small capacity. tests/machine/test_uses.c counts. The art is the test card's.
+return {
+  title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
+  screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },
+  board = { bullets = 200, shots = 40, enemies = 24, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024 },
+  palette = "art/palette.png", font = "art/font.png",
+  sheets = { card = { file = "art/card.png", bank = 0 } },
+  sprites = {
+    letter = { sheet = "card", x = 0,  y = 0, w = 16, h = 16 },
+    arrow  = { sheet = "card", x = 16, y = 0, w = 24, h = 24, rotations = 16 },
+    box    = { sheet = "card", x = 48, y = 0, w = 16, h = 16, origin = { 3, 5 } },
+    steps  = { sheet = "card", x = 64, y = 0, w = 8,  h = 8, frames = 8, every = 4 },
+  },
+  difficulties = { "soft", "hard" }, difficulty = "hard",
+  dip = { coins = { "free", "one" } },
+  players = 2, extends = { 4000, 9000, 20000 },
+}

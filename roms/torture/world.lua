@@ -1,0 +1,215 @@
+-- world.lua - enemies, a boss, two stages, and a task for every corner of the API.
+local swoop = path.def { { x = -10, y = 30 }, { x = 60, y = 80, over = 40, ease = "out" }, { wait = 10 },
+  { x = 150, y = 60, over = 50, ease = "both" }, { x = 250, y = 20, over = 40, ease = "in" } }
+local across = path.def { { x = 20, y = 20 }, { x = 200, y = 40, over = 80, ease = "linear" } }
+
+local function ringer(e)
+  wait(10)
+  while true do
+    pattern.ring { from = e, kind = "dot", n = by_difficulty { soft = 3, hard = 5 }, speed = 1.5, motion = "stop", tag = "ring" }
+    wait(45)
+  end
+end
+
+enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer,
+  on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
+  on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
+enemy.def("wall", { sprite = "arrow", hit = { box = { 30, 20 } }, hp = 100, touch = false })
+
+boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
+  { id = "one", hp = 60, time = 240, bonus = 500, run = function(e)
+      task.go(function() while true do pattern.aimed { from = e, kind = "needle", n = 3, every = 5, speed = 2, lock = true } wait(20) end end)
+      pattern.spiral { from = e, kind = "dot", n = forever, arms = 2, step = 13, every = 6, speed = 1.6 }
+    end },
+  { id = "two", spell = "Sign of Two", survive = true, time = 150, rest = 20, run = function(e)
+      while true do
+        e:move { x = rng.int(40, 180), y = rng.number(40, 90), over = 25, ease = rng.pick { "in", "out", "both", "linear" } }
+        pattern.arc { from = e, kind = "dot", n = 7, dir = rng.dir(), sweep = 200, speed = 1.2, motion = "spin" }
+        wait(30)
+      end
+    end } } })
+
+-- ---- one task a corner; all end with the stage ----
+
+local function bullets()
+  local n = 0
+  while true do
+    n = n + 1
+    local b = bullet.fire { kind = "dot", x = 112, y = 20, dir = 7 * n, speed = 1.5, motion = "all", bank = n % 16, tag = "b" .. n % 5 }
+    local c = bullet.fire { kind = "ghost", from = b, dx = 3, dy = -2, aim = true, dir = 10, speed = -0.5, motion = "nested" }
+    pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
+      each = function(a, i) a.n, a.speed_to = 2, 1 + i / 4 pattern.stack(a) end }
+    pattern.line { from = b, kind = "crate", n = 3, width = 40, dir = 90, speed = 1 }
+    wait(3)
+    if b.alive then
+      board.note(b.x + b.y + b.dir + b.speed + b.vx + b.vy + b.age)
+      board.note(b.kind .. b.bank .. (b.tag or "none"))
+      if n % 7 == 0 then b.x, b.y = b.x + 1, b.y - 1 end
+      if n % 5 == 0 then b.dir = 80 end
+      if n % 11 == 0 then b.vx, b.vy = 0.5, 0.75 end
+    end
+    c.speed, c.kind, c.bank, c.tag, c.motion = 1, "dot", 5, "late", b.motion
+    c:aim(15)
+    c:turn(-5)
+    if n % 3 == 0 then c:remove() end
+    wait(2)
+  end
+end
+
+local function groups()
+  local all = bullet.group()
+  for n = 0, forever do
+    local g = bullet.group("b" .. n % 5)
+    g.bank, g.speed = n % 16, 1 + n % 3
+    if n % 4 == 1 then g:aim(5) end
+    if n % 4 == 2 then g:turn(20) end
+    if n % 16 == 3 then g:remove() end
+    if n % 9 == 0 then g.dir, g.tag = 45, "moved" end
+    if n % 9 == 4 then bullet.group("moved").motion = "stop" end
+    if n % 9 == 5 then bullet.group("moved").kind = "dot" end
+    if n % 13 == 7 then g.vx = 0.25 g.vy = 1 end
+    if n % 29 == 11 then bullet.group("late").x = 100 bullet.group("late").y = 50 end
+    bullet.each("ring", function(b) if b.age > 60 then b:turn(1) end end)
+    if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
+    board.note(all.count)
+    wait(5)
+  end
+end
+
+local function shots()
+  while true do
+    local near = query.near { what = "shot", x = 112, y = 112, radius = 80, tag = "volley" }
+    for i, s in ipairs(near) do
+      board.note(s.x + s.y + s.dir + s.speed + s.vx + s.vy + s.age + (s.by and s.by.index or 0))
+      board.note(s.kind .. s.bank .. (s.tag or ""))
+      if i == 1 then s:aim() end
+      if i == 2 then s:turn(3) end
+      if i == 3 then s:remove() end
+      if i == 4 then s.x, s.y, s.bank = s.x, s.y - 2, 6 end
+      if i == 5 then s.dir = s.dir + 1 s.speed = 4 end
+      if i == 6 then s.vx = 1 s.vy = -3 end
+      if i == 7 then s.kind, s.tag, s.motion = "ball", nil, s.motion or "stop" end
+    end
+    wait(7)
+  end
+end
+
+local function enemies()
+  for n = 0, forever do
+    local e = enemy.spawn { kind = n % 3 == 0 and "wall" or "drone", x = 20 + n * 37 % 180, y = 20 + n % 50, tag = "crowd",
+      hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
+    enemy.spawn { kind = "drone", path = n % 2 == 0 and swoop or across, mirror = n % 3 == 1, dx = n % 7, dy = n % 5 }
+    e:move { x = rng.int(10, 200), y = 100, over = 50, ease = "both" }
+    task.own(e, function(own, extra)
+      wait(15)
+      board.note(own.x + own.y + own.hp + own.age + extra)
+      board.note(own.kind .. own.bank .. (own.tag or ""))
+      own.safe = n % 2 == 0 and 20 or forever
+      board.note(own.safe)
+      wait(25)
+      own.safe, own.hp, own.bank, own.tag = 0, own.hp + 1, 2, "old"
+      if n % 4 == 0 then own:hurt(2) end
+      if n % 4 == 1 then own:kill() end
+      if n % 4 == 2 then path.run(own, across, true) own:remove() end
+      wait(20)
+      if own.alive then own.x, own.y = own.x + 5, own.y + 200 end
+    end, n)
+    enemy.each("crowd", function(x) x:hurt(1) end)
+    board.note(enemy.count() * 100 + enemy.count("crowd"))
+    wait(9)
+  end
+end
+
+local function pictures()
+  local put = {}
+  for n = 0, forever do
+    put[n % 26] = sprite.put { sprite = "steps", x = 8 * (n % 26), y = 100 + n % 30, bank = n % 3, screen = n % 5 == 0,
+      layer = n % 3 == 0 and "back" or n % 3 == 1 and "middle" or nil, flip_x = n % 2 == 0 }
+    local s = put[(n + 5) % 26]
+    if s and s.alive then
+      s.x, s.y, s.bank = s.x + 1, s.y - 1, (s.bank + 1) % 16
+      s.flip_x, s.flip_y, s.hidden = not s.flip_x, s.flip_x, s.hidden == (n % 4 == 0)
+      s.sprite = s.sprite == "steps" and "box" or "steps"
+      board.note(s.flip_y)
+      if n % 3 == 0 then s:remove() end
+    end
+    spark.burst { kind = n % 4 == 0 and "long" or "ping", x = 112, y = 112, n = 5, dir = n, spread = 90, speed = 3 }
+    text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
+    if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
+    if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
+    if n % 60 == 0 then palette.fade { to = 0x202040, over = 20, first = 16, last = 40 } end
+    if n % 60 == 30 then palette.fade { to = "main", over = 10 } end
+    if n % 50 == 25 then palette.cycle { first = 32, last = 47, every = n % 100 == 25 and 3 or 0 } end
+    if n % 200 == 199 then palette.load "main" end
+    wait(3)
+  end
+end
+
+local function numbers()
+  for n = 0, forever do
+    board.note(rng.int(1, 6) + rng.number(0, 1) + rng.dir() + (rng.chance(0.5) and 1 or 0) + rng.pick { 1, 2, 3 })
+    local p = player.nearest(100, 100)
+    board.note(angle.to({ x = 1, y = 2 }, p.alive and p or { x = 5, y = 6 }))
+    board.note(angle.of(3, n) + angle.difference(10, n) + angle.sin(n) + angle.cos(n))
+    player.each(function(q) board.note(q.x + q.y + q.safe) end)
+    board.note(board.frame() + board.live "bullets" + board.refused "bullets")
+    board.note(board.dip "coins")
+    if n % 30 == 29 then board.difficulty(board.difficulty() == "soft" and "hard" or "soft") end
+    save.set("count", (save.get("count", 0) + 1) % 1000)
+    save.set("text" .. n % 4, rom.text "words.txt" .. n)
+    if n % 40 == 0 then
+      score.enter("table" .. n % 3, { name = "N" .. n % 10, score = n * 7 % 100 })
+      board.note(#score.rows "table0")
+    end
+    if n % 100 == 50 then board.attract "torture" end
+    board.note(rom.has "steps")
+    if n % 8 == 0 then motion.def { { turn = n % 64, over = 4 }, { die = true } } end
+    wait(4)
+  end
+end
+
+-- Owners, scopes, closings, and now and then more tasks than there is room for.
+local function tasks()
+  local closed = 0
+  for n = 0, forever do
+    local scope = task.scope()
+    local t = task.own(scope, function()
+      local mark <close> = setmetatable({}, { __close = function() closed = closed + 1 end })
+      wait(forever)
+      return mark
+    end)
+    local own = task.go(function(k) wait_until(function() return not task.alive(t) end, 20) wait(k) end, n % 3)
+    wait(3)
+    if n % 2 == 0 then task.stop(scope) else task.stop(t) end
+    wait_for(own, t)
+    task.stop(scope)
+    board.note(closed)
+    if n % 12 == 11 then
+      local many = {}
+      for i = 1, 100 do many[i] = task.go(function() wait(2) wait(forever) end) end
+      wait(4)
+      for i = 1, #many do task.stop(many[i]) end
+    end
+    wait(2)
+  end
+end
+
+local corners = { bullets, groups, shots, enemies, pictures, numbers, tasks }
+
+stage.def("first", function()
+  for _, f in ipairs(corners) do task.go(f) end
+  stage.at(60)
+  stage.wave { kind = "drone", n = 5, every = 12, path = swoop, mirror = true, dx = 4, dy = 6,
+    run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
+  stage.at(200)
+  stage.mark "boss"
+  boss.fight "twin"
+  stage.clear(120)
+end)
+
+stage.def("second", function()
+  for _, f in ipairs(corners) do task.go(f) end
+  stage.wave { kind = "wall", n = 30, every = 3, path = across }
+  stage.at(120)
+  stage.clear(200)
+end)

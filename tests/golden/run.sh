@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# run.sh - the golden frames of tests/golden/list: the state's hash first, then the picture, pixel by pixel.
+#
+#     OUT=build/release tests/golden/run.sh             TAP, two tests a frame
+#     OUT=build/release tests/golden/run.sh --update    makes hashes and frames/ anew
+#
+# Hashes differ: the run itself is another. Only the pixels differ: it is drawn in another way. A failure leaves
+# expected, got and difference as PNG in build/golden-failed/.
+. "$(dirname "$0")/../tap.sh"
+here=tests/golden
+failed=build/golden-failed
+curtain=$OUT/curtain-null
+[ -x "$curtain" ] || curtain=build/curtain-null
+
+# render NAME ROM FRAMES OPTIONS...: pictures and hashes of one line into $scratch/new
+render() {
+    local name=$1 rom=$2 frames=$3
+    shift 3
+    mkdir -p "$scratch/one" "$scratch/new"
+    "$curtain" render "$rom" --frames "$frames" "$@" -o "$scratch/one" || return 1
+    local png frame last=0
+    for png in "$scratch"/one/*.png; do
+        frame=$(basename "$png" .png)
+        mv "$png" "$scratch/new/$name-$frame.png"
+        echo "$((10#$frame))" >>"$scratch/wanted"
+        last=$((10#$frame))
+    done
+    "$curtain" hash "$rom" --frames "$last" "$@" |
+        awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' "$scratch/wanted" - \
+            >>"$scratch/hashes"
+    rm -r "$scratch/one" "$scratch/wanted"
+}
+lines() { grep -vE '^#|^$' $here/list; }
+
+if [ "${1:-}" = --update ]; then
+    lines | while read -r -a line; do render "${line[@]}" || exit 1; done || exit 1
+    mkdir -p $here/frames
+    for old in $here/frames/*.png; do
+        [ -f "$scratch/new/${old##*/}" ] || { [ -f "$old" ] && rm "$old" && echo "gone: $old"; }
+    done
+    for new in "$scratch"/new/*.png; do
+        old=$here/frames/${new##*/}
+        cmp -s "$new" "$old" || { cp "$new" "$old" && echo "new: $old"; }
+    done
+    cmp -s "$scratch/hashes" $here/hashes || { cp "$scratch/hashes" $here/hashes && echo "new: $here/hashes"; }
+    echo "$(ls $here/frames | wc -l) golden frames"
+    exit 0
+fi
+
+hash_holds() { # NAME-FRAME
+    local want got
+    want=$(grep "^${1%-*} ${1##*-} " $here/hashes)
+    got=$(grep "^${1%-*} ${1##*-} " "$scratch/hashes")
+    [ -n "$want" ] && [ "$want" = "$got" ] || { echo "state hash: $got, expected $want"; return 1; }
+}
+picture_holds() { # EXPECTED GOT NAME-FRAME
+    cmp -s "$1" "$2" && return 0
+    mkdir -p $failed
+    python3 $here/png.py "$1" "$2" "$failed/$3.difference.png" && return 0
+    cp "$1" "$failed/$3.expected.png"
+    cp "$2" "$failed/$3.got.png"
+    echo "see $failed/$3.{expected,got,difference}.png"
+    return 1
+}
+
+while read -r -a line; do
+    check "${line[0]}: ${line[1]} runs" render "${line[@]}"
+done < <(lines)
+for picture in $here/frames/*.png; do
+    frame=$(basename "$picture" .png)
+    check "$frame: hash" hash_holds "$frame"
+    check "$frame: picture" picture_holds "$picture" "$scratch/new/$frame.png" "$frame"
+done
+complete() { diff <(ls $here/frames) <(ls "$scratch/new") && [ "$(ls $here/frames | wc -l)" -ge 16 ]; }
+check "frames/ and the list name the same frames, 16 at least" complete
+
+# A fault must be found: one pixel of one frame by one shade, and one digit of a hash.
+first=$(ls $here/frames | head -1)
+cat >"$scratch/spoil.py" <<'END'
+import sys
+sys.path.insert(0, "tests/golden")
+import png
+w, h, lines = png.read(sys.argv[1])
+line = bytearray(lines[h // 2])
+line[3 * (w // 2)] ^= 1
+lines[h // 2] = bytes(line)
+png.write(sys.argv[2], w, h, lines)
+END
+spoilt() {
+    python3 -B "$scratch/spoil.py" "$here/frames/$first" "$scratch/spoilt.png" || return 0
+    failed=$scratch picture_holds "$here/frames/$first" "$scratch/spoilt.png" spoilt
+}
+refuse "planted: one pixel, one shade off" "1 of" spoilt
+drawn() { [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]; }
+check "a failure leaves its three pictures" drawn
+spoilt_hash() {
+    sed -i '1s/.$/x/' "$scratch/hashes"
+    hash_holds "$(awk 'NR == 1 { print $1 "-" $2 }' "$scratch/hashes")"
+}
+refuse "planted: one digit of a hash" "state hash" spoilt_hash
+done_testing
