@@ -35,7 +35,7 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench
+.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench demos
 
 all: deps
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -173,6 +173,11 @@ $(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o 
 bench: all
 	@$(MAKE) --no-print-directory $(OUT)/bench
 	@OUT=$(OUT) tools/bench.sh
+
+# The demos are recorded by a program that plays; needed when scripts or the core change.
+demos: deps
+	@$(MAKE) --no-print-directory $(OUT)/bot
+	@OUT=$(OUT) tools/demos.sh
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

@@ -5,8 +5,7 @@
  *     --stage S       practice start instead of the title
  *     --seed N        seed
  *     --deaths N      let the first N bullets that come hit (a run with deaths in it)
- *     --no-fire       never shoot
- *     --still         never move, but shoot
+ *     --finish        stop two seconds after a score was entered into a table
  *     --quiet         no report
  *
  * While no player is in the game it presses what gets through menus. In the game it saves the board, tries each direction
@@ -33,7 +32,7 @@ struct bot {
     struct board *b;
     void *snapshot;
     size_t room;
-    bool fire, still;
+    bool finish;
     int deaths; /* it still has to die so often */
     uint16_t pads[PADS];
     uint32_t until; /* frame of the next decision */
@@ -117,7 +116,7 @@ static int try_way(struct bot *bot, uint16_t first, uint16_t second, double *val
     *value = 0;
     for (int f = 0; f < AHEAD; f++) {
         uint16_t move = f < HOLD ? first : f < 3 * HOLD ? second : 0;
-        uint16_t pads[PADS] = { (uint16_t)(move | (bot->fire ? PAD_FIRE : 0)), 0 };
+        uint16_t pads[PADS] = { (uint16_t)(move | PAD_FIRE), 0 };
         board_tick(bot->b, pads);
         if (hit(bot->b, lives))
             return f;
@@ -173,17 +172,15 @@ static void think(struct bot *bot)
         return;
     }
     bool busy = b->enemies.s.live || b->bullets.s.live;
-    if (bot->still || (bot->deaths > 0 && b->bullets.s.live > 30)) {
-        bot->pads[0] = bot->fire ? PAD_FIRE : 0;
-        if (!bot->still && frame % 8 < 4) /* looks for it */
-            bot->pads[0] |= PAD_UP;
+    if (bot->deaths > 0 && b->bullets.s.live > 30) { /* it goes to meet them */
+        bot->pads[0] = PAD_FIRE | (frame % 8 < 4 ? PAD_UP : 0);
         return;
     }
     if (frame >= bot->until) {
         bot->pads[0] = busy ? decide(bot) : 0;
         bot->until = frame + HOLD;
     }
-    bot->pads[0] = (uint16_t)((bot->pads[0] & ~PAD_FIRE) | (bot->fire ? PAD_FIRE : 0));
+    bot->pads[0] |= PAD_FIRE;
 }
 
 static void fail(const char *what)
@@ -196,6 +193,8 @@ static void play(struct bot *bot, struct demo_writer *w, uint32_t frames, bool q
 {
     struct board *b = bot->b;
 
+    uint32_t writes = b->nvram.writes;
+
     while (board_frame(b) < frames) {
         uint64_t deaths = bot->tally.deaths;
         think(bot);
@@ -207,13 +206,15 @@ static void play(struct bot *bot, struct demo_writer *w, uint32_t frames, bool q
         if (out->fault)
             fail(out->fault->message);
         tally_after(&bot->tally, b);
+        if (bot->finish && b->nvram.writes != writes && frames > board_frame(b) + 120)
+            frames = board_frame(b) + 120;
         bot->deaths -= (int)(bot->tally.deaths - deaths);
     }
 }
 
 int main(int argc, char **argv)
 {
-    struct bot bot = { .fire = true };
+    struct bot bot = { 0 };
     struct board_start start = { .difficulty = -1, .seed = 1 };
     struct rom_image image;
     struct demo_writer w = { 0 };
@@ -235,10 +236,8 @@ int main(int argc, char **argv)
             start.seed = (uint64_t)atoll(more), i++;
         else if (!strcmp(argv[i], "--deaths"))
             bot.deaths = atoi(more), i++;
-        else if (!strcmp(argv[i], "--no-fire"))
-            bot.fire = false;
-        else if (!strcmp(argv[i], "--still"))
-            bot.still = true;
+        else if (!strcmp(argv[i], "--finish"))
+            bot.finish = true;
         else if (!strcmp(argv[i], "--quiet"))
             quiet = true;
         else

@@ -611,6 +611,7 @@ static int call(lua_State *L)
     struct board *b = vm_board(L);
     struct api_value v[MAX_PARAMS];
 
+    vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !b->vm.loading)
         return api_error(L, e->name, "only while scripts load");
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
@@ -633,6 +634,7 @@ static int sys_check(lua_State *L)
 
     if (!e)
         return vm_fault(L, FAULT_SCRIPT, "sys.check: no entry \"%s\"", lua_tostring(L, 1));
+    vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "only while scripts load");
     lua_remove(L, 1);

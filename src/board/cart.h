@@ -6,9 +6,11 @@
  *         script/X.lua    scripts of the game; script/@std/X.lua the standard library
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
- *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank, 6
- * zero bytes), then frames * rotations pictures of pitch * h bytes; picture = frame * rotations + rotation demo/X
- * data/X  demos; text files for rom.text
+ *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
+ *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
+ *                         picture = frame * rotations + rotation
+ *         demo/X          demos
+ *         data/X          text files for rom.text
  */
 #ifndef BOARD_CART_H
 #define BOARD_CART_H

@@ -260,7 +260,7 @@ static int base_load(lua_State *L)
     if (reader)
         read_pieces(L);
     const char *text = lua_tolstring(L, 1, &n), *chunk = luaL_optstring(L, 2, reader ? "=(load)" : text);
-    vm_charge(L, n * 4);
+    vm_charge(L, 1000 + n * 16);
     if (!script_scan(text, n, &line, &what))
         return refuse_text(L, chunk, line, what);
     int status = luaL_loadbufferx(L, text, n, chunk, "t");

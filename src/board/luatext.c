@@ -372,6 +372,7 @@ static void add_item(lua_State *L, luaL_Buffer *out, const struct spec *f, int a
 {
     char c;
 
+    vm_charge(L, strchr("eEfgG", f->conversion) ? 500 : 16);
     switch (f->conversion) {
     case 'c':
         c = (char)luaL_checkinteger(L, arg);
@@ -415,7 +416,6 @@ static int string_format(lua_State *L)
         if (++arg > top)
             return luaL_argerror(L, arg, "no value");
         p = read_spec(L, p, end, &f);
-        vm_charge(L, 8);
         add_item(L, &out, &f, arg);
     }
     luaL_addlstring(&out, p, (size_t)(end - p));

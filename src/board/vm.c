@@ -34,12 +34,14 @@ static void find_place(lua_State *L, char *place, size_t size)
 
 enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
 
-/* An allocation failed. When collecting does not help, the error that follows has lost its stack. */
+/* An allocation failed, and Lua collects. When that does not help, the error that follows has lost its stack. The
+ * collection is work too: at the brim of memory there would be one an allocation. */
 static void note_shortage(struct board *b)
 {
     struct hand *h = b->hand;
     lua_Debug ar;
 
+    b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
     find_place(b->vm.running, h->shortage, sizeof h->shortage);
@@ -329,6 +331,7 @@ static int l_print(lua_State *L)
         if (i > 1)
             log_text(b, "\t", 1);
         log_text(b, s, size);
+        vm_charge(L, WORK_CALL);
         lua_pop(L, 1);
     }
     log_text(b, "\n", 1);

@@ -17,10 +17,15 @@
 
 struct board;
 
+/* VM instructions, or work in C worth as many, in one tick. Tests of the guards lower it. */
+#ifndef WORK_LIMIT
+#define WORK_LIMIT 1000000000
+#endif
+
 enum {
-    WORK_LIMIT = 1000000000, /* VM instructions, or library work worth as many, in one tick */
-    WORK_STEP = 100000,      /* instructions between two looks when counting */
-    VM_PLACE = 80            /* bytes of "FILE:LINE: " */
+    WORK_STEP = 1000, /* instructions between two looks when counting */
+    WORK_CALL = 100,  /* what a call of an API function is worth */
+    VM_PLACE = 80     /* bytes of "FILE:LINE: " */
 };
 
 struct vm {

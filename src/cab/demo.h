@@ -7,13 +7,12 @@
  * a lost, swapped or foreign record shows. str is u8 length, bytes.
  *
  *     H  once, first: u32 core version, u64 game hash, u64 ROM hash, str game id, str Lua release, u64 seed,
- *        16 x i32 DIP, i32 difficulty, str practice start, u8 parts, a str for each part's name, u32 nvram bytes,
- *        the nvram image run-length coded up to the payload's end: c < 128: c + 1 bytes follow; else the next byte
+ *        16 x i32 DIP, i32 difficulty, str practice start, u8 parts, a str for each part's name, u32 nvram bytes, the
+ *        nvram image run-length coded up to the payload's end: c < 128: c + 1 bytes follow; else the next byte
  *        c - 125 times
- *     S  a second: u32 first frame, u8 frames (60; fewer only in the last; 0 only in the first, which holds the
- *        hashes of the board just powered on), u8 runs, u8 hashed (0 or 1), u8 0; runs x { u16 frames, u16 pad 1,
- *        u16 pad 2 }; if hashed, a u64 for each part: its hash when those frames are over. Not hashed: the last,
- *        when it faulted
+ *     S  a second: u32 first frame, u8 frames (60; fewer only in the last; 0 only in the first, which holds the hashes
+ *        of the board just powered on), u8 runs, u8 hashed (0 or 1), u8 0; runs x { u16 frames, u16 pad 1, u16 pad 2 };
+ *        if hashed, a u64 for each part: its hash when those frames are over. Not hashed: the last, when it faulted
  *     F  u32 flags (DEMO_BRANCHED ...), added to those before; anywhere after H
  *     E  last: u32 frames, u32 fault (enum board_fault_kind; FAULT_NONE: the player stopped)
  *

@@ -316,6 +316,8 @@ static inline void rig_pads(struct rng *rng, uint16_t pads[PADS])
         pads[i] &= (uint16_t)~rare;
         if (rng_below(rng, 150) == 0)
             pads[i] |= PAD_START;
+        if (rng_below(rng, 900) == 0)
+            pads[i] |= PAD_SELECT;
     }
 }
 

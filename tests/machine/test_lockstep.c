@@ -169,7 +169,7 @@ struct act {
 enum { AT = 137 };
 
 static const struct act acts[] = {
-    { "an argument", "mark.speed = odd and 0 or 0.0", NULL },
+    { "an argument", "mark.speed = odd and 0.0 or -0.0", NULL },
     { "a call more", "if odd then bullet.group():turn(0) end", NULL },
     { "another order", "if odd then mark:turn(0) mark.bank = 1 else mark.bank = 1 mark:turn(0) end", NULL },
     { "a draw of the dice", "if odd then rng.int(1, 6) end", "board" },

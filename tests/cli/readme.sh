@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass Tide's.
+. "$(dirname "$0")/../tap.sh"
+. tests/pages.sh
+
+blocks README.md
+for art in examples/*/art/*.png; do
+    check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
+done
+files() { ls "$scratch/blocks" | grep -c '\.file$'; }
+check "README shows all of examples/first" test "$(files)" = "$(find examples/first -name '*.lua' | wc -l)"
+lines() { cat examples/first/*.lua | wc -l; }
+check "in 30 lines" test "$(lines)" -le 30
+check "the sandbox runs" run examples/sandbox try 600
+sed 's/speed = 1.6/speed = 1.7/' README.md >"$scratch/bad.md"
+take "$scratch/bad.md"
+other() { local f; for f in "$scratch"/blocks/*.file; do block "$f" || return; done; }
+refuse "planted: a text that is not the file's" "speed = 1.7" other
+done_testing

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""snippets.py - takes the code blocks out of a Markdown page, so that a test can run them.
+
+    snippets.py PAGE OUT        writes OUT/LINE.KIND (and OUT/LINE.says) for every block; LINE is where it starts
+    snippets.py --cover PAGE    reads `curtain help lua` on stdin; fails when an entry stands in no Lua block
+
+KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua main (main.lua), lua rom
+(rom.lua), lua error (the body of a task that faults; the next block is what it says), lua = PATH (the text of a file of
+the repository), sh (commands), none (plain text).
+"""
+import os
+import re
+import sys
+
+
+def blocks(page):
+    kind, start, lines = None, 0, []
+    for number, line in enumerate(open(page, encoding="utf-8"), 1):
+        fence = re.match(r"```(.*)$", line)
+        if not fence:
+            if kind is not None:
+                lines.append(line)
+        elif kind is None:
+            kind, start, lines = fence.group(1).strip() or "none", number, []
+        else:
+            yield start, kind, "".join(lines)
+            kind = None
+    if kind is not None:
+        sys.exit(f"{page}:{start}: a block without an end")
+
+
+def write(page, out):
+    error = None
+    for start, kind, text in blocks(page):
+        if kind.startswith("lua = "):
+            with open(os.path.join(out, f"{start}.file"), "w", encoding="utf-8") as f:
+                f.write(kind[6:].strip() + "\n" + text)
+            continue
+        if kind == "lua error":
+            error = start
+        elif error is not None:
+            with open(os.path.join(out, f"{error}.says"), "w", encoding="utf-8") as f:
+                f.write(text)
+            error = None
+            continue
+        with open(os.path.join(out, f"{start}.{kind.replace('lua ', '')}"), "w", encoding="utf-8") as f:
+            f.write(text)
+
+
+def cover(page):
+    lua = "".join(text for _, kind, text in blocks(page) if kind.startswith("lua") and kind != "lua error")
+    missing = []
+    for line in sys.stdin:
+        name = re.match(r"[a-z_]+(?:([.:])([a-z_]+))?", line)
+        if not name:
+            continue
+        word = r":" + name.group(2) if name.group(1) == ":" else re.escape(name.group(0))
+        if not re.search(r"(?<![\w.])" + word + r"\b" if name.group(1) != ":" else word + r"\b", lua):
+            missing.append(name.group(0))
+    for name in missing:
+        print(f"{page}: no example uses {name}")
+    sys.exit(bool(missing))
+
+
+if sys.argv[1] == "--cover":
+    cover(sys.argv[2])
+write(sys.argv[1], sys.argv[2])

@@ -1,0 +1,450 @@
+/*
+ * test_columns.c - the column tables: complete, and what they say of each column is so. Every bit of state is hashed by
+ * one part, in live slots alone; what is not hashed has its reason.
+ *
+ * That no member was forgotten is seen by reading the headers: every member of a chip's struct stands in its table.
+ */
+#include <ctype.h>
+#include "rig.h"
+
+/* ---- the tables against the headers ---- */
+
+/* Where each chip's struct is declared. */
+struct home {
+    const char *chip, *file, *name;
+    size_t size;
+};
+
+#define HOME(chip, file, name)                                                                                         \
+    {                                                                                                                  \
+        chip, "src/" file, #name, sizeof(struct name)                                                                  \
+    }
+static const struct home homes[] = {
+    HOME("script", "board/machine.h", script),
+    HOME("board", "board/machine.h", core),
+    HOME("input", "chips/input.h", input),
+    HOME("tasks", "board/tasks.h", tasks),
+    HOME("bullets", "chips/bullets.h", bullets),
+    HOME("bullet_kinds", "chips/bullets.h", bullet_kinds),
+    HOME("shots", "chips/bullets.h", bullets),
+    HOME("shot_kinds", "chips/bullets.h", bullet_kinds),
+    HOME("enemies", "chips/enemies.h", enemies),
+    HOME("enemy_kinds", "chips/enemies.h", enemy_kinds),
+    HOME("player", "chips/player.h", player),
+    HOME("player_kinds", "chips/player.h", player_kinds),
+    HOME("motions", "chips/motion.h", motions),
+    HOME("steps", "chips/motion.h", steps),
+    HOME("sprites", "chips/sprites.h", sprites),
+    HOME("fix", "chips/fix.h", fix),
+    HOME("pal", "chips/pal.h", pal),
+    HOME("nvram", "chips/nvram.h", nvram),
+    HOME("sparks", "chips/sparks.h", sparks),
+    HOME("spark_kinds", "chips/sparks.h", spark_kinds),
+};
+
+/* A file without its comments. */
+static char *source(const char *path)
+{
+    FILE *f = fopen(path, "rb");
+    static char text[1 << 16];
+
+    if (!f)
+        fail_msg("%s: run this in the repository's root", path);
+    size_t n = fread(text, 1, sizeof text - 1, f);
+    fclose(f);
+    text[n] = 0;
+    for (char *p = text, *end; (p = strstr(p, "/*")) != NULL;) {
+        end = strstr(p, "*/");
+        assert_non_null(end);
+        memset(p, ' ', (size_t)(end + 2 - p));
+    }
+    return text;
+}
+
+/* The members of `struct NAME { ... };`: "name", "*name" for a pointer, "name[" for an array. */
+static int members(const char *path, const char *name, char out[][40], char types[][40], int most)
+{
+    char head[64], word[40], type[40] = "";
+    int n = 0;
+
+    snprintf(head, sizeof head, "struct %s {", name);
+    char *p = strstr(source(path), head), *end;
+    if (!p)
+        fail_msg("%s: no struct %s", path, name);
+    p += strlen(head);
+    end = strstr(p, "};");
+    while (p < end) {
+        size_t k = 0;
+        bool pointer = false;
+        while (isspace((unsigned char)*p) || *p == '*')
+            pointer |= *p++ == '*';
+        while (isalnum((unsigned char)*p) || *p == '_')
+            word[k++] = *p++;
+        word[k] = 0;
+        while (isspace((unsigned char)*p))
+            p++;
+        if (*p == '[' || *p == ',' || *p == ';') {
+            assert_true(n < most);
+            snprintf(out[n], 40, "%s%.30s%s", pointer ? "*" : "", word, *p == '[' ? "[" : "");
+            if (types)
+                snprintf(types[n], 40, "%s", type);
+            n++;
+            while (*p != ',' && *p != ';')
+                p++;
+            p++;
+            while (isspace((unsigned char)*p))
+                p++;
+        } else
+            snprintf(type, sizeof type, "%s", word);
+    }
+    return n;
+}
+
+static const struct column *column_named(const struct chip *chip, const char *name)
+{
+    for (int i = 0; i < chip->count; i++)
+        if (!strcmp(chip->columns[i].name, name))
+            return &chip->columns[i];
+    return NULL;
+}
+
+static void check_member(const struct chip *chip, const char *member)
+{
+    char name[40];
+    bool pointer = member[0] == '*', array;
+
+    snprintf(name, sizeof name, "%s", member + pointer);
+    array = name[strlen(name) - 1] == '[';
+    if (array)
+        name[strlen(name) - 1] = 0;
+    const struct column *c = column_named(chip, name);
+    if (!c)
+        fail_msg("chip %s: member %s is not in the column table", chip->name, name);
+    assert_int_equal(c->reg, !pointer);
+    if (!pointer)
+        assert_int_equal(c->n > 1, array);
+}
+
+/* No two columns share a byte, none reaches outside, and what is between is smaller than the alignment that makes it.
+ */
+static void check_bytes(const struct chip *chip, const struct home *home)
+{
+    uint8_t *of = calloc(home->size, 1);
+    size_t gap = 0;
+
+    memset(of, 1, sizeof(struct slots));
+    for (int i = 0; i < chip->count; i++) {
+        const struct column *c = &chip->columns[i];
+        size_t n = c->reg ? (size_t)c->width * c->n : sizeof(void *);
+        assert_true(c->at >= sizeof(struct slots) && c->at + n <= home->size);
+        assert_true(c->width == 1 || c->width == 2 || c->width == 4 || c->width == 8);
+        for (size_t k = 0; k < n; k++) {
+            if (of[c->at + k])
+                fail_msg("chip %s: column %s lies on another", chip->name, c->name);
+            of[c->at + k] = 1;
+        }
+    }
+    for (size_t k = 0; k < home->size; k++) {
+        gap = of[k] ? 0 : gap + 1;
+        if (gap >= 8)
+            fail_msg("chip %s: byte %zu of its struct is in no column", chip->name, k);
+    }
+    free(of);
+}
+
+static void test_tables(void **state)
+{
+    char names[64][40];
+
+    (void)state;
+    assert_int_equal(sizeof homes / sizeof *homes, PARTS);
+    for (int i = 0; i < PARTS; i++) {
+        const struct chip *chip = parts[i].chip;
+        assert_string_equal(homes[i].chip, chip->name);
+        int n = members(homes[i].file, homes[i].name, names, NULL, 64);
+        assert_string_equal(names[0], "s");
+        for (int k = 1; k < n; k++)
+            check_member(chip, names[k]);
+        assert_int_equal(n - 1, chip->count);
+        check_bytes(chip, &homes[i]);
+        for (int k = 0; k < i; k++)
+            assert_string_not_equal(parts[k].chip->name, chip->name);
+    }
+}
+
+/* Every chip's struct in struct board is a part, in the order of parts[]. */
+static void test_parts(void **state)
+{
+    char names[64][40], types[64][40];
+    int n, first = 0;
+
+    (void)state;
+    assert_true(PARTS <= MAX_PARTS);
+    n = members("src/board/machine.h", "board", names, types, 64);
+    while (first < n && strcmp(names[first], "script"))
+        first++;
+    assert_int_equal(n - first, PARTS);
+    for (int i = 0; i < PARTS; i++) {
+        assert_string_equal(types[first + i], homes[i].name);
+        if (i)
+            assert_true(parts[i].at > parts[i - 1].at);
+    }
+    assert_int_equal(parts[0].at, offsetof(struct board, script));
+}
+
+static void test_reasons(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PARTS; i++)
+        for (int k = 0; k < parts[i].chip->count; k++) {
+            const struct column *c = &parts[i].chip->columns[k];
+            assert_int_equal(c->kind == COL_DERIVED, c->why != NULL);
+            if (c->why)
+                assert_true(strlen(c->why) > 10);
+        }
+}
+
+/* ---- the hashes ---- */
+
+struct sums {
+    uint64_t part[MAX_PARTS], all;
+};
+
+static struct sums sums_of(const struct board *b)
+{
+    struct sums s = { .all = board_hash(b) };
+
+    board_hashes(b, s.part);
+    return s;
+}
+
+static struct slots *slots_at(struct board *b, int i)
+{
+    return (struct slots *)((uint8_t *)b + parts[i].at);
+}
+
+static uint8_t *bytes_at(struct board *b, int i, const struct column *c)
+{
+    uint8_t *at = (uint8_t *)b + parts[i].at + c->at;
+
+    if (!c->reg)
+        memcpy(&at, at, sizeof at);
+    return at;
+}
+
+/* Flips one bit; exactly the hash of part i changes, and (unless it is apart) the combined one; none for i < 0. */
+static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit, int i, const char *what)
+{
+    *byte ^= (uint8_t)(1 << bit);
+    struct sums now = sums_of(b);
+    *byte ^= (uint8_t)(1 << bit);
+    for (int k = 0; k < PARTS; k++)
+        if ((now.part[k] != was->part[k]) != (k == i))
+            fail_msg("%s: a flipped bit: the hash of %s %s", what, parts[k].chip->name, k == i ? "stays" : "changes");
+    if ((now.all != was->all) != (i >= 0 && !parts[i].chip->apart))
+        fail_msg("%s: the combined hash %s", what, now.all == was->all ? "stays" : "changes");
+}
+
+/* A live slot of part i (the one after skipping some), or NO_SLOT. */
+static int32_t live_slot(struct board *b, int i, uint64_t skip)
+{
+    const struct slots *s = slots_at(b, i);
+    uint32_t end = s->used ? s->top : s->live, at = slots_next(s, 0);
+
+    if (!s->live)
+        return NO_SLOT;
+    for (skip %= s->live; skip--;)
+        at = slots_next(s, at + 1);
+    assert_true(at < end);
+    return (int32_t)at;
+}
+
+/* A slot below top that is dead, or NO_SLOT. */
+static int32_t dead_slot(struct board *b, int i)
+{
+    const struct slots *s = slots_at(b, i);
+
+    for (uint32_t k = 0; s->used && k < s->top; k++)
+        if (!(s->used[k / 64] >> (k & 63) & 1))
+            return (int32_t)k;
+    return NO_SLOT;
+}
+
+/* Returns false when the part has no live slot to try it on. */
+static bool check_column(struct board *b, const struct sums *was, struct rng *rng, int i, const struct column *c)
+{
+    char what[80];
+    int32_t slot = c->reg ? 0 : live_slot(b, i, rng_next(rng)), dead = c->reg ? NO_SLOT : dead_slot(b, i);
+    size_t size = (size_t)c->width * c->n;
+
+    snprintf(what, sizeof what, "%s.%s", parts[i].chip->name, c->name);
+    if (slot == NO_SLOT)
+        return false;
+    for (size_t k = 0; k < size; k++) /* every value of the slot, every byte of it */
+        flip(b, was, bytes_at(b, i, c) + (size_t)slot * size + k, (int)rng_below(rng, 8), c->kind == COL_GAME ? i : -1,
+             what);
+    if (dead != NO_SLOT)
+        flip(b, was, bytes_at(b, i, c) + (size_t)dead * size, (int)rng_below(rng, 8), -1, what);
+    return true;
+}
+
+static bool check_slots(struct board *b, const struct sums *was, struct rng *rng, int i)
+{
+    struct slots *s = slots_at(b, i);
+    char what[80];
+
+    snprintf(what, sizeof what, "slots of %s", parts[i].chip->name);
+    flip(b, was, (uint8_t *)&s->refused, (int)rng_below(rng, 8), i, what);
+    flip(b, was, (uint8_t *)&s->cap, (int)rng_below(rng, 8), -1, what);
+    flip(b, was, (uint8_t *)&s->high, (int)rng_below(rng, 8), -1, what);
+    flip(b, was, (uint8_t *)&s->low, (int)rng_below(rng, 8), -1, what);
+    if (s->used && s->top) {
+        int32_t slot = live_slot(b, i, rng_next(rng)), dead = dead_slot(b, i);
+        s->top += 64; /* nothing lives there */
+        s->used[s->top / 64 - 1] = 0;
+        struct sums now = sums_of(b);
+        s->top -= 64;
+        assert_memory_equal(&now, was, sizeof now);
+        if (slot == NO_SLOT)
+            return false;
+        flip(b, was, (uint8_t *)&s->gen[slot], (int)rng_below(rng, 8), i, what);
+        flip(b, was, (uint8_t *)&s->used[slot / 64] + slot % 64 / 8, slot % 8, i, what);
+        if (dead != NO_SLOT)
+            flip(b, was, (uint8_t *)&s->gen[dead], (int)rng_below(rng, 8), -1, what);
+    }
+    return true;
+}
+
+/* Room for `top += 64` above. */
+static bool has_room(struct board *b)
+{
+    for (int i = 0; i < PARTS; i++)
+        if (slots_at(b, i)->used && slots_at(b, i)->top + 64 > (slots_at(b, i)->cap + 63) / 64 * 64)
+            return false;
+    return true;
+}
+
+/* A scene in which every part has live slots, and pools have dead ones between. */
+static const char scene[] =
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
+    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 } })\n"
+    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
+    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
+    "stage.def('s', function()\n"
+    "  for i = 1, 20 do\n"
+    "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"
+    "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"
+    "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"
+    "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"
+    "    e:move { x = 100, y = 100, over = 100 }\n"
+    "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) end)\n"
+    "  end\n"
+    "  text.put { col = 1, row = 1, text = 'words' }\n"
+    "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"
+    "  save.set('key', 1)\n"
+    "  wait(forever)\n"
+    "end)\n"
+    "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+
+static void test_flips(void **state)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+
+    (void)state;
+    m.tasks = 128;
+    m.sprites = 128;
+    m.shots = m.enemies = 128;
+    rig_script(&g, &m, scene);
+    rig_power(&r, &g, &start);
+    rig_run(&r, 26);
+    assert_true(has_room(r.b));
+    rng_seed(&rng, 3);
+    struct sums was = sums_of(r.b);
+    for (int i = 0; i < PARTS; i++) {
+        const struct chip *chip = parts[i].chip;
+        if (!check_slots(r.b, &was, &rng, i))
+            fail_msg("part %s has no live slot", chip->name);
+        for (int k = 0; k < chip->count; k++)
+            if (!check_column(r.b, &was, &rng, i, &chip->columns[k]))
+                fail_msg("part %s has no live slot", chip->name);
+        if (slots_at(r.b, i)->used)
+            assert_true(dead_slot(r.b, i) != NO_SLOT);
+    }
+    assert_true(was.all == board_hash(r.b));
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* Derived columns are what they say: spoiling those that a frame rewrites changes no frame after. */
+static void test_derived(void **state)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
+    struct rig_game g;
+    struct rig a, b;
+
+    (void)state;
+    rig_script(&g, NULL, scene);
+    rig_power(&a, &g, &start);
+    rig_power(&b, &g, &start);
+    for (int f = 0; f < 120; f++) {
+        rig_run(&a, 1);
+        b.b->bullets.moved = 77;
+        b.b->shots.moved = 99;
+        for (int p = 0; p < PADS; p++)
+            b.b->player.was_x[p] = b.b->player.was_y[p] = (fx)(f * 65536);
+        assert_int_equal(b.b->tasks.current, NO_SLOT);
+        rig_run(&b, 1);
+        if (rig_differs(&a, &b))
+            fail_msg("frame %d: part %s differs", f, rig_differs(&a, &b));
+    }
+    rig_free(&a);
+    rig_free(&b);
+    rig_game_free(&g);
+}
+
+/* tasks.next, prev, first, last: the live slots by serial. */
+static void test_links(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+    uint16_t pads[PADS] = { 0 };
+
+    (void)state;
+    rig_folder(&g, "torture");
+    rig_power(&r, &g, NULL);
+    rng_seed(&rng, 9);
+    for (int f = 0; f < 600; f++) {
+        const struct tasks *t = &r.b->tasks;
+        uint32_t n = 0, before = UINT32_MAX;
+        for (uint32_t i = t->first; i != UINT32_MAX; before = i, i = t->next[i], n++) {
+            assert_true(slots_has(&t->s, i, t->s.gen[i]));
+            assert_int_equal(t->prev[i], before);
+            if (before != UINT32_MAX)
+                assert_true(t->serial[before] < t->serial[i]);
+        }
+        assert_int_equal(t->last, before);
+        assert_int_equal(n, t->s.live);
+        rig_pads(&rng, pads);
+        rig_tick(&r, pads);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_tables), cmocka_unit_test(test_parts),   cmocka_unit_test(test_reasons),
+        cmocka_unit_test(test_flips),  cmocka_unit_test(test_derived), cmocka_unit_test(test_links),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

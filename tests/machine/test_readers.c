@@ -1,0 +1,376 @@
+/*
+ * test_readers.c - files nobody meant: random bytes, every truncation, and thousands of valid ROMs and demos with a few
+ * bytes spoilt and the checksums made good. Each is refused in one sentence or runs.
+ */
+#include "../spoil.h"
+
+enum { ROM_MUTANTS = 6000, CARD_MUTANTS = 1000, DEMO_MUTANTS = 3000 };
+
+struct tally {
+    uint32_t n[SPOIL_OUTCOMES], all;
+};
+
+static struct spoil_bench bench;
+static struct rig_game game;
+
+static const struct board_start plain = { .seed = 1, .difficulty = -1 };
+
+static int set_up(void **state)
+{
+    (void)state;
+    spoil_open(&bench);
+    spoil_game(&game);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    spoil_close(&bench);
+    rig_game_free(&game);
+    return 0;
+}
+
+static uint8_t *copy_of(const void *data, size_t n)
+{
+    uint8_t *p = malloc(n + (n == 0)); /* of exactly this size, for sanitizers */
+
+    if (n > 0)
+        memcpy(p, data, n);
+    return p;
+}
+
+/* Opens and, if it opens, runs. */
+static enum spoil_outcome try_rom(const uint8_t *p, size_t n, uint64_t seed)
+{
+    struct rom rom;
+    char err[512] = "";
+    bool bad;
+
+    if (!rom_open(&rom, p, n, err, sizeof err)) {
+        if (!spoil_sentence(err, sizeof err))
+            fail_msg("case %llu: refused with \"%s\"", (unsigned long long)seed, err);
+        return SPOIL_REFUSED;
+    }
+    enum spoil_outcome out = spoil_run(&bench, &rom, &plain, NULL, seed, &bad);
+    if (bad)
+        fail_msg("case %llu: outcome %d says \"%s\"", (unsigned long long)seed, (int)out, bench.said);
+    return out;
+}
+
+static void add(struct tally *t, enum spoil_outcome out)
+{
+    t->n[out]++;
+    t->all++;
+}
+
+/* At least this share got as far as a powered board, and some of each kind were there. */
+static void assert_reach(const struct tally *t, uint32_t percent)
+{
+    uint32_t powered = t->n[SPOIL_RAN] + t->n[SPOIL_FAULTED];
+
+    print_message("# %u: %u refused, %u too large, %u faulted, %u ran\n", t->all, t->n[SPOIL_REFUSED],
+                  t->n[SPOIL_TOO_LARGE], t->n[SPOIL_FAULTED], t->n[SPOIL_RAN]);
+    assert_true(powered * 100 >= t->all * percent);
+    assert_true(t->n[SPOIL_TOO_LARGE] * 20 <= t->all);
+    assert_true(t->n[SPOIL_REFUSED] > 0 && t->n[SPOIL_RAN] > 0);
+}
+
+/* ---- ROMs ---- */
+
+static void test_as_it_is(void **state)
+{
+    (void)state;
+    assert_int_equal(try_rom(game.image.bytes, game.image.size, 1), SPOIL_RAN);
+}
+
+static void test_random_bytes(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 11);
+    for (int i = 0; i < 3000; i++) {
+        size_t n = (size_t)rng_below(&r, i % 10 ? 300 : 20000);
+        uint8_t *p = malloc(n + (n == 0));
+        for (size_t k = 0; k < n; k++)
+            p[k] = (uint8_t)rng_next(&r);
+        if (i % 2)
+            spoil_repair(p, n);
+        assert_int_equal(try_rom(p, n, (uint64_t)i), SPOIL_REFUSED);
+        free(p);
+    }
+}
+
+/* Cut anywhere, as it is, and with its header and checksums saying that it is whole. */
+static void test_truncated(void **state)
+{
+    (void)state;
+    for (size_t n = 0; n < game.image.size; n++) {
+        uint8_t *p = copy_of(game.image.bytes, n);
+        assert_int_equal(try_rom(p, n, n), SPOIL_REFUSED);
+        if (n % 61 == 0 || n < 1200) {
+            spoil_repair(p, n);
+            assert_int_equal(try_rom(p, n, n), SPOIL_REFUSED);
+        }
+        free(p);
+    }
+}
+
+/* One lump after the other left out, and emptied. */
+static void test_lumps_gone(void **state)
+{
+    const struct rom *rom = &game.image.rom;
+    struct lump lumps[128];
+    struct tally t = { 0 };
+
+    (void)state;
+    assert_true(rom->count <= 128);
+    for (uint32_t gone = 0; gone < 2 * rom->count; gone++) {
+        int n = 0;
+        for (uint32_t i = 0; i < rom->count; i++) {
+            rom_lump(rom, (int)i, &lumps[n]);
+            if (i == gone / 2 && gone % 2)
+                lumps[n++].size = 0;
+            else if (i != gone / 2)
+                n++;
+        }
+        size_t size = rom_write_size(lumps, n);
+        uint8_t *p = malloc(size);
+        rom_write(p, lumps, n);
+        add(&t, try_rom(p, size, gone));
+        free(p);
+    }
+    assert_reach(&t, 30);
+}
+
+/* A value a reader may trip over, or any. */
+static uint32_t odd_value(struct rng *r)
+{
+    static const uint32_t odd[] = { 0,     1,      2,      7,      8,          0x7f,       0x80,      0xff,
+                                    0x100, 0x7fff, 0x8000, 0xffff, 0x7fffffff, 0x80000000, 0xffffffff };
+    uint32_t v = odd[rng_below(r, sizeof odd / sizeof *odd)];
+
+    return rng_below(r, 3) ? v : (uint32_t)rng_next(r);
+}
+
+/* Spoils n bytes at p: a bit, a byte, a word, a swap; in text rather a letter for another of the text. */
+static void spoil(uint8_t *p, size_t n, struct rng *r)
+{
+    size_t at = (size_t)rng_below(r, n), from = (size_t)rng_below(r, n);
+
+    switch (rng_below(r, 6)) {
+    case 0:
+        p[at] ^= (uint8_t)(1u << rng_below(r, 8));
+        break;
+    case 1:
+        p[at] = (uint8_t)rng_next(r);
+        break;
+    case 2:
+        if (n >= 2) {
+            at = at & ~(size_t)1 & (n - 2);
+            put16(p + at, (uint16_t)odd_value(r));
+        }
+        break;
+    case 3:
+        if (n >= 4)
+            put32(p + (at < n - 4 ? at & ~(size_t)3 : 0), odd_value(r));
+        break;
+    case 4:
+        p[at] = p[from];
+        break;
+    default:
+        for (size_t k = 0; k < 6 && at + k < n && from + k < n; k++)
+            p[at + k] = p[from + k];
+    }
+}
+
+static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
+{
+    size_t at, n;
+
+    for (uint64_t k = rng_below(r, 3) + 1; k > 0; k--) {
+        uint32_t lumps = get32(p + 16);
+        if (rng_below(r, 8) == 0 || lumps == 0) {
+            spoil(p, size < 2000 ? size : 2000, r); /* header, directory, names */
+            continue;
+        }
+        if (ROM_HEADER + (size_t)lumps * ROM_ENTRY > size)
+            continue;
+        spoil_lump(p, (uint32_t)rng_below(r, lumps), &at, &n);
+        if (at < size && n > 0 && n <= size - at)
+            spoil(p + at, n, r);
+    }
+    spoil_repair(p, size);
+}
+
+static void mutate_roms(const struct rig_game *g, int count, uint64_t seed, uint32_t percent)
+{
+    struct tally t = { 0 };
+    struct rng r;
+
+    rng_seed(&r, seed);
+    for (int i = 0; i < count; i++) {
+        uint8_t *p = copy_of(g->image.bytes, g->image.size);
+        mutate_rom(p, g->image.size, &r);
+        add(&t, try_rom(p, g->image.size, seed + (uint64_t)i));
+        free(p);
+    }
+    assert_reach(&t, percent);
+}
+
+static void test_mutants(void **state)
+{
+    (void)state;
+    mutate_roms(&game, ROM_MUTANTS, 100000, 30);
+}
+
+static void test_card_mutants(void **state)
+{
+    struct rig_game card;
+
+    (void)state;
+    rig_folder(&card, "testcard");
+    mutate_roms(&card, CARD_MUTANTS, 200000, 30);
+    rig_game_free(&card);
+}
+
+/* ---- demos ---- */
+
+/* A demo of SPOIL_FRAMES frames of the game, of random pads; free it. */
+static uint8_t *record(size_t *size)
+{
+    struct board_start start = { .seed = 5, .difficulty = -1 };
+    uint16_t pads[PADS] = { 0 };
+    struct demo_writer w = { 0 };
+    char path[] = "/tmp/curtain-readers-XXXXXX";
+    struct rng r;
+    struct rig rig;
+    int fd = mkstemp(path);
+
+    assert_true(fd >= 0);
+    rig_power(&rig, &game, &start);
+    rng_seed(&r, 3);
+    assert_true(demo_begin(&w, path, &game.cart, rig.b, &start, DEMO_ASSISTED));
+    for (int f = 0; f < SPOIL_FRAMES; f++) {
+        rig_pads(&r, pads);
+        rig_tick(&rig, pads);
+        assert_true(demo_frame(&w, rig.b, pads));
+    }
+    assert_true(demo_end(&w, rig.b));
+    demo_free(&w.demo);
+    rig_free(&rig);
+    FILE *f = fdopen(fd, "rb");
+    uint8_t *p = malloc(1 << 20);
+    *size = fread(p, 1, 1 << 20, f);
+    fclose(f);
+    remove(path);
+    assert_true(*size > 300 && *size < 1 << 20);
+    return p;
+}
+
+/* The records' checksums, as far as their sizes make sense. */
+static void repair_demo(uint8_t *p, size_t n)
+{
+    uint32_t crc = 0;
+
+    for (size_t at = 8; at <= n && n - at >= 12; at += 12 + get32(p + at + 4)) {
+        size_t size = get32(p + at + 4);
+        if (size > n - at - 12)
+            return;
+        crc = crc32_add(crc, p + at, 8 + size);
+        put32(p + at + 8 + size, crc);
+    }
+}
+
+/* Reads and, if it is one of this game, plays. */
+static enum spoil_outcome try_demo(const uint8_t *p, size_t n, uint64_t seed)
+{
+    static struct demo d; /* large for a stack */
+    char err[512] = "", doubt[256];
+    enum spoil_outcome out = SPOIL_REFUSED;
+    bool bad;
+
+    if (demo_read(&d, p, n, err, sizeof err) && demo_fits(&d, &game.cart, err, sizeof err)) {
+        demo_doubt(&d, &game.cart, doubt, sizeof doubt);
+        out = spoil_run(&bench, &game.image.rom, &d.start, &d, seed, &bad);
+        if (bad)
+            fail_msg("case %llu: outcome %d says \"%s\"", (unsigned long long)seed, (int)out, bench.said);
+    } else if (!spoil_sentence(err, sizeof err)) {
+        fail_msg("case %llu: refused with \"%s\"", (unsigned long long)seed, err);
+    }
+    demo_free(&d);
+    return out;
+}
+
+static void test_demo_random_bytes(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 12);
+    for (int i = 0; i < 3000; i++) {
+        size_t n = (size_t)rng_below(&r, i % 10 ? 200 : 9000);
+        uint8_t *p = malloc(n + (n == 0));
+        for (size_t k = 0; k < n; k++)
+            p[k] = (uint8_t)rng_next(&r);
+        if (i % 2 && n >= 8)
+            memcpy(p, "CDEM\x01\0\0\0", 8);
+        if (i % 4 == 3)
+            repair_demo(p, n);
+        assert_int_equal(try_demo(p, n, (uint64_t)i), SPOIL_REFUSED);
+        free(p);
+    }
+}
+
+/* Cut anywhere, a demo is read up to its last whole second, or refused. */
+static void test_demo_truncated(void **state)
+{
+    struct tally t = { 0 };
+    size_t size;
+    uint8_t *whole = record(&size);
+
+    (void)state;
+    assert_int_equal(try_demo(whole, size, 0), SPOIL_RAN);
+    for (size_t n = 0; n < size; n++) {
+        uint8_t *p = copy_of(whole, n);
+        add(&t, try_demo(p, n, n));
+        free(p);
+    }
+    assert_reach(&t, 10);
+    free(whole);
+}
+
+static void test_demo_mutants(void **state)
+{
+    struct tally t = { 0 };
+    struct rng r;
+    size_t size;
+    uint8_t *whole = record(&size);
+
+    (void)state;
+    rng_seed(&r, 300000);
+    for (int i = 0; i < DEMO_MUTANTS; i++) {
+        uint8_t *p = copy_of(whole, size);
+        for (uint64_t k = rng_below(&r, 3) + 1; k > 0; k--)
+            spoil(p + 8, size - 8, &r);
+        repair_demo(p, size);
+        add(&t, try_demo(p, size, 300000 + (uint64_t)i));
+        free(p);
+    }
+    assert_reach(&t, 30);
+    free(whole);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_as_it_is),          cmocka_unit_test(test_random_bytes),
+        cmocka_unit_test(test_truncated),         cmocka_unit_test(test_lumps_gone),
+        cmocka_unit_test(test_mutants),           cmocka_unit_test(test_card_mutants),
+        cmocka_unit_test(test_demo_random_bytes), cmocka_unit_test(test_demo_truncated),
+        cmocka_unit_test(test_demo_mutants),
+    };
+
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

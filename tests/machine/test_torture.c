@@ -1,0 +1,326 @@
+/*
+ * test_torture.c - snapshots. After every frame all of RAM is spoilt and put back, and the board goes on as one that
+ * was never disturbed: same hashes, same pictures. And: from any frame of a run, play on with other pads, spoil, go
+ * back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
+ */
+#include "rig.h"
+
+/* ---- games ---- */
+
+/* All of its state is in Lua: tables, closures, strings, metatables, and tasks that sleep deep inside of calls. */
+static const char lua_only[] =
+    "local tree, log, live = {}, {}, 0\n"
+    "local function counter(step)\n"
+    "  local n = 0\n"
+    "  return function() n = n + step return n end, function() return n end\n"
+    "end\n"
+    "local function insert(t, k)\n"
+    "  if not t.k then t.k = k return end\n"
+    "  local side = k < t.k and 'l' or 'r'\n"
+    "  t[side] = t[side] or {}\n"
+    "  insert(t[side], k)\n"
+    "end\n"
+    "local function walk(t, depth, f)\n"
+    "  if not t.k then return end\n"
+    "  if t.l then walk(t.l, depth + 1, f) end\n"
+    "  f(t.k, depth)\n"
+    "  if t.r then walk(t.r, depth + 1, f) end\n"
+    "end\n"
+    "local function nap(n) if n == 0 then wait(1) return 1 end local ok, v = pcall(nap, n - 1) return v + 1 end\n"
+    "local function worker(id)\n"
+    "  local bump, read = counter(id)\n"
+    "  local keep <close> = setmetatable({}, { __close = function() live = live - 1 end })\n"
+    "  live = live + 1\n"
+    "  for round = 1, 20 + id do\n"
+    "    bump()\n"
+    "    log[#log + 1] = ('%d:%d:%s'):format(id, read(), ('x'):rep(id * round % 40))\n"
+    "    board.note(nap(id % 7))\n"
+    "    walk(tree, 0, function(k, d) if k % 7 == id % 7 and d > 3 then wait(1) end end)\n"
+    "  end\n"
+    "end\n"
+    "task.go(function()\n"
+    "  for i = 0, forever do\n"
+    "    insert(tree, rng.int(1, 100000))\n"
+    "    if i % 400 == 399 then tree = {} end\n"
+    "    if i % 10 == 0 then task.go(worker, i // 10 % 30) end\n"
+    "    if #log > 200 then log = { table.concat(log, ','):sub(-100) } end\n"
+    "    board.note(#log) board.note(live) board.note(log[#log] or '')\n"
+    "    wait(1)\n"
+    "  end\n"
+    "end)\n"
+    "local shown = setmetatable({}, { __index = function(t, k) local v = { k } rawset(t, k, v) return v end })\n"
+    "task.go(function()\n"
+    "  while true do\n"
+    "    local sum = 0\n"
+    "    walk(tree, 0, function(k, d) sum = (sum * 31 + k + d + shown[k % 100][1]) % 1000003 end)\n"
+    "    text.put { col = 1, row = 1, text = sum }\n"
+    "    board.note(sum)\n"
+    "    wait(3)\n"
+    "  end\n"
+    "end)\n";
+
+/* ---- every frame ---- */
+
+static void same(const char *name, uint32_t frame, struct rig *a, struct rig *b)
+{
+    const char *part = rig_differs(a, b);
+
+    if (part)
+        fail_msg("%s: frame %u: part %s differs", name, frame, part);
+    if (rig_picture(a) != rig_picture(b))
+        fail_msg("%s: frame %u: the picture differs", name, frame);
+}
+
+/* calm is left alone; hurt is saved, spoilt and restored after each frame. demo NULL: pads by hand. */
+static void every_frame(const char *name, const struct rig_game *g, const struct demo *d, uint32_t frames)
+{
+    struct rig calm, hurt;
+    struct rng rng;
+    uint16_t pads[PADS] = { 0 };
+
+    rig_power(&calm, g, d ? &d->start : NULL);
+    rig_power(&hurt, g, d ? &d->start : NULL);
+    rng_seed(&rng, 11);
+    for (uint32_t f = 0; f < frames; f++) {
+        rig_spoil(&hurt);
+        same(name, f, &calm, &hurt);
+        if (f % 64 == 0)
+            assert_true(heap_check(hurt.b->vm.heap));
+        if (d)
+            demo_pads(d, f, pads);
+        else
+            rig_pads(&rng, pads);
+        rig_tick(&calm, pads);
+        rig_tick(&hurt, pads);
+    }
+    same(name, frames, &calm, &hurt);
+    rig_free(&calm);
+    rig_free(&hurt);
+}
+
+static uint32_t most(uint32_t brief, uint32_t full)
+{
+    return rig_long() ? full : brief;
+}
+
+/* Of a folder in roms/: its demos if it has any, and pads by hand. */
+static void folder(const char *name, const char *const *demos, uint32_t brief, uint32_t full)
+{
+    struct rig_game g;
+    struct demo d;
+
+    rig_folder(&g, name);
+    every_frame(name, &g, NULL, most(brief, full));
+    for (; *demos; demos++) {
+        memset(&d, 0, sizeof d);
+        if (!rig_demo(&g, *demos, &d))
+            continue;
+        every_frame(*demos, &g, &d, d.frames < most(brief, full) ? d.frames : most(brief, full));
+        demo_free(&d);
+    }
+    rig_game_free(&g);
+}
+
+static void test_torture(void **state)
+{
+    const char *const demos[] = { "torture", NULL };
+
+    (void)state;
+    folder("torture", demos, 1500, 20000);
+}
+
+static void test_glasstide(void **state)
+{
+    const char *const demos[] = { "attract", "run", "whole", NULL };
+
+    (void)state;
+    folder("glasstide", demos, 1200, 30000);
+}
+
+static void test_lua_only(void **state)
+{
+    struct rig_game g;
+
+    (void)state;
+    rig_script(&g, NULL, lua_only);
+    every_frame("lua", &g, NULL, most(1200, 6000));
+    rig_game_free(&g);
+}
+
+/* ---- any frame of a run ---- */
+
+struct run {
+    const struct rig_game *g;
+    uint32_t frames;
+    uint16_t (*pads)[PADS];
+    uint64_t *hash, *picture; /* of every frame, 0 .. frames */
+};
+
+/* The run as it is when nobody disturbs it. */
+static void run_make(struct run *run, const struct rig_game *g, uint32_t frames, uint64_t seed)
+{
+    struct rig r;
+    struct rng rng;
+    uint16_t pads[PADS] = { 0 };
+
+    *run = (struct run){ .g = g, .frames = frames };
+    run->pads = calloc(frames, sizeof *run->pads);
+    run->hash = calloc(frames + 1, sizeof *run->hash);
+    run->picture = calloc(frames + 1, sizeof *run->picture);
+    rig_power(&r, g, NULL);
+    rng_seed(&rng, seed);
+    for (uint32_t f = 0;; f++) {
+        run->hash[f] = board_hash(r.b);
+        run->picture[f] = rig_picture(&r);
+        if (f == frames)
+            break;
+        rig_pads(&rng, pads);
+        memcpy(run->pads[f], pads, sizeof pads);
+        rig_tick(&r, pads);
+    }
+    rig_free(&r);
+}
+
+static void run_free(struct run *run)
+{
+    free(run->pads);
+    free(run->hash);
+    free(run->picture);
+}
+
+enum { ASTRAY = 300, AGAIN = 600 };
+
+/* From frame `from` on: the same n frames as the run's. */
+static void again(const struct run *run, struct rig *r, uint32_t from, uint32_t n, bool pictures)
+{
+    for (uint32_t f = from; f < from + n; f++) {
+        rig_tick(r, run->pads[f]);
+        if (board_hash(r->b) != run->hash[f + 1])
+            fail_msg("back to frame %u: the hash of frame %u differs", from, f + 1);
+        if (pictures && rig_picture(r) != run->picture[f + 1])
+            fail_msg("back to frame %u: the picture of frame %u differs", from, f + 1);
+    }
+}
+
+static void astray(struct rig *r, struct rng *rng)
+{
+    uint16_t pads[PADS] = { 0 };
+
+    for (int f = 0; f < ASTRAY; f++) {
+        rig_pads(rng, pads);
+        rig_tick(r, pads);
+    }
+}
+
+/* Goes back to n frames of the run, which are drawn so that each frame has the same chance. */
+static void go_back(const struct run *run, uint32_t n)
+{
+    struct rig r;
+    struct rng rng;
+    uint32_t left = n;
+
+    rng_seed(&rng, 21);
+    rig_power(&r, run->g, NULL);
+    for (uint32_t f = 0; f + AGAIN < run->frames; f++) {
+        if (rng_below(&rng, run->frames - AGAIN - f) < left) {
+            left--;
+            rig_save(&r);
+            astray(&r, &rng);
+            rig_restore(&r);
+            if (board_hash(r.b) != run->hash[f] || rig_picture(&r) != run->picture[f])
+                fail_msg("back to frame %u: not what was saved", f);
+            again(run, &r, f, AGAIN, true);
+            rig_restore(&r);
+        }
+        again(run, &r, f, 1, false);
+    }
+    assert_int_equal(left, 0);
+    rig_free(&r);
+}
+
+static void go_back_in(const char *name, uint32_t brief, uint32_t full)
+{
+    struct rig_game g;
+    struct run run;
+
+    rig_folder(&g, name);
+    run_make(&run, &g, 6000, 5);
+    go_back(&run, most(brief, full));
+    run_free(&run);
+    rig_game_free(&g);
+}
+
+static void test_back_torture(void **state)
+{
+    (void)state;
+    go_back_in("torture", 12, 1000);
+}
+
+static void test_back_glasstide(void **state)
+{
+    (void)state;
+    go_back_in("glasstide", 8, 1000);
+}
+
+/* A snapshot of a board that grew smaller since, and one of a board that grew larger. */
+static void test_sizes(void **state)
+{
+    static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
+                               "local keep = {}\n"
+                               "task.go(function()\n"
+                               "  while true do\n"
+                               "    if pad.down 'fire' then for i = 1, 200 do\n"
+                               "      bullet.fire { kind = 'dot', x = i, y = i, speed = 0 }\n"
+                               "      keep[#keep + 1] = ('%d'):format(i):rep(50) .. #keep\n"
+                               "    end end\n"
+                               "    if pad.down 'bomb' then bullet.clear() keep = {} end\n"
+                               "    board.note(#keep)\n"
+                               "    wait(1)\n"
+                               "  end\n"
+                               "end)\n";
+    const uint16_t fire[PADS] = { PAD_FIRE }, bomb[PADS] = { PAD_BOMB };
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig a, b;
+
+    (void)state;
+    m.lua_kib = 8192;
+    rig_script(&g, &m, text);
+    rig_power(&a, &g, NULL);
+    rig_power(&b, &g, NULL);
+    rig_save(&b); /* small; then the board grows */
+    for (int i = 0; i < 5; i++)
+        rig_tick(&b, fire);
+    rig_restore(&b);
+    same("smaller", 0, &a, &b);
+    for (int i = 0; i < 3; i++) {
+        rig_tick(&a, fire);
+        rig_tick(&b, fire);
+    }
+    same("grown", 3, &a, &b);
+    rig_save(&b); /* large; then the board shrinks */
+    for (int i = 0; i < 100; i++)
+        rig_tick(&b, bomb);
+    rig_restore(&b);
+    same("larger", 3, &a, &b);
+    for (int i = 0; i < 100; i++) {
+        rig_tick(&a, i < 50 ? fire : bomb);
+        rig_tick(&b, i < 50 ? fire : bomb);
+        same("after", 4 + (uint32_t)i, &a, &b);
+        if (i % 10 == 0)
+            rig_spoil(&b);
+    }
+    rig_free(&a);
+    rig_free(&b);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_torture),      cmocka_unit_test(test_glasstide),      cmocka_unit_test(test_lua_only),
+        cmocka_unit_test(test_back_torture), cmocka_unit_test(test_back_glasstide), cmocka_unit_test(test_sizes),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

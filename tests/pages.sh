@@ -1,0 +1,86 @@
+# pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of block is run.
+# Needs tests/tap.sh. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
+pages=$PWD/tests/cli
+bench=$scratch/bench
+mkdir -p "$bench/build" "$scratch/blocks"
+cp -r examples "$bench/examples"
+cp -r examples/first "$bench/mygame"
+ln -s "$PWD/roms" "$bench/roms"
+cat >"$bench/build/curtain" <<END
+#!/bin/sh
+set -eu
+[ "\${1:-}" = play ] || exec "$PWD/$OUT/curtain-null" "\$@"
+shift
+game=
+for word; do
+    shift
+    case \$word in
+    --scale=* | --fullscreen | --mute) continue ;;
+    examples/* | roms/* | mygame) game=\$word ;;
+    esac
+    set -- "\$@" "\$word"
+done
+[ -n "\$game" ] || set -- roms/glasstide "\$@"
+exec "$PWD/$OUT/curtain-null" hash "\$@" --every 1000
+END
+chmod +x "$bench/build/curtain"
+
+take() { # the page's blocks into $scratch/blocks
+    rm -f "$scratch"/blocks/*
+    python3 "$pages/snippets.py" "$1" "$scratch/blocks"
+}
+run() { # DIR STAGE FRAMES
+    "$bench/build/curtain" hash "$1" ${2:+--stage "$2"} --frames "$3" --every 100000 --difficulty normal --trace
+}
+game() { # a sandbox of its own, in $game
+    game=$scratch/game
+    rm -rf "$game"
+    cp -r examples/sandbox "$game"
+}
+words() { grep -oE "$1\(\"[^\"]+\"" "$2" | sed 's/.*("//; s/"$//'; }
+
+block() { # FILE: runs it as its kind says
+    local file=$1 name
+    game
+    case $file in
+    *.task)
+        { echo 'return function(e, p)'; cat "$file"; echo 'end'; } >"$game/try.lua"
+        cp "$pages/drive.lua" "$game/main.lua"
+        run "$game" drive 600
+        ;;
+    *.lua)
+        cp "$file" "$game/try.lua"
+        cp "$pages/drive.lua" "$game/main.lua"
+        run "$game" drive 1800 || return
+        for name in $(words 'stage\.def' "$file"); do run "$game" "$name" 900 || return; done
+        ;;
+    *.main)
+        cp "$file" "$game/main.lua"
+        run "$game" "" 300
+        ;;
+    *.rom)
+        cp "$file" "$game/rom.lua"
+        "$bench/build/curtain" pack "$game" -o "$scratch/game.rom"
+        ;;
+    *.error)
+        { printf 'return function(e, p) '; cat "$file"; echo 'end'; } >"$game/try.lua"
+        run "$game" try 120 >"$scratch/fault" 2>&1
+        [ $? = 2 ] || { cat "$scratch/fault"; echo "no fault"; return 1; }
+        grep -v '^[0-9]' "$scratch/fault" | head -1 | sed 's/^curtain: //' | diff - "${file%.error}.says"
+        ;;
+    *.file)
+        sed 1d "$file" | diff - "$(head -1 "$file")"
+        ;;
+    *.sh)
+        (cd "$bench" && grep -vE '^(sudo|make|git|apt|cd) ' "$file" | sed 's/^\(build\/\)\?curtain/build\/curtain/' | sh -eu)
+        ;;
+    esac
+}
+blocks() { # PAGE KIND...: a test for each block of the page
+    local page=$1 file
+    take "$page"
+    for file in $(ls "$scratch/blocks" | sort -n); do
+        case $file in *.none | *.says) continue ;; esac
+        check "$page:${file%.*} ${file#*.}" block "$scratch/blocks/$file"
+    done
+}
