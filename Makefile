@@ -37,7 +37,7 @@ SAY = $(if $(V),@true,@echo)
 .DELETE_ON_ERROR:
 .PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench demos
 
-all: deps
+all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
 
 help:
@@ -51,8 +51,10 @@ help:
 
 deps:
 	@tools/deps.sh
+deps-%:
+	@tools/deps.sh $(subst -, ,$*)
 
-null: deps
+null: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null
 
 build/curtain: $(OUT)/curtain
@@ -110,7 +112,19 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
-play: deps
+# The guards' limits lowered, so that a test of an endless loop ends soon.
+SHORT := board/vm cab/guard
+$(OUT)/short/%.o: src/%.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (short)"
+	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -MMD -MP -c $< -o $@
+
+$(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHORT:%=$(OUT)/short/%.o) \
+		$(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+play: deps-play
 	@$(MAKE) --no-print-directory build/curtain
 	@tools/play.sh
 
@@ -138,32 +152,37 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/curtain $(OUT)/curtain-null $(UNIT) $(MACHINE)
+# tests/fuzz/run.sh makes these with clang and its flags.
+$(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-test: deps
+programs: $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+
+test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
 	@OUT=$(OUT) tests/run.sh
 
-torture: deps
+torture: deps-play-test
 	@$(MAKE) --no-print-directory -j2 programs
 	@OUT=$(OUT) tests/run.sh torture
 
-golden: deps
+golden: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null
 	@tests/golden/run.sh --update
 
-asan: deps
+asan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan OPT="-O1 -fsanitize=address -fno-omit-frame-pointer" programs
 	@OUT=build/asan tests/run.sh sanitizer
 
-ubsan: deps
+ubsan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 CONFIG=ubsan OPT="-O1 -fsanitize=undefined -fno-sanitize-recover=undefined" programs
 	@OUT=build/ubsan tests/run.sh sanitizer
 
-fuzz: deps
+fuzz: deps-play-fuzz
 	@tests/fuzz/run.sh
 
-mutants: deps
+mutants: deps-play-test
 	@tests/mutants.sh
 
 $(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
@@ -175,7 +194,7 @@ bench: all
 	@OUT=$(OUT) tools/bench.sh
 
 # The demos are recorded by a program that plays; needed when scripts or the core change.
-demos: deps
+demos: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/bot
 	@OUT=$(OUT) tools/demos.sh
 

@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform    used by: src/cab/
  *
- * To port: copy template.c, write its six functions. The other ten have defaults in stdio.c, which is linked with every
+ * To port: copy template.c, write its six functions. The other nine have defaults in stdio.c, which is linked with every
  * port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says so by
  * doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
  * an override.
@@ -124,7 +124,8 @@ long plat_size(const char *name);
 /* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
-/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. */
+/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. With false, errno may say
+ * why; so it may of plat_append. */
 bool plat_save(const char *name, const void *buf, size_t len);
 
 /* Adds to a file's end, on its way to the disk when this returns. */

@@ -275,7 +275,9 @@ DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
     if (!f)
         return false;
     if (!write_all(f, buf, len) || !replace(temp, path)) {
+        int why = errno;
         remove(temp);
+        errno = why;
         return false;
     }
     folder_to_disk(path);

@@ -1,5 +1,7 @@
-# pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of block is run.
-# Needs tests/tap.sh. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
+# pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of code block is
+# run. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+case $OUT in /*) ;; *) OUT=$PWD/$OUT ;; esac
 pages=$PWD/tests/cli
 bench=$scratch/bench
 mkdir -p "$bench/build" "$scratch/blocks"
@@ -9,7 +11,7 @@ ln -s "$PWD/roms" "$bench/roms"
 cat >"$bench/build/curtain" <<END
 #!/bin/sh
 set -eu
-[ "\${1:-}" = play ] || exec "$PWD/$OUT/curtain-null" "\$@"
+[ "\${1:-}" = play ] || exec "$OUT/curtain-null" "\$@"
 shift
 game=
 for word; do
@@ -21,9 +23,10 @@ for word; do
     set -- "\$@" "\$word"
 done
 [ -n "\$game" ] || set -- roms/glasstide "\$@"
-exec "$PWD/$OUT/curtain-null" hash "\$@" --every 1000
+exec "$OUT/curtain-null" hash "\$@" --every 1000
 END
 chmod +x "$bench/build/curtain"
+ln -s curtain "$bench/build/curtain-null"
 
 take() { # the page's blocks into $scratch/blocks
     rm -f "$scratch"/blocks/*
@@ -72,7 +75,11 @@ block() { # FILE: runs it as its kind says
         sed 1d "$file" | diff - "$(head -1 "$file")"
         ;;
     *.sh)
-        (cd "$bench" && grep -vE '^(sudo|make|git|apt|cd) ' "$file" | sed 's/^\(build\/\)\?curtain/build\/curtain/' | sh -eu)
+        (cd "$bench" && grep -vE '^(make|cp) ' "$file" | sed 's/^\(build\/\)\?curtain/build\/curtain/' | sh -eu)
+        ;;
+    *)
+        echo "a block of an unknown kind"
+        return 1
         ;;
     esac
 }
@@ -80,7 +87,7 @@ blocks() { # PAGE KIND...: a test for each block of the page
     local page=$1 file
     take "$page"
     for file in $(ls "$scratch/blocks" | sort -n); do
-        case $file in *.none | *.says) continue ;; esac
+        case $file in *.none | *.says | *.c | *.make) continue ;; esac
         check "$page:${file%.*} ${file#*.}" block "$scratch/blocks/$file"
     done
 }

@@ -41,7 +41,7 @@ static const char spoil_script[] =
     "  task.go(function() pattern.spiral { kind = 'box', x = 120, y = 60, n = 90, arms = 3, step = 11, every = 2, "
     "speed = 2 } end)\n"
     "  local s = sprite.put { sprite = 'arrow', x = 50, y = 50, bank = 3 }\n"
-    "  for i = 1, 40 do s.x, s.dir = 3 * i, 9 * i text.put { col = 1, row = i % 20, text = ('%d %s'):format(i, "
+    "  for i = 1, 40 do s.x, s.flip_x = 3 * i, i % 2 == 0 text.put { col = 1, row = i % 20, text = ('%d %s'):format(i, "
     "rom.text 'words.txt') } wait(1) end\n"
     "  palette.fade { to = 0x203040, over = 30 }\n"
     "  save.set('best', (save.get('best', 0) + 7) % 100)\n"

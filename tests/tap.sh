@@ -1,46 +1,55 @@
-# tap.sh - sourced by the test scripts: TAP for shell. The current folder is the repository's.
+# tap.sh - what the shell tests share: TAP lines, a folder that goes away, a small game.
 #
-#     check "name" command...     passes when the command succeeds; what it says is shown when it does not
-#     refuse "name" "words" command...    passes when the command fails and says the words: a planted fault is found
-#     done_testing                the plan; the last line of a script
+#     . "$(dirname "$0")/../tap.sh"
+#
+# Afterwards: $curtain, the program of the build folder $OUT (seen from here or from the repository); $repo; $tmp, the
+# working folder.
 set -u
-cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
-OUT=${OUT:-build/release}
-tap_n=0 tap_failed=0
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+: "${OUT:=build/release}"
+[ -d "$OUT" ] || OUT=$repo/$OUT
+OUT=$(cd "$OUT" && pwd) || exit 2
+curtain=$OUT/curtain-null
+[ -x "$curtain" ] || { echo "Bail out! $curtain is not built"; exit 2; }
+tmp=$(mktemp -d) || exit 2
+trap 'cd /; rm -rf "$tmp"' EXIT
+cd "$tmp" || exit 2
+export LC_ALL=C XDG_DATA_HOME=$tmp/data
+tests=0 failed=0
 
-result() { # good? name, output in $scratch/said
-    tap_n=$((tap_n + 1))
-    if [ "$1" = 0 ]; then
-        echo "ok $tap_n - $2"
-    else
-        sed 's/^/# /' "$scratch/said"
-        echo "not ok $tap_n - $2"
-        tap_failed=1
-    fi
+ok() { tests=$((tests + 1)); echo "ok $tests - $1"; }
+not_ok() { # NAME, then why, a line an argument
+    tests=$((tests + 1)) failed=$((failed + 1))
+    echo "not ok $tests - $1"
+    shift
+    printf '%s\n' "$@" | head -c 2000 | sed 's/^/# /'
 }
-check() {
+same() { # NAME WANT GOT
+    if [ "$2" = "$3" ]; then ok "$1"; else not_ok "$1" "want: $2" "got:  $3"; fi
+}
+holds() { # NAME COMMAND...
     local name=$1
     shift
-    "$@" >"$scratch/said" 2>&1
-    result $? "$name"
+    if "$@"; then ok "$name"; else not_ok "$name" "does not hold: $*"; fi
 }
-refuse() {
-    local name=$1 words=$2
-    shift 2
-    if "$@" >"$scratch/said" 2>&1; then result 1 "$name"; else
-        grep -qF -- "$words" "$scratch/said"
-        result $? "$name"
-    fi
+finish() {
+    echo "1..$tests"
+    exit $((failed > 0))
 }
-done_testing() {
-    echo "1..$tap_n"
-    exit $tap_failed
+
+# game DIR: one of everything, 64 x 64, with a white 16 x 16 sheet; main.lua is standard input.
+game() {
+    mkdir -p "$1/art"
+    cat >"$1/rom.lua" <<'LUA'
+return {
+  id = "probe", title = "Probe", screen = { w = 64, h = 64 },
+  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, lua_kib = 1024 },
+  sheets = { all = { file = "art/all.png" } },
+  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
+  difficulties = { "easy", "normal", "hard" }, dip = { coins = { "free", "one" }, ships = { min = 1, max = 9 } },
+  players = 2,
 }
-# The files of the repository as they are now: new ones too, removed ones not.
-tree() {
-    git ls-files -co --exclude-standard -- "$@" | while read -r f; do
-        [ ! -f "$f" ] || echo "$f"
-    done
+LUA
+    python3 "$repo/tests/cli/png_make.py" "$1/art/all.png" 16 16 ffffff
+    cat >"$1/main.lua"
 }

@@ -1,29 +1,53 @@
 #!/bin/sh
-# Installs what is missing from Debian's packages. Says nothing when all is there.
+# Installs what is missing from Debian's packages; says nothing when all is there.
+#
+#     tools/deps.sh [play] [test] [fuzz]     without arguments: all of it
 set -eu
+[ $# -gt 0 ] || set -- play test fuzz
 
 missing=""
-
 have() { command -v "$1" >/dev/null 2>&1; }
 header() { [ -e "/usr/include/$1" ]; }
+need() { # PACKAGE...: these are missing
+    missing="$missing $*"
+}
 
-have gcc || missing="$missing gcc libc6-dev"
-have pkg-config || missing="$missing pkg-config"
-header lua5.4/lua.h || missing="$missing liblua5.4-dev"
-header SDL2/SDL.h || missing="$missing libsdl2-dev"
-header stb/stb_image.h || missing="$missing libstb-dev"
-header cmocka.h || missing="$missing libcmocka-dev"
-have lua5.4 || missing="$missing lua5.4"
-have clang || missing="$missing clang"
-have clang-format || missing="$missing clang-format"
-have git || missing="$missing git"
-have python3 || missing="$missing python3"
-have Xvfb || missing="$missing xvfb"
-have xdotool || missing="$missing xdotool"
-have xwd || missing="$missing x11-apps"
-have nm || missing="$missing binutils"
-ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || missing="$missing libclang-rt-14-dev"
-
+for what; do
+    case $what in
+    play)
+        have cc || need gcc
+        header stdio.h || need libc6-dev
+        have pkg-config || need pkg-config
+        header lua5.4/lua.h || need liblua5.4-dev
+        header SDL2/SDL.h || need libsdl2-dev
+        header stb/stb_image.h || need libstb-dev
+        ;;
+    test)
+        header cmocka.h || need libcmocka-dev
+        have luac5.4 || need lua5.4
+        have python3 || need python3-minimal
+        have clang-format || need clang-format
+        have git || need git
+        have nm || need binutils
+        have clang || need clang
+        have Xvfb || need xvfb
+        have xdotool || need xdotool
+        have xwd || need x11-apps
+        have xprop || need x11-utils
+        have openbox || need openbox
+        have identify || need imagemagick
+        ;;
+    fuzz)
+        have clang || need clang
+        header cmocka.h || need libcmocka-dev
+        ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
+        ;;
+    *)
+        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz" >&2
+        exit 2
+        ;;
+    esac
+done
 [ -n "$missing" ] || exit 0
 
 if ! have apt-get; then
@@ -38,4 +62,4 @@ fi
 echo "curtain: installing$missing"
 $root apt-get update -qq
 # shellcheck disable=SC2086
-DEBIAN_FRONTEND=noninteractive $root apt-get install -y --no-install-recommends $missing
+$root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null

@@ -1,7 +1,5 @@
--- rom.lua
 return {
-  title = "First Light",
-  palette = "art/palette.png", font = "art/font.png",
+  title = "First Light", palette = "art/palette.png", font = "art/font.png",
   sheets = { bullets = { file = "art/bullets.png", bank = 0 }, heron = { file = "art/heron.png", bank = 8 },
              enemies = { file = "art/enemies.png", bank = 10 } },
   sprites = {

@@ -234,6 +234,8 @@ static void check_string(lua_State *L, const char *entry, const struct api_param
 
     check_type(L, entry, p, at, LUA_TSTRING, "a string");
     double n = (double)lua_rawlen(L, at);
+    if (strlen(lua_tostring(L, at)) != lua_rawlen(L, at))
+        expected(L, entry, p, at, "a string without \\0");
     if (p->hi > 0 && (n < p->lo || n > p->hi)) {
         snprintf(what, sizeof what, "a string of %d to %d bytes", (int)p->lo, (int)p->hi);
         expected(L, entry, p, at, what);
@@ -306,8 +308,13 @@ static void check_word(lua_State *L, const char *entry, const struct api_param *
 static void check_pad(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     v->i = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
-    if (handle_is(v->i) && handle_kind(v->i) == H_PLAYER)
+    if (handle_is(v->i) && handle_kind(v->i) == H_PLAYER) {
+        if (!handle_gen(v->i)) {
+            v->i = 0;
+            return;
+        }
         v->i = handle_slot(v->i) + 1;
+    }
     if (v->i < 1 || v->i > PADS)
         expected(L, entry, p, at, "1, 2 or a player");
 }
@@ -318,6 +325,8 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
 
     if (handle_is(h) && handle_kind(h) == H_MOTION) {
         v->i = handle_gen(h) ? handle_slot(h) + 1 : 0;
+        if (v->i > vm_board(L)->motions.s.live)
+            expected(L, entry, p, at, "a motion that motion.def returned");
         return;
     }
     if (lua_type(L, at) != LUA_TSTRING)
@@ -725,7 +734,7 @@ static int get_property(lua_State *L)
     }
     if (!prop)
         return no_property(L, t, (int)handle_kind(h), name);
-    if (!alive && !(prop->write == PROP_LASTS && handle_gen(h)))
+    if (!alive && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
         return lua_pushnil(L), 1;
     t->get(L, b, handle_slot(h), p);
     return 1;
@@ -941,12 +950,15 @@ static void help_entry(const struct api_entry *e, bool whole, void (*line)(const
         line("    ...        and every argument of bullet.fire");
 }
 
-static bool help_thing(const struct api_thing *t, void (*line)(const char *))
+static bool help_thing(int kind, void (*line)(const char *))
 {
+    const struct api_thing *t = api_things[kind];
     char text[400];
 
-    snprintf(text, sizeof text, "properties of a %s:", t->name);
+    snprintf(text, sizeof text, "properties of %s:", thing_names[kind]);
     line(text);
+    if (kind != H_GROUP && kind != H_MOTION)
+        line("    alive      read  is it there?");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];
         snprintf(text, sizeof text, "    %-10s %-5s %s", p->value.name, p->write == PROP_WRITE ? "write" : "read",
@@ -970,6 +982,6 @@ bool api_help(const char *name, void (*line)(const char *))
     }
     for (int k = 1; name && !exact && k < HANDLES; k++)
         if (api_things[k] && !strcmp(api_things[k]->name, name))
-            any = help_thing(api_things[k], line);
+            any = help_thing(k, line);
     return any;
 }

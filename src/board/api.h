@@ -34,7 +34,7 @@ enum api_type {
     A_SPARK_KIND,
     A_SPRITE,
     A_BUTTON,
-    A_PAD, /* a player: 1, 2 or a player's handle */
+    A_PAD, /* a player: 1, 2 or a player's handle; 0: the handle of nobody, as player.nearest may return */
     A_EASE,
     A_LAYER,
     A_ALIGN,

@@ -141,13 +141,11 @@ static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value *from = &v[F_PLACE + 2], *by = &v[F_BY];
+    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + 2];
     uint8_t player = 0;
 
-    if (by->given)
+    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
         player = (uint8_t)(handle_slot(by->i) + 1);
-    else if (from->given && handle_kind(from->i) == H_PLAYER)
-        player = (uint8_t)(handle_slot(from->i) + 1);
     return fire(L, b, v, true, "shot.fire", player);
 }
 
@@ -504,6 +502,22 @@ static void step_error(lua_State *L, int step, const char *message)
     api_error(L, DEF, "step %d: %s", step, message);
 }
 
+/* A step has a key that is none: offers the nearest. */
+static void unknown_key(lua_State *L, int step, int at)
+{
+    const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
+    int best = 99;
+
+    for (int k = 0; k < M_KEYS; k++) {
+        int apart = words_apart(name, step_keys[k].name);
+        if (apart < best)
+            best = apart, found = step_keys[k].name;
+    }
+    if (found)
+        api_error(L, DEF, "step %d: unknown argument \"%s\" (did you mean \"%s\"?)", step, name, found);
+    api_error(L, DEF, "step %d: unknown argument \"%s\"", step, name);
+}
+
 /* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. */
 static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
 {
@@ -521,8 +535,7 @@ static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS]
         while (k < M_KEYS && (lua_type(L, -2) != LUA_TSTRING || strcmp(step_keys[k].name, lua_tostring(L, -2))))
             k++;
         if (k == M_KEYS)
-            api_error(L, DEF, "step %d: unknown argument \"%s\"", step,
-                      lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2));
+            unknown_key(L, step, -2);
         lua_replace(L, first + k);
     }
     for (int k = 0; k < M_KEYS; k++) {

@@ -21,12 +21,12 @@ static const struct api_param def[] = {
     { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
 };
 
-static void keep_function(lua_State *L, const struct api_value *v, int64_t who, const char *what)
+static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
 {
     if (!v->given)
         return;
     lua_pushvalue(L, v->at);
-    enemy_set_function(L, who, what);
+    enemy_set_function(L, (uint16_t)kind, what);
 }
 
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
@@ -132,10 +132,11 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
             b->enemies.bank[i] = (uint8_t)v[S_BANK].i;
         if (v[S_TAG].given)
             b->enemies.tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
-        keep_function(L, &v[S_ON_DEATH], h, "on_death");
+        lua_pushvalue(L, v[S_ON_DEATH].at);
+        enemy_set_death(L, (uint32_t)i);
         if (v[S_RUN].given)
             lua_pushvalue(L, v[S_RUN].at);
-        if (v[S_RUN].given || enemy_push_run(L, kind))
+        if (v[S_RUN].given || enemy_push_function(L, kind, "run"))
             start_task(L, b, h, 0);
         if (v[S_PATH].given)
             follow(L, b, h, v);
@@ -253,8 +254,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     if (board_alive(b, v[0].i))
-        enemies_go(&b->enemies, handle_slot(v[0].i), v[1].f, v[2].f, (uint32_t)v[3].i, (enum ease)v[4].i,
-                   b->core.clock);
+        enemies_go(&b->enemies, handle_slot(v[0].i), v[1].f, v[2].f, (uint32_t)v[3].i, (enum ease)v[4].i);
     return 0;
 }
 

@@ -248,7 +248,7 @@ static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL
 
 static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
 {
-    lua_pushboolean(L, pads[v[1].i - 1] >> v[0].i & 1);
+    lua_pushboolean(L, v[1].i && pads[v[1].i - 1] >> v[0].i & 1);
     return 1;
 }
 
@@ -284,7 +284,7 @@ static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NU
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (b->player.in[v[1].i - 1])
+    if (v[1].i && b->player.in[v[1].i - 1])
         board_score(b, (uint32_t)v[1].i - 1, v[0].i);
     return 0;
 }

@@ -586,19 +586,21 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
+    b->vm.asked = true;
     lua_pushstring(L, b->start.stage);
     return 1;
 }
 
 static int sys_join(lua_State *L, struct board *b, struct api_value *v)
 {
-    return player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i);
+    return v[0].i ? player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
 }
 
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    player_leave(&b->player, (uint32_t)v[0].i - 1);
+    if (v[0].i)
+        player_leave(&b->player, (uint32_t)v[0].i - 1);
     return 0;
 }
 

@@ -270,7 +270,7 @@ static int move_all(lua_State *L)
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
-    enemies_move(&b->enemies, b->core.clock, &b->keep, enemy_left, b);
+    enemies_move(&b->enemies, &b->keep, enemy_left, b);
     bullets_move(&b->shots, &ws, &b->keep);
     bullets_move(&b->bullets, &w, &b->keep);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
@@ -291,6 +291,10 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
     input_latch(&b->input, pads);
+    if (!b->core.frozen) {
+        player_count(&b->player);
+        enemies_count(&b->enemies);
+    }
     bool fine = vm_call(b, tasks_run);
     if (!b->core.frozen)
         fine = fine && vm_call(b, move_all);

@@ -1,8 +1,8 @@
 /*
  * events_run.c - see events_run.h.
  *
- * Handlers live in the Lua registry: a list of functions an event, and a table of functions by enemy kind (its index)
- * or single enemy (its handle). A handler may raise further events; they are applied in the same frame, after those
+ * Handlers live in the Lua registry: a list of functions an event, and a table of functions by enemy kind ("on_hit 3")
+ * or single enemy (its slot + 1; set at every spawn, so that nothing is left of those that just go). A handler may raise further events; they are applied in the same frame, after those
  * before.
  */
 #include "events_run.h"
@@ -103,26 +103,28 @@ static void tell(lua_State *L, const struct event *e)
     call_handlers(L, (int)e->kind, 2);
 }
 
-void enemy_set_function(lua_State *L, int64_t who, const char *what)
+void enemy_set_function(lua_State *L, uint16_t kind, const char *what)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_pushfstring(L, "%s %I", what, (LUAI_UACINT)who);
+    lua_pushfstring(L, "%s %d", what, (int)kind);
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
     lua_pop(L, 2);
 }
 
-/* Pushes the function of one enemy, else of its kind, else nil. */
-static bool push_function(lua_State *L, int64_t enemy, uint16_t kind, const char *what)
+void enemy_set_death(lua_State *L, uint32_t slot)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_pushfstring(L, "%s %I", what, (LUAI_UACINT)enemy);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, (lua_Integer)slot + 1);
+    lua_pop(L, 1);
+}
+
+bool enemy_push_function(lua_State *L, uint16_t kind, const char *what)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushfstring(L, "%s %d", what, (int)kind);
     lua_rawget(L, -2);
-    if (lua_isnil(L, -1)) {
-        lua_pop(L, 1);
-        lua_pushfstring(L, "%s %d", what, (int)kind);
-        lua_rawget(L, -2);
-    }
     lua_remove(L, -2);
     if (lua_isfunction(L, -1))
         return true;
@@ -130,15 +132,16 @@ static bool push_function(lua_State *L, int64_t enemy, uint16_t kind, const char
     return false;
 }
 
-bool enemy_push_run(lua_State *L, uint16_t kind)
+/* Pushes the on_death of one enemy, else of its kind; false (nothing pushed): neither has one. */
+static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
-    return push_function(L, kind, kind, "run");
-}
-
-static void forget_functions(lua_State *L, int64_t enemy)
-{
-    lua_pushnil(L);
-    enemy_set_function(L, enemy, "on_death");
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgeti(L, -1, (lua_Integer)slot + 1);
+    lua_remove(L, -2);
+    if (lua_isfunction(L, -1))
+        return true;
+    lua_pop(L, 1);
+    return enemy_push_function(L, kind, "on_death");
 }
 
 static void enemy_sparks(struct board *b, uint32_t i)
@@ -157,18 +160,20 @@ void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
     uint16_t kind = b->enemies.kind[i];
     int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
 
+    if (b->enemies.flags[i] & ENEMY_DYING)
+        return;
+    b->enemies.flags[i] |= ENEMY_DYING;
     if (player)
         board_score(b, player - 1, b->enemy_kinds.score[kind]);
     enemy_sparks(b, i);
     board_event(b, EV_KILL, h, p);
-    bool has = push_function(L, h, kind, "on_death");
+    bool has = push_death(L, i, kind);
     b->enemies.hp[i] = 0;
     if (has) { /* it can still read where it died */
         push_thing(L, h);
         push_thing(L, p);
         lua_call(L, 2, 0);
     }
-    forget_functions(L, h);
     if (board_alive(b, h))
         enemies_drop(&b->enemies, i);
 }
@@ -177,7 +182,7 @@ bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t p
 {
     struct enemies *e = &b->enemies;
 
-    if (e->safe[i] || n <= 0)
+    if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
         return false;
     e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
     if (e->hp[i] || e->flags[i] & ENEMY_HELD)
@@ -195,7 +200,7 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
     bullets_drop(&b->shots, shot);
-    if (!enemy_hurt(b, L, i, damage, player) && push_function(L, e->b, b->enemies.kind[i], "on_hit")) {
+    if (!enemy_hurt(b, L, i, damage, player) && enemy_push_function(L, b->enemies.kind[i], "on_hit")) {
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
         lua_pushinteger(L, damage);

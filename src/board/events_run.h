@@ -26,11 +26,13 @@ void events_on(lua_State *L, int kind);
 /* Queues the n values on top of L's stack (popped) for the handlers of `name`. False: no such event. */
 bool events_emit(struct board *b, lua_State *L, const char *name, int n);
 
-/* Enemy functions: which of on_hit, on_death belong to kind (index) or to one enemy (handle). Pops a function or nil.
- */
-void enemy_set_function(lua_State *L, int64_t who, const char *what);
+/* Pops a kind's run, on_hit or on_death. */
+void enemy_set_function(lua_State *L, uint16_t kind, const char *what);
 
-/* Pushes the `run` of a kind; false (nothing pushed): it has none. */
-bool enemy_push_run(lua_State *L, uint16_t kind);
+/* Pops the on_death, or nil, of the enemy just spawned in that slot. */
+void enemy_set_death(lua_State *L, uint32_t slot);
+
+/* Pushes a kind's run, on_hit or on_death; false (nothing pushed): it has none. */
+bool enemy_push_function(lua_State *L, uint16_t kind, const char *what);
 
 #endif

@@ -148,11 +148,11 @@ static void open_errors(lua_State *L)
 
 /* ---- metatables ---- */
 
-static void refuse_field(lua_State *L, int metatable, const char *name, const char *who)
+static void refuse_field(lua_State *L, int metatable, const char *name, const char *what)
 {
     lua_pushstring(L, name);
     if (lua_rawget(L, metatable) != LUA_TNIL)
-        luaL_error(L, "%s: a metatable may not have %s", who, name);
+        luaL_error(L, "%s may not have %s", what, name);
     lua_pop(L, 1);
 }
 
@@ -179,8 +179,8 @@ static int base_setmetatable(lua_State *L)
         return luaL_error(L, "cannot change a protected metatable");
     lua_settop(L, 2);
     if (type == LUA_TTABLE) {
-        refuse_field(L, 2, "__gc", "setmetatable");
-        refuse_field(L, 2, "__mode", "setmetatable");
+        refuse_field(L, 2, "__gc", "setmetatable: a metatable");
+        refuse_field(L, 2, "__mode", "setmetatable: a metatable");
         remember_metatable(L);
     }
     lua_setmetatable(L, 1);
@@ -194,8 +194,8 @@ void lualib_check_weak(lua_State *L)
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        refuse_field(L, lua_gettop(L), "__gc", "setmetatable");
-        refuse_field(L, lua_gettop(L), "__mode", "setmetatable");
+        refuse_field(L, lua_gettop(L), "__gc", "a metatable in use");
+        refuse_field(L, lua_gettop(L), "__mode", "a metatable in use");
     }
     lua_pop(L, 1);
 }

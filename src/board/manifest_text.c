@@ -587,23 +587,48 @@ static int run(lua_State *lua)
     return 0;
 }
 
-/* lua_Alloc over the block. When p is NULL, old is the kind of thing to be made. */
-static void *allocate(void *heap, void *p, size_t old, size_t size)
+struct memory {
+    struct heap *heap;
+    lua_State *lua; /* NULL: not made yet */
+    int line;       /* of the text, where memory last ran out; 0: elsewhere */
+};
+
+/* After running out, the stack is gone. */
+static void note_line(struct memory *m)
 {
-    if (p == NULL && old == LUA_TSTRING && size > MAX_STRING + 64)
-        return NULL;
-    if ((p == NULL || size > old) && size > 0 && heap_work(heap) > MAX_WORK)
-        return NULL;
-    return heap_realloc(heap, p, p == NULL ? 0 : old, size);
+    lua_Debug ar;
+
+    m->line = 0;
+    for (int level = 0; m->lua != NULL && m->line <= 0 && lua_getstack(m->lua, level, &ar); level++) {
+        lua_getinfo(m->lua, "l", &ar);
+        m->line = ar.currentline;
+    }
+}
+
+/* lua_Alloc over the block. When p is NULL, old is the kind of thing to be made. */
+static void *allocate(void *memory, void *p, size_t old, size_t size)
+{
+    struct memory *m = memory;
+    bool more = (p == NULL || size > old) && size > 0;
+    bool refused = p == NULL && old == LUA_TSTRING && size > MAX_STRING + 64;
+    void *q = NULL;
+
+    if (!refused && !(more && heap_work(m->heap) > MAX_WORK))
+        q = heap_realloc(m->heap, p, p == NULL ? 0 : old, size);
+    if (q == NULL && more)
+        note_line(m);
+    return q;
 }
 
 /* The message of a failed run, with the file's name in front where Lua has not put it. */
-static void explain(lua_State *lua, int status, const char *file, char *err, size_t err_size)
+static void explain(lua_State *lua, int status, int line, const char *file, char *err, size_t err_size)
 {
     const char *message = lua_tostring(lua, -1);
     size_t n = strlen(file);
 
-    if (status == LUA_ERRMEM)
+    if (status == LUA_ERRMEM && line > 0)
+        snprintf(err, err_size, "%s:%d: needs too much memory", file, line);
+    else if (status == LUA_ERRMEM)
         snprintf(err, err_size, "%s: needs too much memory", file);
     else if (message == NULL)
         snprintf(err, err_size, "%s: cannot be read", file);
@@ -642,12 +667,14 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
         snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_TEXT);
         return false;
     }
-    lua_State *lua = lua_newstate(allocate, heap_init(work, MANIFEST_WORK));
+    struct memory memory = { heap_init(work, MANIFEST_WORK), NULL, 0 };
+    lua_State *lua = lua_newstate(allocate, &memory);
+    memory.lua = lua;
     lua_pushcfunction(lua, run);
     lua_pushlightuserdata(lua, &r);
     int status = lua_pcall(lua, 1, 0, 0);
     if (status != LUA_OK)
-        explain(lua, status, file, err, err_size);
+        explain(lua, status, memory.line, file, err, err_size);
     lua_close(lua);
     if (status != LUA_OK || manifest_check(m, why, sizeof why))
         return status == LUA_OK;

@@ -95,9 +95,8 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 {
+    vm_charge(L, WORK_STEP); /* looks at a thread begin anew with its turn: a chain of tasks must end too */
     int32_t i = take(b, owner, TASK_RUNS);
-
-    vm_charge(L, WORK_STEP); /* the looks of its thread begin anew with its turn: a chain of tasks must end too */
     if (i == NO_SLOT) {
         lua_pop(L, n + 1);
         return board_handle(b, H_TASK, NO_SLOT);

@@ -97,8 +97,8 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
     shade = nearest_shade(rgb + bank * 48, colour, &off);
     if (off == 0 || nearest)
         return shade;
-    fail(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d", x, y, colour[0], colour[1], colour[2],
-         bank);
+    fail(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
+         colour[0], colour[1], colour[2], bank);
     return -1;
 }
 

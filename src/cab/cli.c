@@ -11,6 +11,7 @@
 #include "args.h"
 #include "cab.h"
 #include "config.h"
+#include "files.h"
 #include "game.h"
 #include "headless.h"
 #include "keys.h"
@@ -48,16 +49,19 @@ static bool is_nothing(const char *word)
     return plat_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
 }
 
-static int no_such_word(const char *word)
+static int no_such_word(const char *word, bool after_play)
 {
     const char *meant = args_near_command(word);
 
+    if (after_play)
+        return game_report(EXIT_INPUT, "%s: no such file or folder", word);
     if (meant)
         return game_report(EXIT_INPUT, "%s: no such command, file or folder (did you mean %s?)", word, meant);
     return game_report(EXIT_INPUT, "%s: no such command, file or folder (curtain help lists the commands)", word);
 }
 
-static int play(const struct args *a)
+/* named: the command was. */
+static int play(const struct args *a, bool named)
 {
     char err[1024];
     struct game *g = malloc(sizeof *g);
@@ -67,7 +71,7 @@ static int play(const struct args *a)
         return game_report(EXIT_HOST, "out of memory");
     if (path && is_nothing(path)) {
         free(g);
-        return no_such_word(path);
+        return no_such_word(path, named);
     }
     int code = EXIT_INPUT;
     if (!game_open(g, path, a, err, sizeof err)) {
@@ -106,8 +110,8 @@ static int pack(const struct args *a)
         snprintf(name, sizeof name, "%s.rom", cart.m.id);
         out = name;
     }
-    if (code == EXIT_DONE && !plat_save(out, image.bytes, image.size))
-        code = game_report(EXIT_HOST, "%s: cannot be written", out);
+    if (code == EXIT_DONE && !files_save(out, image.bytes, image.size, err, sizeof err))
+        code = game_report(EXIT_HOST, "%s", err);
     rom_image_free(&image);
     return code;
 }
@@ -135,10 +139,7 @@ static int list(const struct args *a)
 /* pack_unpack has one way to say no; only this one is the host's doing. */
 static bool host_failed(const char *err)
 {
-    static const char tail[] = "cannot be written";
-    size_t n = strlen(err);
-
-    return n >= sizeof tail - 1 && strcmp(err + n - (sizeof tail - 1), tail) == 0;
+    return strstr(err, ": cannot be written") != NULL;
 }
 
 static int unpack(const struct args *a)
@@ -230,6 +231,6 @@ int cli_main(int argc, char **argv)
     case COMMAND_VERSION:
         return version();
     default:
-        return play(&a);
+        return play(&a, a.words != argv);
     }
 }

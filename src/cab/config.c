@@ -137,15 +137,14 @@ bool config_load(struct config *c, char *err, size_t err_size)
 
 void config_help(void (*line)(const char *))
 {
-    char text[128];
+    char text[128], value[32];
     for (int i = 0; i < SETTINGS; i++) {
         const struct setting *s = &settings[i];
         if (s->yes_no)
-            snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, s->standard ? "yes (or no)" : "no (or yes)",
-                     s->help);
+            snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
         else
-            snprintf(text, sizeof text, "  %-11s %d (%d to %d)%*s %s", s->name, s->standard, s->lo, s->hi, 8, "",
-                     s->help);
+            snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);
+        snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
         line(text);
     }
 }

@@ -15,6 +15,7 @@
 #include "../base/bytes.h"
 #include "../base/hash.h"
 #include "../board/api.h"
+#include "files.h"
 
 enum { KIND_HEADER = 'H', KIND_SECOND = 'S', KIND_FLAGS = 'F', KIND_END = 'E' };
 
@@ -369,7 +370,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 
     memset(d, 0, sizeof *d);
     if (size < 0 || size > DEMO_MAX_BYTES) {
-        snprintf(err, err_size, size < 0 ? "%s: cannot be read" : "%s: too large for a demo", path);
+        snprintf(err, err_size, size < 0 ? "%s: no such file" : "%s: too large for a demo", path);
         return false;
     }
     uint8_t *data = malloc((size_t)size + 1);
@@ -619,13 +620,12 @@ static bool deliver(struct demo_writer *w, struct sink *s, bool whole)
     bool ok = !s->bad;
 
     if (ok && w->path[0])
-        ok = whole ? plat_save(w->path, s->p, s->n) : plat_append(w->path, s->p, s->n);
+        ok = (whole ? files_save : files_append)(w->path, s->p, s->n, w->err, sizeof w->err);
     free(s->p);
     if (ok)
         return true;
     if (s->bad)
         return out_of_memory(w);
-    snprintf(w->err, sizeof w->err, "%s: cannot be written", w->path);
     w->path[0] = 0;
     return false;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "cli.h"
+#include "files.h"
 #include "game.h"
 #include "guard.h"
 #include "png.h"
@@ -178,12 +179,13 @@ static int studio_open(struct studio *s, const struct run *r)
 /* Writes and frees a PNG file; data NULL: it could not be made. */
 static int save(const char *path, uint8_t *data, size_t size)
 {
-    bool made = data != NULL, ok = made && plat_save(path, data, size);
+    char err[1200];
+    bool made = data != NULL, ok = made && files_save(path, data, size, err, sizeof err);
 
     free(data);
-    if (ok)
-        return EXIT_DONE;
-    return game_report(EXIT_HOST, made ? "%s: cannot be written" : "%s: out of memory", path);
+    if (!made)
+        return game_report(EXIT_HOST, "%s: out of memory", path);
+    return ok ? EXIT_DONE : game_report(EXIT_HOST, "%s", err);
 }
 
 static int picture(struct studio *s, const struct run *r, uint32_t frame)

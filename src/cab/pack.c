@@ -15,6 +15,7 @@
 #include "../board/cart.h"
 #include "../board/script.h"
 #include "art.h"
+#include "files.h"
 #include "png.h"
 
 enum {
@@ -563,14 +564,16 @@ static void ignore_entry(void *user, const struct plat_file *file)
 
 bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
 {
+    char why[PATH + 256];
+
     memset(out, 0, sizeof *out);
     if (plat_size(path) >= 0)
         return load_file(path, out, err, err_size);
     if (plat_list(path, ignore_entry, NULL) < 0)
         return fail(err, err_size, "%s: no such file or folder", path);
-    if (!pack_folder(path, nearest, &out->bytes, &out->size, err, err_size)) {
+    if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
         memset(out, 0, sizeof *out);
-        return false;
+        return fail(err, err_size, "%s: %s", path, why);
     }
     return rom_open(&out->rom, out->bytes, out->size, err, err_size);
 }
@@ -634,8 +637,10 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
         struct lump l;
         rom_lump(rom, (int)i, &l);
         unpacked_name(l.name, name);
-        if (!join(path, dir, name) || !plat_save(path, l.data, l.size))
-            return fail(err, err_size, "%s: cannot be written", path);
+        if (!join(path, dir, name))
+            return fail(err, err_size, "%s: the path is too long", name);
+        if (!files_save(path, l.data, l.size, err, err_size))
+            return false;
     }
     return true;
 }

@@ -1,5 +1,5 @@
 /*
- * enemies.c - see enemies.h. Easing is quadratic, in exact integer arithmetic on the frame count, rounded once.
+ * enemies.c - see enemies.h. Easing is quadratic, in Q30 integers on the frame count: within 2^-30 of the way.
  */
 #include "enemies.h"
 
@@ -11,7 +11,7 @@ static const struct column kind_columns[] = {
 static const struct column columns[] = {
     COLUMN(enemies, x),    COLUMN(enemies, y),    COLUMN(enemies, hp),   COLUMN(enemies, kind), COLUMN(enemies, bank),
     COLUMN(enemies, tag),  COLUMN(enemies, safe), COLUMN(enemies, born), COLUMN(enemies, by),   COLUMN(enemies, flags),
-    COLUMN(enemies, x0),   COLUMN(enemies, y0),   COLUMN(enemies, x1),   COLUMN(enemies, y1),   COLUMN(enemies, start),
+    COLUMN(enemies, x0),   COLUMN(enemies, y0),   COLUMN(enemies, x1),   COLUMN(enemies, y1),   COLUMN(enemies, made),
     COLUMN(enemies, over), COLUMN(enemies, ease),
 };
 
@@ -44,7 +44,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->born[i] = clock;
     e->by[i] = 0;
     e->flags[i] = 0;
-    e->start[i] = clock;
+    e->made[i] = 0;
     e->over[i] = 0;
     e->ease[i] = EASE_LINEAR;
     return i;
@@ -56,13 +56,13 @@ void enemies_drop(struct enemies *e, uint32_t i)
     park(e, i);
 }
 
-void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease, uint32_t clock)
+void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease)
 {
     e->x0[i] = e->x[i];
     e->y0[i] = e->y[i];
     e->x1[i] = x;
     e->y1[i] = y;
-    e->start[i] = clock;
+    e->made[i] = 0;
     e->over[i] = over;
     e->ease[i] = (uint8_t)ease;
 }
@@ -92,26 +92,28 @@ static fx between(fx a, fx b, int64_t t)
     return (fx)(a + ((p + (1 << 29)) >> 30));
 }
 
-static void step(struct enemies *e, uint32_t i, uint32_t clock)
+static void step(struct enemies *e, uint32_t i)
 {
-    uint32_t k = clock - e->start[i] + 1;
-
-    if (e->safe[i] > 0)
-        e->safe[i]--;
     if (!e->over[i])
         return;
-    int64_t t = eased((enum ease)e->ease[i], k < e->over[i] ? k : e->over[i], e->over[i]);
+    int64_t t = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
     e->x[i] = between(e->x0[i], e->x1[i], t);
     e->y[i] = between(e->y0[i], e->y1[i], t);
-    if (k >= e->over[i])
+    if (e->made[i] == e->over[i])
         e->over[i] = 0;
 }
 
-void enemies_move(struct enemies *e, uint32_t clock, const struct box *keep, void (*left)(void *, uint32_t),
-                  void *context)
+void enemies_count(struct enemies *e)
+{
+    EACH_LIVE (i, &e->s)
+        if (e->safe[i] > 0)
+            e->safe[i]--;
+}
+
+void enemies_move(struct enemies *e, const struct box *keep, void (*left)(void *, uint32_t), void *context)
 {
     EACH_LIVE (i, &e->s) {
-        step(e, i, clock);
+        step(e, i);
         if (e->x[i] < keep->x0 || e->x[i] > keep->x1 || e->y[i] < keep->y0 || e->y[i] > keep->y1)
             left(context, i);
     }

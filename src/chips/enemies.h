@@ -12,6 +12,7 @@
 enum {
     ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
     ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
+    ENEMY_DYING = 1 << 1, /* its on_death runs: nothing kills it twice */
 
     SAFE_FOREVER = -1
 };
@@ -42,7 +43,7 @@ struct enemies {
     uint32_t *by;
     uint8_t *flags;
     fx *x0, *y0, *x1, *y1;  /* the move it makes: from, to */
-    uint32_t *start, *over; /* clock it began, frames; over 0: none */
+    uint32_t *made, *over;  /* frames made of it, frames in all; over 0: none */
     uint8_t *ease;
 };
 
@@ -52,11 +53,13 @@ extern const struct chip enemies_chip, enemy_kinds_chip;
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
 void enemies_drop(struct enemies *e, uint32_t i);
 
-/* Moves enemy i to (x, y) in `over` frames, starting now; it first moves this frame and arrives exactly. */
-void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease, uint32_t clock);
+/* Moves enemy i to (x, y) in the next `over` calls of enemies_move; it arrives exactly. */
+void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
-/* Goes on with the moves, counts safe frames down, and calls left for each that is outside keep. */
-void enemies_move(struct enemies *e, uint32_t clock, const struct box *keep, void (*left)(void *, uint32_t),
-                  void *context);
+/* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
+void enemies_count(struct enemies *e);
+
+/* Goes on with the moves, and calls left for each that is outside keep. */
+void enemies_move(struct enemies *e, const struct box *keep, void (*left)(void *, uint32_t), void *context);
 
 #endif

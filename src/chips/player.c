@@ -76,8 +76,13 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     p->was_y[i] = p->y[i];
     p->x[i] = clamp(p->x[i] + dx * speed, area->x0, area->x1);
     p->y[i] = clamp(p->y[i] + dy * speed, area->y0, area->y1);
-    if (p->safe[i])
-        p->safe[i]--;
+}
+
+void player_count(struct player *p)
+{
+    for (uint32_t i = 0; i < PADS; i++)
+        if (p->safe[i])
+            p->safe[i]--;
 }
 
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)

@@ -47,7 +47,10 @@ void player_leave(struct player *p, uint32_t i);
 /* Puts a player somewhere without sweeping through what is between. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);
 
-/* Moves both by their held buttons (PAD_ bits), inside area; counts safe frames down. */
+/* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
+void player_count(struct player *p);
+
+/* Moves both by their held buttons (PAD_ bits), inside area. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
 
 #endif

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # manual.sh - every example of docs/manual.md runs, every error it shows is the one that comes, every API entry has one.
-. "$(dirname "$0")/../tap.sh"
-. tests/pages.sh
+. "$(dirname "$0")/../pages.sh"
 
 blocks docs/manual.md
 covers() { "$OUT/curtain-null" help lua | python3 tests/cli/snippets.py --cover "$1"; }

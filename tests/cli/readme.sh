@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass Tide's.
-. "$(dirname "$0")/../tap.sh"
-. tests/pages.sh
+. "$(dirname "$0")/../pages.sh"
 
 blocks README.md
 for art in examples/*/art/*.png; do

@@ -6,7 +6,7 @@
 #
 # Hashes differ: the run itself is another. Only the pixels differ: it is drawn in another way. A failure leaves
 # expected, got and difference as PNG in build/golden-failed/.
-. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../check.sh"
 here=tests/golden
 failed=build/golden-failed
 curtain=$OUT/curtain-null

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # floors.sh - every #include obeys the floors, and a planted one that does not is found.
-. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../check.sh"
 
 floors() { tree '*.c' '*.h' | xargs python3 tests/house/floors.py; }
 check "every include is of its own floor or below" floors

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # format.sh - every C file is as clang-format leaves it; no text has tabs, blanks at line ends or DOS line ends.
-. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../check.sh"
 
 formatted() { clang-format --style=file --dry-run -Werror "$@"; }
 check "all C files are formatted" formatted $(tree '*.c' '*.h')

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts.sh - every game packs, and no script names what nobody declared.
-. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../check.sh"
 curtain=$OUT/curtain-null
 
 for rom in roms/*/; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # texts.sh - the repository speaks of itself only: no path of anybody's machine, no history of how it was written; and
 # what its pages point to is there.
-. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../check.sh"
 
 machine='(\.\./shared|/work/|/tmp/w\b|/home/[a-z]|/Users/|\bsessions?[ -]?(id|log|number)|\bthis session\b|\bAI (assistant|model|agent)|language model|\bclaude\b)'
 undone='\b(TODO|FIXME)[: ]'

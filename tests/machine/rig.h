@@ -108,7 +108,7 @@ static inline struct manifest rig_manifest(void)
     return m;
 }
 
-/* A game of these scripts; m NULL: rig_manifest. */
+/* A game of these scripts; m NULL: rig_manifest. One named "@std/NAME" takes the place of the library's. */
 static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
 {
     enum { MOST = 64 };
@@ -139,9 +139,15 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
         snprintf(names[k], sizeof names[k], "script/%s.lua", s[i].name);
         lumps[k] = (struct lump){ names[k], (const uint8_t *)s[i].text, (uint32_t)strlen(s[i].text) };
     }
-    for (int i = 0; i < std_script_count; i++, k++) {
+    for (int i = 0; i < std_script_count; i++) {
+        bool taken = false;
         snprintf(names[k], sizeof names[k], "script/@std/%s.lua", std_scripts[i].name);
+        for (int j = 0; j < n; j++)
+            taken |= !strncmp(s[j].name, "@std/", 5) && !strcmp(s[j].name + 5, std_scripts[i].name);
+        if (taken)
+            continue;
         lumps[k] = (struct lump){ names[k], std_scripts[i].data, (uint32_t)std_scripts[i].size };
+        k++;
     }
     rig_write(g, lumps, k);
 }

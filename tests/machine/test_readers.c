@@ -2,6 +2,7 @@
  * test_readers.c - files nobody meant: random bytes, every truncation, and thousands of valid ROMs and demos with a few
  * bytes spoilt and the checksums made good. Each is refused in one sentence or runs.
  */
+#include <unistd.h>
 #include "../spoil.h"
 
 enum { ROM_MUTANTS = 6000, CARD_MUTANTS = 1000, DEMO_MUTANTS = 3000 };
@@ -13,7 +14,9 @@ struct tally {
 static struct spoil_bench bench;
 static struct rig_game game;
 
+/* From the title, and right in the stage. */
 static const struct board_start plain = { .seed = 1, .difficulty = -1 };
+static const struct board_start practice = { .seed = 1, .difficulty = -1, .stage = "one" };
 
 static int set_up(void **state)
 {
@@ -41,7 +44,7 @@ static uint8_t *copy_of(const void *data, size_t n)
 }
 
 /* Opens and, if it opens, runs. */
-static enum spoil_outcome try_rom(const uint8_t *p, size_t n, uint64_t seed)
+static enum spoil_outcome try_rom(const uint8_t *p, size_t n, const struct board_start *start, uint64_t seed)
 {
     struct rom rom;
     char err[512] = "";
@@ -52,7 +55,7 @@ static enum spoil_outcome try_rom(const uint8_t *p, size_t n, uint64_t seed)
             fail_msg("case %llu: refused with \"%s\"", (unsigned long long)seed, err);
         return SPOIL_REFUSED;
     }
-    enum spoil_outcome out = spoil_run(&bench, &rom, &plain, NULL, seed, &bad);
+    enum spoil_outcome out = spoil_run(&bench, &rom, seed % 3 ? start : &plain, NULL, seed, &bad);
     if (bad)
         fail_msg("case %llu: outcome %d says \"%s\"", (unsigned long long)seed, (int)out, bench.said);
     return out;
@@ -81,7 +84,8 @@ static void assert_reach(const struct tally *t, uint32_t percent)
 static void test_as_it_is(void **state)
 {
     (void)state;
-    assert_int_equal(try_rom(game.image.bytes, game.image.size, 1), SPOIL_RAN);
+    assert_int_equal(try_rom(game.image.bytes, game.image.size, &plain, 1), SPOIL_RAN);
+    assert_int_equal(try_rom(game.image.bytes, game.image.size, &practice, 1), SPOIL_RAN);
 }
 
 static void test_random_bytes(void **state)
@@ -97,7 +101,7 @@ static void test_random_bytes(void **state)
             p[k] = (uint8_t)rng_next(&r);
         if (i % 2)
             spoil_repair(p, n);
-        assert_int_equal(try_rom(p, n, (uint64_t)i), SPOIL_REFUSED);
+        assert_int_equal(try_rom(p, n, &plain, (uint64_t)i), SPOIL_REFUSED);
         free(p);
     }
 }
@@ -108,10 +112,10 @@ static void test_truncated(void **state)
     (void)state;
     for (size_t n = 0; n < game.image.size; n++) {
         uint8_t *p = copy_of(game.image.bytes, n);
-        assert_int_equal(try_rom(p, n, n), SPOIL_REFUSED);
+        assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
         if (n % 61 == 0 || n < 1200) {
             spoil_repair(p, n);
-            assert_int_equal(try_rom(p, n, n), SPOIL_REFUSED);
+            assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
         }
         free(p);
     }
@@ -138,7 +142,7 @@ static void test_lumps_gone(void **state)
         size_t size = rom_write_size(lumps, n);
         uint8_t *p = malloc(size);
         rom_write(p, lumps, n);
-        add(&t, try_rom(p, size, gone));
+        add(&t, try_rom(p, size, &practice, gone));
         free(p);
     }
     assert_reach(&t, 30);
@@ -204,7 +208,8 @@ static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
     spoil_repair(p, size);
 }
 
-static void mutate_roms(const struct rig_game *g, int count, uint64_t seed, uint32_t percent)
+static void mutate_roms(const struct rig_game *g, const struct board_start *start, int count, uint64_t seed,
+                        uint32_t percent)
 {
     struct tally t = { 0 };
     struct rng r;
@@ -213,7 +218,7 @@ static void mutate_roms(const struct rig_game *g, int count, uint64_t seed, uint
     for (int i = 0; i < count; i++) {
         uint8_t *p = copy_of(g->image.bytes, g->image.size);
         mutate_rom(p, g->image.size, &r);
-        add(&t, try_rom(p, g->image.size, seed + (uint64_t)i));
+        add(&t, try_rom(p, g->image.size, start, seed + (uint64_t)i));
         free(p);
     }
     assert_reach(&t, percent);
@@ -222,7 +227,7 @@ static void mutate_roms(const struct rig_game *g, int count, uint64_t seed, uint
 static void test_mutants(void **state)
 {
     (void)state;
-    mutate_roms(&game, ROM_MUTANTS, 100000, 30);
+    mutate_roms(&game, &practice, ROM_MUTANTS, 100000, 30);
 }
 
 static void test_card_mutants(void **state)
@@ -231,7 +236,7 @@ static void test_card_mutants(void **state)
 
     (void)state;
     rig_folder(&card, "testcard");
-    mutate_roms(&card, CARD_MUTANTS, 200000, 30);
+    mutate_roms(&card, &plain, CARD_MUTANTS, 200000, 30);
     rig_game_free(&card);
 }
 
@@ -240,7 +245,7 @@ static void test_card_mutants(void **state)
 /* A demo of SPOIL_FRAMES frames of the game, of random pads; free it. */
 static uint8_t *record(size_t *size)
 {
-    struct board_start start = { .seed = 5, .difficulty = -1 };
+    struct board_start start = { .seed = 5, .difficulty = -1, .stage = "one" };
     uint16_t pads[PADS] = { 0 };
     struct demo_writer w = { 0 };
     char path[] = "/tmp/curtain-readers-XXXXXX";
@@ -260,7 +265,9 @@ static uint8_t *record(size_t *size)
     assert_true(demo_end(&w, rig.b));
     demo_free(&w.demo);
     rig_free(&rig);
-    FILE *f = fdopen(fd, "rb");
+    close(fd); /* the recording has replaced that file */
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
     uint8_t *p = malloc(1 << 20);
     *size = fread(p, 1, 1 << 20, f);
     fclose(f);
@@ -323,10 +330,13 @@ static void test_demo_random_bytes(void **state)
     }
 }
 
-/* Cut anywhere, a demo is read up to its last whole second, or refused. */
+/* Cut anywhere, a demo is read up to its last whole second, or refused. All are read, and one of each length is run. */
 static void test_demo_truncated(void **state)
 {
+    static struct demo d; /* large for a stack */
+    uint32_t frames = UINT32_MAX;
     struct tally t = { 0 };
+    char err[512];
     size_t size;
     uint8_t *whole = record(&size);
 
@@ -334,10 +344,19 @@ static void test_demo_truncated(void **state)
     assert_int_equal(try_demo(whole, size, 0), SPOIL_RAN);
     for (size_t n = 0; n < size; n++) {
         uint8_t *p = copy_of(whole, n);
-        add(&t, try_demo(p, n, n));
+        if (!demo_read(&d, p, n, err, sizeof err)) {
+            assert_true(spoil_sentence(err, sizeof err));
+            t.n[SPOIL_REFUSED]++;
+        } else if (d.frames != frames) {
+            assert_false(d.complete);
+            frames = d.frames;
+            add(&t, try_demo(p, n, n));
+        }
+        demo_free(&d);
         free(p);
     }
-    assert_reach(&t, 10);
+    assert_true(t.n[SPOIL_REFUSED] > 0);
+    assert_int_equal(t.n[SPOIL_RAN], 1 + SPOIL_FRAMES / DEMO_SECOND);
     free(whole);
 }
 

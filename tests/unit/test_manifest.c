@@ -362,12 +362,12 @@ static void test_bombs(void **state)
     refused("while true do end", "rom.lua:1: takes too long (an endless loop?)");
     refused("local function f() return f() end\nreturn f()", "rom.lua:1: takes too long (an endless loop?)");
     refused("::a:: goto a", "rom.lua:1: takes too long (an endless loop?)");
-    refused("local s = 'x' while true do s = s .. s end", "rom.lua: needs too much memory");
-    refused("local t = {} while true do t = { t } end", "rom.lua: needs too much memory");
-    refused("local t = {} for i = 1, 1e6 do t[i] = { i } end return t", "rom.lua: needs too much memory");
+    refused("local s = 'x' while true do s = s .. s end", "rom.lua:1: needs too much memory");
+    refused("local t = {} while true do t = { t } end", "rom.lua:1: needs too much memory");
+    refused("local t = {} for i = 1, 1e6 do t[i] = { i } end return t", "rom.lua:1: needs too much memory");
     refused("local s = 'x' for i = 1, 13 do s = s .. s end for i = 1, 1e9 do local t = s .. i end",
-            "rom.lua: needs too much memory");
-    refused("local function f() return 1 + f() end f()", "rom.lua: needs too much memory");
+            "rom.lua:1: needs too much memory");
+    refused("local function f() return 1 + f() end f()", "rom.lua:1: needs too much memory");
     text = malloc((1 << 20) + 1);
     memset(text, ' ', (1 << 20) + 1);
     struct result *r = read_text(text, (1 << 20) + 1, false);

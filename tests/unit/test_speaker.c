@@ -63,8 +63,8 @@ static void words_take_unused_colours(void **state)
     fb_init(&fb, mem, W, H);
     for (int i = 0; i < W * H; i++) /* all but 77 and 78 are used */
         fb.pix[i / W * fb.pitch + i % W] = (uint8_t)(i % 256 == 77 || i % 256 == 78 ? 3 : i);
-    int end = message_draw(&fb, rgb, 0, "hello there, this is longer\nthan a line \xC3\xA9");
-    assert_int_equal(end, 1 + 3 * MESSAGE_CELL_H);
+    int end = message_draw(&fb, rgb, 0, "hello there, this is it, it is longer\nthan a line \xC3\xA9");
+    assert_int_equal(end, 1 + 4 * MESSAGE_CELL_H);
     for (int y = 0; y < end; y++)
         for (int x = 0; x < W; x++) {
             uint8_t c = fb.pix[y * fb.pitch + x];

@@ -1,14 +1,24 @@
 #!/usr/bin/env bash
-# window.sh - the desktop port in a real (virtual) X server: pixels, keys, sizes, controllers, no sound card; and, with a
-# program and a game, that a played frame is the frame `curtain render` makes.
-#
-#     tests/window.sh [CURTAIN GAME_FOLDER]
-#
-# Prints TAP. Needs Xvfb, xdotool, xwd, xprop, ImageMagick, openbox, SDL2; exit code 77 and a line when one is missing.
-. "$(dirname "$0")/tap.sh"
+# window.sh - the desktop port in a real (virtual) X server: pixels, keys, sizes, controllers, no sound card; and that a
+# played frame is the frame `curtain render` makes, at every scale.
+. "$(dirname "$0")/../tap.sh"
+scratch=$tmp play_rom=$repo/roms/glasstide
+check() { # NAME COMMAND...
+    local name=$1
+    shift
+    if "$@" >"$scratch/said" 2>&1; then ok "$name"; else not_ok "$name" "$(cat "$scratch/said")"; fi
+}
+refuse() { # NAME TEXT COMMAND...: fails, and says TEXT
+    local name=$1 text=$2
+    shift 2
+    if "$@" >"$scratch/said" 2>&1; then not_ok "$name" "was not refused"
+    elif grep -q -- "$text" "$scratch/said"; then ok "$name"
+    else not_ok "$name" "$(cat "$scratch/said")"; fi
+}
 for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do
-    command -v $tool >/dev/null || { echo "window.sh: no $tool" >&2; exit 77; }
+    command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
 done
+cd "$repo" || exit 2
 child= xvfb= wm=
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; rm -rf "$scratch"' EXIT
 # A card that cannot be there, and nobody's settings.
@@ -26,7 +36,7 @@ done
 probe=$scratch/port_probe
 
 # X picks a free display number and writes it down.
-Xvfb -displayfd 3 -screen 0 1100x900x24 -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
+Xvfb -displayfd 3 -screen 0 1100x1000x24 -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
 xvfb=$!
 soon test -s "$scratch/display" || { echo "window.sh: Xvfb does not start" >&2; exit 2; }
 DISPLAY=:$(cat "$scratch/display")
@@ -40,14 +50,14 @@ start() {
     child=$!
     if ! soon found; then
         check "a window for: $*" cat "$scratch/err" /none
-        finish
+        leave
         return 1
     fi
     timeout 5 xdotool windowfocus --sync "$win"
     xdotool windowmove "$win" 0 0
 }
 found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
-finish() {
+leave() {
     kill -KILL "$child" 2>/dev/null
     wait "$child" 2>/dev/null
     child=
@@ -57,7 +67,7 @@ stop() {
     check "ends on Escape" soon gone
     wait "$child"
     check "with exit code 0" [ $? = 0 ]
-    finish
+    leave
 }
 
 # same_pixels W H WIN_W WIN_H: the window shows the probe's picture so; it may take a few frames to.
@@ -100,13 +110,13 @@ check "a window manager" soon managed
 if start "port probe" "$probe" show 240 160 2; then
     check "pixels before fullscreen" same_pixels 240 160 480 320
     xdotool key --delay 100 f
-    check "pixels in fullscreen" same_pixels 240 160 1100 900
+    check "pixels in fullscreen" same_pixels 240 160 1100 1000
     xdotool key --delay 100 f
     check "pixels after fullscreen" same_pixels 240 160 480 320
     stop
 fi
 if start "port probe" "$probe" show 240 160 1 full; then
-    check "pixels in fullscreen from the start" same_pixels 240 160 1100 900
+    check "pixels in fullscreen from the start" same_pixels 240 160 1100 1000
     stop
 fi
 kill $wm
@@ -146,41 +156,66 @@ if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then
     check "with a card there is sound" says "sound 1"
     kill -TERM $child
     check "SIGTERM is a quit" soon says closed
-    finish
+    leave
 fi
 check "controllers" env SDL_VIDEODRIVER=dummy "$scratch/port_pads"
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
-# Our own words stand on the first 8 lines of a paused picture; below them each pixel must be the picture's, four times.
-below_words() { convert "$1" $2 -gravity south -crop "x$((2 * h - 16))+0+0" +repage -depth 8 "rgb:$3"; }
-window_is_shot() {
-    local h
-    h=$(identify -format %h "$play/$shot")
-    below_words "xwd:$play/window.xwd" "" "$play/window.rgb"
-    below_words "$play/$shot" "-scale 200%" "$play/shot.rgb"
-    cmp "$play/window.rgb" "$play/shot.rgb"
+# While paused our own words stand on the first 8 lines; below them every pixel of the window must be the picture's.
+window_rgb() { xwd -silent -id "$win" -out window.xwd && convert xwd:window.xwd -depth 8 "rgb:$1"; }
+expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
+    convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
 }
-if [ $# -ge 2 ]; then
-    curtain=$(realpath "$1") rom=$(realpath "$2") play=$scratch/play
-    mkdir -p "$play"
-    cd "$play" || exit 2
-    name=$(sed -n 's/^ *title *= *"\([^"]*\)".*/\1/p' "$rom/rom.lua")
-    if start "$name" "$curtain" play "$rom" --seed 0 --scale 2 --mute --record one.demo; then
-        sleep 1
-        for key in p period F12; do
-            xdotool key --delay 100 $key
-            sleep 0.2
-        done
-        check "a screenshot" soon grep -q "^wrote " "$scratch/err"
-        shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
-        xwd -silent -id "$win" -out window.xwd
-        stop
-        frame=$("$curtain" hash "$rom" --demo one.demo | tail -1 | cut -d' ' -f1)
-        check "renders frame $frame of the demo" "$curtain" render "$rom" --demo one.demo --frames "$frame" -o out
-        check "the screenshot is that frame" cmp "$shot" "$(echo out/*.png)"
-        check "the window shows that frame" window_is_shot
-        check "the demo holds" "$curtain" verify "$rom" one.demo
-    fi
+# Blackens the words' lines of a window: rows TOP to TOP + 8 SCALE, columns LEFT to LEFT + W SCALE.
+without_words() { # FILE WIN_W WIN_H LEFT TOP W H
+    convert -size "$2x$3" -depth 8 "rgb:$1" -fill black -draw "rectangle $4,$5 $(($4 + $6 - 1)),$(($5 + $7 - 1))" -depth 8 "rgb:$1"
+}
+shows() { # SHOT SCALE WIN_W WIN_H
+    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2))
+    window_rgb got.rgb && expected_rgb "$1" "$2" "$3" "$4" want.rgb &&
+        without_words got.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) &&
+        without_words want.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) && cmp got.rgb want.rgb
+}
+play_at() { # SCALE [WIN_W WIN_H]
+    local scale=$1 w=${2:-$((240 * $1))} h=${3:-$((320 * $1))} shot frame
+    rm -rf "$scratch/play" && mkdir -p "$scratch/play" && cd "$scratch/play" || exit 2
+    start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale "$scale" --mute --record one.demo || return
+    [ $# = 1 ] || timeout 5 xdotool windowsize --sync "$win" "$w" "$h"
+    xdotool key --delay 150 Return key --delay 150 z # the title is left: keys play the game
+    sleep 1
+    for key in p period F12; do
+        xdotool key --delay 100 $key
+        sleep 0.2
+    done
+    check "a screenshot at ${w}x$h" soon grep -q "^wrote " "$scratch/err"
+    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "the window of ${w}x$h shows it" soon shows "$shot" "$scale" "$w" "$h"
+    stop
+    frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
+    check "renders frame $frame of the demo" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" -o out
+    check "the screenshot is that frame" cmp "$shot" "$(echo out/*.png)"
+    check "the demo holds" "$curtain" verify "$play_rom" one.demo
+}
+play_at 1
+play_at 2
+play_at 3
+play_at 2 601 777
+
+# Keys start the game: from the title through the menus into the stage.
+cd "$scratch" || exit 2
+if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then
+    for key in Return Return z z z z; do
+        xdotool key --delay 120 $key
+        sleep 0.4
+    done
+    xdotool keydown z keydown Left
+    sleep 2
+    xdotool keyup z keyup Left
+    stop
+    "$curtain" hash "$play_rom" --demo keys.demo --parts | tail -1 >parts
+    "$curtain" hash "$play_rom" --parts --frames 1 | tail -1 >idle
+    check "keys start the game and fire" [ "$(grep -o ' shots=[0-9a-f]*' parts)" != "$(grep -o ' shots=[0-9a-f]*' idle)" ]
+    check "a player is in it" [ "$(grep -o ' player=[0-9a-f]*' parts)" != "$(grep -o ' player=[0-9a-f]*' idle)" ]
 fi
-done_testing
+finish

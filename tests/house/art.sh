@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# art.sh - the pictures in roms/ are what tools/art.c draws, pixel by pixel, with gcc and with clang.
+. "$(dirname "$0")/../check.sh"
+
+compare() { # WHAT ROM MODE
+    local dir=$1-$2 picture
+    mkdir -p "$dir"
+    "./$1" "$dir" ${3:+"$3"} || { not_ok "$1 draws $2"; return; }
+    for picture in "$repo/roms/$2/art"/*.png; do
+        python3 "$repo/tests/golden/png.py" "$picture" "$dir/$(basename "$picture")" difference.png >why 2>&1 ||
+            { not_ok "$2/$(basename "$picture") is what $1 draws" "$(cat why)"; return; }
+    done
+    same "$2 has no picture that $1 does not draw" "$(ls "$repo/roms/$2/art")" "$(ls "$dir")"
+}
+
+for cc in gcc clang; do
+    opt=-O2
+    [ $cc = gcc ] || opt=-O0
+    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art*.c -lm -o art-$cc || { not_ok "$cc builds tools/art.c"; continue; }
+    compare art-$cc glasstide
+    compare art-$cc testcard card
+    compare art-$cc bench bench
+done
+finish

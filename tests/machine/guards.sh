@@ -1,0 +1,226 @@
+#!/usr/bin/env bash
+# guards.sh - bombs: whatever a script does, the run ends with exit code 2, one line that names place and cause, and the
+# same line each time.
+#
+# Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame, and a
+# look after 20 ms), a few of them also with the real one. The timeouts are a net; no test depends on the time.
+. "$(dirname "$0")/../tap.sh"
+short=$OUT/curtain-short
+[ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
+LOOP='endless loop: more than 50000000 instructions in one frame'
+MEMORY='out of Lua memory (board.lua_kib = 1024 in rom.lua)'
+
+# run PROGRAM OUTPUT: 5 frames of the game in g; the report on OUTPUT, the exit code after it.
+run() {
+    timeout 300 "$1" hash g --frames 5 >/dev/null 2>"$2"
+    echo "exit $?" >>"$2"
+}
+
+# bomb NAME LINE: main.lua is standard input. LINE is all that stands on stderr.
+bomb() {
+    game g
+    run "${program:-$short}" one &
+    run "${program:-$short}" two
+    wait $!
+    same "$1" "$2"$'\nexit 2' "$(cat one)"
+    cmp -s one two || not_ok "$1: the same again" "$(cat two)"
+}
+# The same where main.lua is one line with a task on it.
+task() { bomb "$1" "main.lua:1: ${3:-$LOOP}" <<<"task.go(function() wait(1); $2 end)"; }
+load() { bomb "$1, at load" "main.lua:1: ${3:-$LOOP}" <<<"$2"; }
+both() { task "$@" && load "$@"; }
+
+# ---- endless loops ----
+
+both 'plain loop' 'while true do end'
+both 'goto loop' '::a:: goto a'
+both 'counting loop' 'for i = 1, math.maxinteger do end'
+both 'loop inside pcall' 'pcall(function() while true do end end)'
+both 'loop around pcall' 'while true do pcall(error) end'
+both 'loop around and inside pcall' 'while true do pcall(function() while true do end end) end'
+task 'loop around pcall around wait' 'while true do pcall(wait, 0) end'
+both '__index' 'local t = setmetatable({}, { __index = function() while true do end end }) print(t.x)'
+both '__close' 'local t <close> = setmetatable({}, { __close = function() while true do end end })'
+both 'a __close in the way of every return' \
+    'for i = 1, 9 do local t <close> = setmetatable({}, { __close = function() while true do end end }) while true do end end'
+both 'a __close chain' \
+    'local function f(n) local t <close> = setmetatable({}, { __close = function() while true do end end }) if n > 0 then f(n - 1) end while true do end end f(1000)'
+both '__eq' 'local m = { __eq = function() while true do end end } print(setmetatable({}, m) == setmetatable({}, m))'
+both '__concat' 'print(setmetatable({}, { __concat = function() while true do end end }) .. "x")'
+both '__tostring' 'print(setmetatable({}, { __tostring = function() while true do end end }))'
+both '__len' 'print(#setmetatable({}, { __len = function() while true do end end }))'
+both 'sort callback' 'table.sort({ 3, 2, 1 }, function() while true do end end)'
+both 'gsub callback' '("x"):gsub(".", function() while true do end end)'
+both 'gsub table' '("x"):gsub(".", setmetatable({}, { __index = function() while true do end end }))'
+both 'iterator that never ends' 'for _ in function() return 1 end do end'
+both 'load with a reader that never ends' 'load(function() return "" .. " " end)' "$MEMORY"
+both 'loaded loop' 'load("while true do end", "=main.lua")()'
+both 'much compiling' 'while true do load("return 1") end'
+task 'wait_until' 'wait_until(function() while true do end end)'
+task 'wait(0)' 'while true do wait(0) end'
+bomb 'tasks that start tasks' "main.lua:1: $LOOP" <<<'local function f() task.go(f) end task.go(f)'
+task 'tasks into a full pool' 'while true do task.go(print) end'
+task 'bullets' 'while true do bullet.clear() end'
+task 'each callback' 'local s = task.scope() enemy.each("x", print) while true do task.stop(s) end'
+task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP"
+task 'long texts' 'local s = ("x"):rep(100000) while true do local t = s .. "y" end'
+task 'a task that waits in between' 'while true do for i = 1, 3 do pcall(wait, 0) end end'
+bomb 'after a thousand good turns' "main.lua:1: $LOOP" <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
+bomb 'loop in a handler' "main.lua:2: $LOOP" <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+on.leave(function(e) while true do end end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
+LUA
+bomb 'handlers that raise their own event' 'main.lua:2: more than 2080 events in one frame' <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+on.kill(function(e) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
+LUA
+bomb 'loop after board.reset' "main.lua:2: $LOOP" <<'LUA'
+local again = save.get("again", false)
+while again do end
+task.go(function() save.set("again", true) board.reset() end)
+LUA
+bomb 'loop in a required script' "more/deep.lua:1: $LOOP" < <(
+    mkdir -p g/more && echo 'while true do end' >g/more/deep.lua && echo 'require "more/deep"'
+)
+rm -rf g/more
+
+# ---- in rom.lua ----
+
+rom() { # NAME LINE: rom.lua is standard input
+    game g </dev/null
+    cat >g/rom.lua
+    run "$curtain" one
+    run "$curtain" two
+    same "$1" "curtain: g: $2"$'\nexit 2' "$(cat one)"
+    cmp -s one two || not_ok "$1: the same again" "$(cat two)"
+}
+rom 'endless loop in rom.lua' 'rom.lua:1: takes too long (an endless loop?)' <<<'while true do end'
+rom 'endless recursion in rom.lua' 'rom.lua:1: needs too much memory' <<<'local function f() return 1 + f() end return f()'
+rom 'memory bomb in rom.lua' 'rom.lua:1: needs too much memory' <<<'local t = {} for i = 1, 100000000 do t[i] = { i } end'
+rom 'long text in rom.lua' 'rom.lua:1: needs too much memory' <<<'local s = "x" for i = 1, 60 do s = s .. s end'
+rom 'no functions in rom.lua' "rom.lua:1: attempt to call a nil value (global 'print')" <<<'print("x")'
+
+# ---- one call of C that would never end ----
+
+both 'string.rep of nothing' 'local s = (""):rep(1 << 40) while true do end'
+both 'string.rep of much' '("x"):rep(1 << 40)' 'resulting string too large'
+both 'string.rep with a separator' '(""):rep(1 << 40, "x")' 'resulting string too large'
+both 'table.move' 'table.move({}, 1, 1 << 40, 2)'
+both 'table.move wraps' 'table.move({}, math.mininteger, -2, 1)'
+both 'table.concat' 'table.concat(setmetatable({}, { __index = function() return "" end, __len = function() return 1 << 40 end }))'
+both 'table.insert' 'table.insert(setmetatable({}, { __len = function() return 1 << 40 end }), 1, "x")'
+both 'table.unpack' 'table.unpack({}, 1, 1 << 40)' 'too many results to unpack'
+both 'table.sort' 'table.sort(setmetatable({}, { __len = function() return 1 << 40 end }))' "bad argument #1 to 'sort' (array too big)"
+both 'select' 'select(1 << 40)'$' while true do end'
+both 'pattern bomb, minimal' '("a"):rep(300):find((".-"):rep(5) .. "b")'
+both 'pattern bomb, greedy' '("a"):rep(300):find(("a*"):rep(8) .. "b")'
+both 'pattern bomb, gsub' '("a"):rep(300):gsub(("a*"):rep(8) .. "b", "")'
+both 'pattern bomb, gmatch' 'for _ in ("a"):rep(300):gmatch(("a-"):rep(8) .. "b") do end'
+both 'pattern bomb, %b and %f' '("("):rep(90000):gsub("%b()", "")'$' while true do end'
+both 'format' '("%99999d"):format(1)' "invalid conversion '%999' to 'format'"
+both 'utf8.len of much' 'local s = ("x"):rep(100000) while true do utf8.len(s) end'
+both 'reverse of much' 'local s = ("x"):rep(100000) while true do s:reverse() end'
+
+# ---- what is not there ----
+
+both '__gc' 'setmetatable({}, { ["__" .. "gc"] = print })' 'setmetatable: a metatable may not have __gc'
+both '__mode' 'setmetatable({}, { ["__" .. "mode"] = "k" })' 'setmetatable: a metatable may not have __mode'
+both 'xpcall' 'xpcall(print, print)' 'undeclared global "xpcall"'
+both 'coroutine' 'coroutine.wrap(print)()' 'undeclared global "coroutine"'
+both 'collectgarbage' 'collectgarbage()' 'undeclared global "collectgarbage"'
+both 'debug' 'debug.sethook()' 'undeclared global "debug"'
+bomb '__gc into a metatable in use' 'a metatable in use may not have __gc' <<'LUA'
+local m = {}
+local t = setmetatable({}, m)
+task.go(function() wait(1) m["__" .. "gc"] = print end)
+LUA
+
+# ---- memory ----
+
+both 'memory: tables in a table' 'local t = {} while true do t[#t + 1] = {} end' "$MEMORY"
+both 'memory: one big array' 'local t = {} for i = 1, 1e9 do t[i] = i end' "$MEMORY"
+both 'memory: a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end' "$MEMORY"
+both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' "$MEMORY"
+both 'memory: string.rep' 'local s = ("x"):rep(1 << 27)' "$MEMORY"
+both 'memory: closures' 'local f while true do local g = f f = function() return g end end' "$MEMORY"
+both 'memory: many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end' "$MEMORY"
+both 'memory: table.concat' 'local t = {} for i = 1, 2000 do t[i] = ("x"):rep(200) end local u = {} while true do u[#u + 1] = table.concat(t, #u) end' "$MEMORY"
+both 'memory: compiled scripts' 'local t = {} while true do t[#t + 1] = load(("local x = 1 "):rep(150)) end' "$MEMORY"
+both 'memory: inside pcall' 'pcall(function() local t = {} while true do t[#t + 1] = {} end end)' "$MEMORY"
+both 'memory: around pcall' 'local t = {} while true do pcall(function() t[#t + 1] = {} end) end' "$MEMORY"
+both 'memory: a gsub' '(("x"):rep(100000)):gsub(".", ("y"):rep(100))' "$MEMORY"
+both 'memory: error values' 'local t = {} while true do local _, e = pcall(error, {}) t[#t + 1] = e end' "$MEMORY"
+both 'memory: print' 'print(("x"):rep(400000):rep(4))' "$MEMORY"
+bomb 'memory: parked tasks' "main.lua:1: $MEMORY" <<<'task.go(function() for i = 1, 100 do task.go(function() local t = {} for k = 1, 4000 do t[k] = k end wait(forever) end) end end)'
+
+# ---- depth ----
+
+DEEP=', deep in calls: an endless recursion?'
+NESTED='C stack overflow (calls nested too deeply: an endless recursion?)'
+both 'deep recursion' 'local function f(n) return f(n) + 1 end f(1)' "$MEMORY$DEEP"
+both 'mutual recursion' 'local g local function f() return (g()) end function g() return (f()) end f()' "$MEMORY$DEEP"
+both 'nested pcall' 'local function f() return pcall(f) end f()' "$NESTED"
+both 'nested sort' 'local function f() table.sort({ 2, 1 }, f) end f()' "$NESTED"
+both 'nested gsub' 'local function f() return (("x"):gsub(".", f)) end f()' "$NESTED"
+both '__index that indexes itself' 'local m = {} m.__index = function(t, k) return t[k] end print(setmetatable({}, m).x)' "$NESTED"
+both '__index chain' 'local m = {} m.__index = setmetatable({}, m) local t = m.__index print(t.x)' "'__index' chain too long; possible loop"
+both 'nested __tostring' 'local m = {} m.__tostring = function(t) return tostring(t) end print(setmetatable({}, m))' "$NESTED"
+both 'nested text to compile' 'local f, e = load(("("):rep(1000) .. "1" .. (")"):rep(1000)) error(e)' "$NESTED"
+both 'tail calls' 'local function f() return f() end f()'
+
+# ---- plain errors ----
+
+both 'error' 'error("boo")' 'boo'
+both 'error without a place' 'error("boo", 0)' 'boo'
+both 'error with a table' 'error({})' 'error: the value raised is a table, not text'
+both 'error with nil' 'error()' 'error: the value raised is a nil, not text'
+both 'error in pcall, passed on' 'local _, e = pcall(error, "boo") error(e, 0)' 'boo'
+both 'a fault in pcall' 'pcall(function() return nil + 1 end)' 'attempt to perform arithmetic on a nil value'
+both 'a fault in __close while an error passes' \
+    'pcall(function() local t <close> = setmetatable({}, { __close = function() return nil + 1 end }) error("boo") end)' \
+    'attempt to perform arithmetic on a nil value'
+both 'lines in a message' 'error("one\ntwo\tthree\27[2J")' 'one two three [2J'
+bomb 'error in a handler' 'main.lua:2: boo' <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+on.leave(function(e) error("boo") end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
+LUA
+bomb 'error in a function a handler calls' 'main.lua:2: boo' <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+local function f() error("boo") end
+on.leave(function(e) f() end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
+LUA
+
+# ---- the real limit ----
+
+LOOP='endless loop: more than 1000000000 instructions in one frame'
+program=$curtain
+load 'real limit: plain loop' 'while true do end'
+task 'real limit: pcall loop' 'while true do pcall(function() while true do end end) end'
+bomb 'real limit: handler' "main.lua:2: $LOOP" <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+on.leave(function(e) while true do end end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
+LUA
+program=
+
+# ---- heavy, but under the limit: only slow ----
+
+heavy() { # N: ticks of about N instructions each, and a digest of what they computed
+    game g <<LUA
+local function work(n) local x = 1 for i = 1, n // 4 do x = (x * 31 + i) & 0xffff end return x end
+for k = 1, 3 do task.go(function() while true do board.note(work($1)) wait(k) end end) end
+LUA
+}
+heavy 12000000 # three of them: over the 20 ms of the short alarm, under its limit
+"$short" hash g --frames 70 --every 7 --parts >one 2>&1
+same 'heavy ticks under the limit are only slow' 0 $?
+"$curtain" hash g --frames 70 --every 7 --parts >two 2>&1
+same 'and hash as without the alarm' "$(cat two)" "$(cat one)"
+heavy 20000000
+run "$short" one
+same 'the alarm did ring: over the limit is a fault' "main.lua:1: $LOOP"$'\nexit 2' "$(sed 's/50000000/1000000000/' one)"
+finish

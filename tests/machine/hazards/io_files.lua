@@ -1,0 +1,3 @@
+-- stock: address
+-- board: fault main.lua:3: undeclared global "io"
+print(io.stdout)

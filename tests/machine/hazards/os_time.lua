@@ -1,0 +1,3 @@
+-- stock: distinct
+-- board: fault main.lua:3: undeclared global "os"
+print(os.time(), os.clock(), os.tmpname())

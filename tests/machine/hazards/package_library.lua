@@ -1,0 +1,3 @@
+-- stock: distinct with LUA_PATH=./?.lua
+-- board: fault main.lua:3: undeclared global "package"
+print(package.path)

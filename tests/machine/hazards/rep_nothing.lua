@@ -1,0 +1,3 @@
+-- stock: hang
+-- board: same
+print(#(""):rep(1 << 40))

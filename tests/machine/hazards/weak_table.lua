@@ -1,0 +1,9 @@
+-- stock: distinct with LUA_PATH=./a/rather/long/path/that/changes/when/the/collector/comes/round/?.lua
+-- board: refused main.lua:3: the name __mode is not available (what it keeps differs between machines)
+local weak, at = setmetatable({}, { __mode = "v" }), {}
+for i = 1, 200000 do
+  if not weak[1] then at[#at + 1] = i end
+  weak[1] = weak[1] or { i }
+  local t = { i }
+end
+print(table.concat(at, " "))

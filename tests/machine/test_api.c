@@ -1,0 +1,804 @@
+/*
+ * test_api.c - every function and property of the Lua API with arguments drawn by their types: in range, at and beyond
+ * the ends, not numbers, of other types, handles that no one gave out. Whatever comes, the call returns or there is a
+ * clean fault; a board that goes on can be ticked, drawn and hashed. Run under the sanitizers too.
+ */
+#include <math.h>
+#include "rig.h"
+
+static const char world[] =
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "bullet.def('slab', { sprite = 'arrow', hit = { box = { 8191, 1 } }, turns = true })\n"
+    "bullet.def('air', { sprite = 'wink', hit = 'none' })\n"
+    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
+    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
+    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50, spark = 'glow', run = function(e) wait(9) end })\n"
+    "enemy.def('brief', { sprite = 'wink', hit = { box = { 0, 0 } }, on_death = function(e) e:kill() e:hurt(1) e:remove() end })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 }, run = function(p) wait(9) end })\n"
+    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
+    "local sys = string.sys\n"
+    "string.route = path.def { { x = 1, y = 2 }, { x = 100, y = 90, over = 2, ease = 'both' } }\n"
+    "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, stages = { 's' },\n"
+    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } }\n"
+    "stage.def('s', function() wait(forever) end)\n"
+    "boss.def('b', { title = 'B', kind = 'foe', x = 50, y = 50, phases = {\n"
+    "  { id = 'p', hp = 10, time = 20, run = function(e) e.hp = 0 end } } })\n"
+    "local left = 6\n"
+    "function string.chaos(...)\n" /* what a callback may do to those who iterate */
+    "  if left == 0 then return end\n"
+    "  left = left - 1\n"
+    "  bullet.clear()\n"
+    "  for i = 1, 30 do bullet.fire { kind = 'dot', x = i, y = i, speed = 1, tag = 't' } end\n"
+    "  enemy.each(nil, function(e) e:kill() end)\n"
+    "  enemy.spawn { kind = 'foe', x = 5, y = 5, tag = 't' }\n"
+    "  player.each(function(p) p.lives = 0 p.safe = 0 end)\n"
+    "  return true, ...\n"
+    "end\n"
+    "function string.fails() error('fails') end\n"
+    "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos)\n"
+    "sys.join(1, 'ship')\n"
+    "if pad.down('fire') then sys.join(2, 'ship') end\n"
+    "local t = {}\n"
+    "string.things = t\n"
+    "for i = 1, 3 do\n"
+    "  t[#t + 1] = bullet.fire { kind = 'slab', x = 60, y = 30 * i, speed = 0.25, motion = 'm', tag = 't' }\n"
+    "  t[#t + 1] = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5, from = nil, tag = 't' }\n"
+    "  t[#t + 1] = enemy.spawn { kind = i == 1 and 'brief' or 'foe', x = 20 + 9 * i, y = 20, tag = 't' }\n"
+    "  t[#t + 1] = sprite.put { sprite = 'wink', x = i, y = i }\n"
+    "  t[#t + 1] = task.go(function() wait(forever) end)\n"
+    "  t[#t + 1] = player.get(i % 2 + 1)\n"
+    "  t[#t + 1] = motion.def { { wait = i } }\n"
+    "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
+    "end\n"
+    "t[#t + 1] = task.scope()\n"
+    "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
+    "t[#t]:remove()\n"
+    "stage.play('s')\n";
+
+static struct rig_game g;
+static struct rig rig;
+static struct rng rng;
+
+static uint64_t below(uint64_t n)
+{
+    return rng_below(&rng, n);
+}
+
+static bool one_in(uint64_t n)
+{
+    return below(n) == 0;
+}
+
+/* ---- values ---- */
+
+static void push_string_field(lua_State *L, const char *name)
+{
+    lua_getglobal(L, "string");
+    lua_getfield(L, -1, name);
+    lua_remove(L, -2);
+}
+
+/* A handle that no call returned: any kind, generation and slot. */
+static int64_t forged(unsigned mask)
+{
+    static const uint32_t slots[] = { 0, 1, 2, 63, 64, 255, 256, 4095, 65534, 65535, 0x800000, 0xffffff };
+    static const uint32_t gens[] = { 0, 1, 2, 3, GENERATIONS };
+    enum handle_kind kind;
+
+    do
+        kind = (enum handle_kind)(1 + below(HANDLES - 1));
+    while (mask && !(mask >> kind & 1));
+    return handle_of(kind, gens[below(5)], slots[below(sizeof slots / sizeof *slots)]);
+}
+
+static void push_thing(lua_State *L, unsigned mask)
+{
+    int64_t h = 0;
+
+    if (one_in(4)) {
+        lua_pushinteger(L, forged(mask));
+        return;
+    }
+    push_string_field(L, "things");
+    lua_Integer n = (lua_Integer)lua_rawlen(L, -1);
+    for (int i = 0; i < 40; i++) {
+        lua_rawgeti(L, -1, 1 + (lua_Integer)below((uint64_t)n));
+        h = lua_tointeger(L, -1);
+        lua_pop(L, 1);
+        if (!mask || mask >> handle_kind(h) & 1)
+            break;
+    }
+    lua_pop(L, 1);
+    lua_pushinteger(L, h);
+}
+
+static void push_word(lua_State *L)
+{
+    static const struct {
+        const char *s;
+        size_t n;
+    } words[] = {
+        { "", 0 },         { "a", 1 },       { "a\0b", 3 },    { "\0", 1 },       { "main", 4 },   { "other", 5 },
+        { "bullets", 7 },  { "bullet", 6 },  { "enemy", 5 },   { "player", 6 },   { "shot", 4 },   { "coins", 5 },
+        { "words.txt", 9 }, { "dot", 3 },    { "slab", 4 },    { "bolt", 4 },     { "foe", 3 },    { "glow", 4 },
+        { "ship", 4 },     { "m", 1 },       { "t", 1 },       { "normal", 6 },   { "hard", 4 },   { "s", 1 },
+        { "b", 1 },        { "p", 1 },       { "stage", 5 },   { "phase", 5 },    { "graze", 5 },  { "fire", 4 },
+        { "linear", 6 },   { "both", 4 },    { "front", 5 },   { "left", 4 },     { "center", 6 }, { "none", 4 },
+        { "arrow", 5 },    { "wink", 4 },    { "brief", 5 },   { "%s%d%n", 6 },   { "\xff\xfe\x80", 3 },
+        { "tasks", 5 },    { "script", 6 },  { "odd", 3 },
+    };
+    char s[400];
+
+    if (!one_in(5)) {
+        size_t i = below(sizeof words / sizeof *words);
+        lua_pushlstring(L, words[i].s, words[i].n);
+        return;
+    }
+    static const size_t lengths[] = { 15, 16, 31, 32, 60, 61, 63, 64, 127, 128, 399 };
+    size_t n = lengths[below(sizeof lengths / sizeof *lengths)];
+    for (size_t i = 0; i < n; i++)
+        s[i] = (char)('a' + below(26));
+    lua_pushlstring(L, s, n);
+}
+
+static void push_any(lua_State *L, int depth);
+
+static void push_table(lua_State *L, int depth)
+{
+    lua_newtable(L);
+    for (uint64_t n = below(5); n--;) {
+        push_any(L, depth + 1);
+        lua_rawseti(L, -2, (lua_Integer)below(4) + (one_in(9) ? 1000000 : 1));
+    }
+    for (uint64_t n = below(3); n--;) {
+        push_word(L);
+        push_any(L, depth + 1);
+        lua_rawset(L, -3);
+    }
+}
+
+static void push_number(lua_State *L)
+{
+    static const double odd[] = { 0,     -0.0,  0.5,        -1,         1e308,    -1e308,   1e-308,  4.9e-324,
+                                  2.5,   1e15,  16383,      16383.0001, -16384,   8191,     8191.5,  65535,
+                                  65536, 1e9,   2147483647, 2147483648, 4294967296.0, 9007199254740993.0, 180,  -180 };
+
+    switch (below(6)) {
+    case 0:
+        lua_pushnumber(L, one_in(2) ? (double)NAN : one_in(2) ? (double)INFINITY : -(double)INFINITY);
+        break;
+    case 1:
+        lua_pushinteger(L, one_in(2) ? LUA_MAXINTEGER : one_in(2) ? LUA_MININTEGER : (lua_Integer)rng_next(&rng));
+        break;
+    case 2:
+        lua_pushinteger(L, (lua_Integer)below(300) - 100);
+        break;
+    default:
+        lua_pushnumber(L, odd[below(sizeof odd / sizeof *odd)]);
+    }
+}
+
+static void push_function(lua_State *L)
+{
+    push_string_field(L, one_in(4) ? "fails" : "chaos");
+}
+
+static void push_any(lua_State *L, int depth)
+{
+    switch (below(depth > 3 ? 6 : 8)) {
+    case 0:
+        lua_pushnil(L);
+        break;
+    case 1:
+        lua_pushboolean(L, one_in(2));
+        break;
+    case 2:
+        push_word(L);
+        break;
+    case 3:
+        push_thing(L, 0);
+        break;
+    case 4:
+        push_function(L);
+        break;
+    case 5:
+        push_number(L);
+        break;
+    default:
+        push_table(L, depth);
+    }
+}
+
+/* A number in [lo, hi], its ends more often than by chance. Bursts of work stay small. */
+static void push_ranged(lua_State *L, const struct api_param *p, bool whole)
+{
+    double lo = p->lo, hi = p->hi, v;
+    bool many = !strcmp(p->name, "n") || !strcmp(p->name, "arms");
+
+    if (hi <= lo)
+        lo = -10, hi = 10;
+    if (many && hi > 40)
+        hi = 40;
+    switch (below(6)) {
+    case 0:
+        v = lo;
+        break;
+    case 1:
+        v = hi;
+        break;
+    case 2:
+        v = many ? 3 : lo - 1;
+        break;
+    case 3:
+        v = many ? 2 : hi + 1;
+        break;
+    default:
+        v = lo + (hi - lo) * ((double)below(1 << 20) / (1 << 20));
+        if (one_in(2) && lo <= 0 && hi >= 3)
+            v = (double)below(4);
+    }
+    if (whole && v >= -9.2e18 && v <= 9.2e18)
+        lua_pushinteger(L, (lua_Integer)v);
+    else
+        lua_pushnumber(L, v);
+}
+
+static void push_hit(lua_State *L)
+{
+    const struct api_param p = { "hit", A_FX, REQ, 0, MAX_SPEED, NULL, NULL };
+
+    if (one_in(4)) {
+        lua_pushliteral(L, "none");
+        return;
+    }
+    lua_newtable(L);
+    push_ranged(L, &p, false);
+    if (one_in(2)) {
+        lua_setfield(L, -2, "circle");
+        return;
+    }
+    lua_newtable(L);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, 1);
+    push_ranged(L, &p, false);
+    lua_rawseti(L, -2, 2);
+    lua_setfield(L, -2, "box");
+}
+
+static void push_from(lua_State *L, const char *const *words, uint64_t n)
+{
+    lua_pushstring(L, words[below(n)]);
+}
+
+static void push_steps(lua_State *L, int depth);
+
+/* A value for parameter p: one in six is anything at all. */
+static void push_value(lua_State *L, const struct api_param *p)
+{
+    static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
+                             *const layers[] = { "back", "middle", "front" },
+                             *const aligns[] = { "left", "center", "right" },
+                             *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
+                             *const sprites[] = { "dot", "arrow", "wink" };
+
+    if (one_in(6)) {
+        push_any(L, 0);
+        return;
+    }
+    switch (p->type) {
+    case A_COUNT:
+        if (one_in(8)) {
+            lua_pushinteger(L, LUA_MAXINTEGER);
+            break;
+        }
+        /* fall through */
+    case A_INT:
+        push_ranged(L, p, true);
+        break;
+    case A_NUM:
+    case A_FX:
+        push_ranged(L, p, false);
+        break;
+    case A_DIR:
+        lua_pushnumber(L, one_in(3) ? (double)(int64_t)rng_next(&rng) : (double)below(72000) / 100 - 360);
+        break;
+    case A_STR:
+        push_word(L);
+        break;
+    case A_BOOL:
+        lua_pushboolean(L, one_in(2));
+        break;
+    case A_FUNC:
+        push_function(L);
+        break;
+    case A_TABLE:
+        if (!strcmp(p->name, "steps"))
+            push_steps(L, 0);
+        else if (one_in(3))
+            push_table(L, 0);
+        else {
+            push_string_field(L, "tables");
+            lua_getfield(L, -1, p->name);
+            lua_remove(L, -2);
+        }
+        break;
+    case A_ANY:
+        if (one_in(2))
+            push_any(L, 0);
+        else if (!strcmp(p->name, "to"))
+            lua_pushstring(L, one_in(2) ? "main" : "other");
+        else
+            push_thing(L, PLACES);
+        break;
+    case A_ROUTE:
+        push_string_field(L, "route");
+        break;
+    case A_THING:
+        push_thing(L, (unsigned)p->lo);
+        break;
+    case A_HIT:
+        push_hit(L);
+        break;
+    case A_MOTION:
+        if (one_in(3))
+            lua_pushliteral(L, "m");
+        else
+            push_thing(L, 1 << H_MOTION);
+        break;
+    case A_BULLET_KIND:
+        push_from(L, bullets, 3);
+        break;
+    case A_SHOT_KIND:
+        lua_pushliteral(L, "bolt");
+        break;
+    case A_ENEMY_KIND:
+        push_from(L, foes, 2);
+        break;
+    case A_PLAYER_KIND:
+        lua_pushliteral(L, "ship");
+        break;
+    case A_SPARK_KIND:
+        lua_pushliteral(L, "glow");
+        break;
+    case A_SPRITE:
+        push_from(L, sprites, 3);
+        break;
+    case A_BUTTON:
+        push_from(L, buttons, PAD_BUTTONS);
+        break;
+    case A_PAD:
+        if (one_in(2))
+            lua_pushinteger(L, 1 + (lua_Integer)below(2));
+        else
+            push_thing(L, 1 << H_PLAYER);
+        break;
+    case A_EASE:
+        push_from(L, eases, 4);
+        break;
+    case A_LAYER:
+        push_from(L, layers, 3);
+        break;
+    case A_ALIGN:
+        push_from(L, aligns, 3);
+        break;
+    }
+}
+
+/* A motion program: most are good. */
+static void push_steps(lua_State *L, int depth)
+{
+    static const struct api_param keys[] = {
+        { "wait", A_COUNT, OPT, 0, 1e9, NULL, NULL },
+        { "kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL },
+        { "bank", A_INT, OPT, 0, 15, NULL, NULL },
+        { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+        { "aim", A_BOOL, OPT, 0, 0, NULL, NULL },
+        { "turn", A_DIR, OPT, 0, 0, NULL, NULL },
+        { "home", A_NUM, OPT, 0, 180, NULL, NULL },
+        { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
+        { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
+        { "die", A_BOOL, OPT, 0, 0, NULL, NULL },
+    };
+
+    lua_newtable(L);
+    for (lua_Integer i = 1, n = 1 + (lua_Integer)below(4); i <= n; i++) {
+        if (depth < 6 && one_in(5)) {
+            push_steps(L, depth + 1);
+            lua_pushinteger(L, one_in(4) ? LUA_MAXINTEGER : (lua_Integer)below(9));
+            lua_setfield(L, -2, "loop");
+        } else {
+            lua_newtable(L);
+            for (uint64_t k = 1 + below(2); k--;) {
+                const struct api_param *p = &keys[below(sizeof keys / sizeof *keys)];
+                push_value(L, p);
+                lua_setfield(L, -2, p->name);
+            }
+            if (one_in(2)) {
+                lua_pushinteger(L, one_in(9) ? 1000000000 : (lua_Integer)below(6));
+                lua_setfield(L, -2, "over");
+            }
+        }
+        lua_rawseti(L, -2, i);
+    }
+}
+
+/* ---- calls ---- */
+
+struct tally {
+    int good, faults;
+};
+
+static const struct api_entry *entry; /* being called */
+static const struct api_prop *prop;   /* or being read and written */
+static enum handle_kind prop_kind;
+static bool returned;
+
+static bool wanted(const struct api_param *p)
+{
+    return p->optional ? one_in(2) : !one_in(16);
+}
+
+/* Pushes the entry's arguments: those for plain ones, then one table. Returns how many. */
+static int push_arguments(lua_State *L, const struct api_entry *e)
+{
+    const struct api_entry *fire = NULL;
+    int n = e->plain;
+
+    for (int i = 0; i < e->plain; i++)
+        if (wanted(&e->params[i]))
+            push_value(L, &e->params[i]);
+        else
+            lua_pushnil(L);
+    if (e->flags & API_MORE)
+        for (uint64_t k = below(4); k--; n++)
+            push_any(L, 0);
+    if (e->count == e->plain && !(e->flags & API_FIRE))
+        return n;
+    if (one_in(20)) {
+        push_any(L, 0);
+        return n + 1;
+    }
+    lua_newtable(L);
+    for (int i = 0; e->flags & API_FIRE && i < api_count(); i++)
+        if (!strcmp(api_entry(i)->name, "bullet.fire"))
+            fire = api_entry(i);
+    bool place = one_in(2);
+    for (int i = e->plain; i < e->count + (fire ? fire->count : 0); i++) {
+        const struct api_param *p = i < e->count ? &e->params[i] : &fire->params[i - e->count];
+        bool xy = !strcmp(p->name, "x") || !strcmp(p->name, "y"), from = !strcmp(p->name, "from");
+        if (xy && p->optional ? place : from ? !place : wanted(p)) {
+            push_value(L, p);
+            lua_setfield(L, -2, p->name);
+        }
+    }
+    if (one_in(30)) {
+        push_word(L);
+        push_any(L, 0);
+        lua_rawset(L, -3);
+    }
+    return n + 1;
+}
+
+/* Pushes the function of an entry. */
+static void push_entry(lua_State *L, const char *name)
+{
+    const char *split = strpbrk(name, ".:");
+    char space[40];
+
+    if (!split) {
+        lua_getglobal(L, name);
+        return;
+    }
+    snprintf(space, sizeof space, "%.*s", (int)(split - name), name);
+    if (*split == ':') {
+        for (int k = 1; k < HANDLES; k++)
+            if (!strcmp(api_things[k]->name, space))
+                lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
+    } else if (!strcmp(space, "sys"))
+        push_string_field(L, "sys");
+    else
+        lua_getglobal(L, space);
+    lua_getfield(L, -1, split + 1);
+    lua_remove(L, -2);
+}
+
+static int done(lua_State *L, int status, lua_KContext context)
+{
+    (void)L, (void)status, (void)context;
+    returned = true;
+    return 0;
+}
+
+static int call_entry(lua_State *L)
+{
+    luaL_checkstack(L, 100, NULL);
+    push_entry(L, entry->name);
+    if (!lua_isfunction(L, -1))
+        fail_msg("%s is not there", entry->name);
+    int n = push_arguments(L, entry);
+    lua_callk(L, n, LUA_MULTRET, 0, done);
+    return done(L, LUA_OK, 0);
+}
+
+static int use_property(lua_State *L)
+{
+    luaL_checkstack(L, 100, NULL);
+    push_thing(L, 1u << prop_kind);
+    if (one_in(3)) {
+        lua_getfield(L, -1, prop->value.name);
+        lua_pop(L, 1);
+    } else {
+        push_value(L, &prop->value);
+        lua_setfield(L, -2, prop->value.name);
+    }
+    lua_getfield(L, -1, prop->value.name);
+    return done(L, LUA_OK, 0);
+}
+
+static int as_task(lua_State *L)
+{
+    lua_pushcfunction(L, entry ? call_entry : use_property);
+    tasks_start(vm_board(L), L, 0, 0);
+    return 0;
+}
+
+static void clean_fault(const char *name)
+{
+    const struct board_fault *f = rig_fault(&rig);
+
+    assert_non_null(f);
+    if (f->kind == FAULT_NONE || f->kind == FAULT_INTERRUPTED || !f->message[0])
+        fail_msg("%s: fault %d \"%s\"", name, f->kind, f->message);
+}
+
+/* Goes on for some frames: what the call left behind is moved, hit, drawn and hashed. */
+static void go_on(const char *name)
+{
+    uint16_t pads[PADS];
+
+    for (int f = 0; f < 6; f++) {
+        for (int p = 0; p < PADS; p++)
+            pads[p] = (uint16_t)below(PAD_ALL + 1);
+        if (board_tick(rig.b, pads)->fault) {
+            clean_fault(name);
+            return;
+        }
+    }
+    rig_picture(&rig);
+    board_hash(rig.b);
+}
+
+static void try_once(const char *name, bool loading, struct tally *t)
+{
+    rig_restore(&rig);
+    board_count(rig.b, true);
+    returned = false;
+    rig.b->vm.loading = loading;
+    bool fine = vm_call(rig.b, loading || one_in(2) ? (entry ? call_entry : use_property) : as_task);
+    rig.b->vm.loading = false;
+    if (fine)
+        go_on(name);
+    else
+        clean_fault(name);
+    t->good += returned;
+    t->faults += !fine || rig_fault(&rig);
+    assert_true(heap_check(rig.b->vm.heap));
+}
+
+static int trials(int brief)
+{
+    return rig_long() ? 20 * brief : brief;
+}
+
+static void test_entries(void **state)
+{
+    (void)state;
+    prop = NULL;
+    for (int i = 0; i < api_count(); i++) {
+        struct tally t = { 0 };
+        entry = api_entry(i);
+        if (strchr(entry->name, ' ')) /* a part of another's arguments */
+            continue;
+        int n = trials(entry->count > 4 ? 160 : 60);
+        for (int k = 0; k < n; k++)
+            try_once(entry->name, entry->flags & API_LOAD, &t);
+        bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */
+        if (!t.good && !never)
+            fail_msg("%s never returned", entry->name);
+        if (!t.faults && entry->count)
+            fail_msg("%s never faulted", entry->name);
+    }
+}
+
+static void test_properties(void **state)
+{
+    (void)state;
+    entry = NULL;
+    for (int k = 1; k < HANDLES; k++)
+        for (int i = 0; i < api_things[k]->n; i++) {
+            struct tally t = { 0 };
+            prop = &api_things[k]->props[i];
+            prop_kind = (enum handle_kind)k;
+            for (int n = trials(60); n--;)
+                try_once(prop->value.name, false, &t);
+            if (!t.good && k != H_GROUP)
+                fail_msg("%s.%s never worked", api_things[k]->name, prop->value.name);
+        }
+}
+
+/* ---- cases the fuzz found, or might miss ---- */
+
+/* Runs a chunk in the world as a task, then some frames; the fault's message, or "". */
+static const char *chunk_text;
+
+static int load_chunk(lua_State *L)
+{
+    if (luaL_loadbufferx(L, chunk_text, strlen(chunk_text), "@chunk", "t") != LUA_OK)
+        return lua_error(L);
+    tasks_start(vm_board(L), L, 0, 0);
+    return 0;
+}
+
+static const char *outcome(const char *text, int frames)
+{
+    const uint16_t none[PADS] = { 0 };
+
+    rig_restore(&rig);
+    chunk_text = text;
+    bool fine = vm_call(rig.b, load_chunk);
+    for (int f = 0; fine && f < frames; f++)
+        fine = !board_tick(rig.b, none)->fault;
+    return fine ? "" : rig_fault(&rig)->message;
+}
+
+#define FORGED "local function forged(kind, gen, slot) return (1 << 62) | (gen << 32) | (kind << 24) | slot end\n"
+
+static void test_forged(void **state)
+{
+    const char *said;
+
+    (void)state;
+    said = outcome(FORGED "bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, motion = forged(7, 1, 30000) }", 5);
+    assert_non_null(strstr(said, "motion"));
+    said = outcome(FORGED "local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b.motion = forged(7, 1, 65534)", 5);
+    assert_non_null(strstr(said, "motion"));
+    assert_string_equal(outcome(FORGED "assert(forged(4, 1, 77).score == nil)", 2), "");
+    assert_string_equal(outcome(FORGED "shot.fire { kind = 'bolt', x = 40, y = 20, speed = 0, by = forged(4, 1, 200) } wait(3)", 9), "");
+    assert_non_null(strstr(outcome("local n = 5 return n.x", 1), "index a number"));
+    assert_non_null(strstr(outcome("local n = 5.5 n.x = 1", 1), "index a number"));
+}
+
+/* A player that is not there: nobody's pad, no score. */
+static void test_nobody(void **state)
+{
+    (void)state;
+    assert_string_equal(outcome("string.sys.leave(1)\n"
+                                "local p = player.nearest(1, 1)\n"
+                                "assert(not p.alive and p.score == nil)\n"
+                                "score.add(50, p)\n"
+                                "assert(not pad.down('fire', p))\n"
+                                "assert(player.get(1).score == 0)\n"
+                                "local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:kill(p)",
+                                3),
+                        "");
+}
+
+static void test_zeros(void **state)
+{
+    (void)state;
+    assert_non_null(strstr(outcome("score.enter('\\0', { name = 'A', score = 1 })", 1), "table"));
+    assert_non_null(strstr(outcome("score.enter('t', { name = '\\0', score = 1 })", 1), "name"));
+    assert_non_null(strstr(outcome("save.set('\\0a', 1)", 1), "key"));
+    assert_string_equal(outcome("save.set('k', 'a\\0b') assert(save.get('k') == 'a\\0b')", 1), "");
+}
+
+/* on_death that kills again: once is all. */
+static void test_death_once(void **state)
+{
+    (void)state;
+    assert_string_equal(outcome("local n = 0\n"
+                                "local e = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x)\n"
+                                "  n = n + 1 x:kill() x:hurt(5) assert(x.alive and x.hp == 0) end }\n"
+                                "e:kill() assert(n == 1 and not e.alive)\n"
+                                "local f = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x) n = n + 1 x:remove() end }\n"
+                                "f:hurt(1000) assert(n == 2 and not f.alive)\n",
+                                3),
+                        "");
+}
+
+/* Functions of enemies that go without dying do not pile up. */
+static void test_no_leak(void **state)
+{
+    static const char text[] = "for i = 1, 3000 do\n"
+                               "  local e = enemy.spawn { kind = 'foe', x = 9, y = 9, run = function() end,\n"
+                               "                          on_death = function() return ('x'):rep(i % 100) end }\n"
+                               "  e:remove()\n"
+                               "  if i % 20 == 0 then wait(1) end\n"
+                               "end\n";
+
+    (void)state;
+    assert_string_equal(outcome(text, 40), "");
+    size_t early = heap_used(rig.b->vm.heap);
+    assert_string_equal(outcome(text, 140), "");
+    size_t late = heap_used(rig.b->vm.heap);
+    if (late > early + early / 3)
+        fail_msg("the heap grew from %zu to %zu bytes", early, late);
+}
+
+/* A start that no manifest allows is refused, not believed. */
+static void test_start(void **state)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .difficulty = -1 };
+    struct rig_game game;
+    struct rig r;
+    char err[512] = "";
+    size_t size;
+
+    (void)state;
+    m.n_dips = 1;
+    snprintf(m.dips[0].name, sizeof m.dips[0].name, "coins");
+    m.dips[0].values = 2;
+    m.dips[0].hi = 1;
+    snprintf(m.dips[0].value_name[0], sizeof m.dips[0].value_name[0], "free");
+    snprintf(m.dips[0].value_name[1], sizeof m.dips[0].value_name[1], "one");
+    rig_script(&game, &m, "board.note(board.dip 'coins')");
+    start.dip[0] = 1;
+    rig_power(&r, &game, &start);
+    board_size(&game.image.rom, &size, err, sizeof err);
+    static const int32_t bad[] = { -1, 2, 1 << 30, INT32_MIN };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        start.dip[0] = bad[i];
+        err[0] = 0;
+        assert_null(board_power(r.ram, r.ram_size, &game.image.rom, &start, false, err, sizeof err));
+        assert_non_null(strstr(err, "coins"));
+    }
+    start.dip[0] = 0;
+    start.difficulty = m.n_difficulties;
+    assert_null(board_power(r.ram, r.ram_size, &game.image.rom, &start, false, err, sizeof err));
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
+static int setup(void **state)
+{
+    static char prelude[1 << 14]; /* lets `world` have what only @std sees */
+    const struct rig_script scripts[] = { { "main", world }, { "@std/prelude", prelude } };
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    for (int i = 0; i < std_script_count; i++)
+        if (!strcmp(std_scripts[i].name, "prelude"))
+            snprintf(prelude, sizeof prelude, "string.sys = ... %.*s", (int)std_scripts[i].size,
+                     (const char *)std_scripts[i].data);
+    m.n_dips = 1;
+    snprintf(m.dips[0].name, sizeof m.dips[0].name, "odd");
+    m.dips[0].number = true;
+    m.dips[0].hi = 9;
+    m.lua_kib = 512;
+    rig_scripts(&g, &m, scripts, 2);
+    rig_power(&rig, &g, NULL);
+    rig_run(&rig, 3);
+    rig_save(&rig);
+    rng_seed(&rng, 1234);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    rig_free(&rig);
+    rig_game_free(&g);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_forged),     cmocka_unit_test(test_nobody),  cmocka_unit_test(test_zeros),
+        cmocka_unit_test(test_death_once), cmocka_unit_test(test_no_leak), cmocka_unit_test(test_start),
+        cmocka_unit_test(test_entries),    cmocka_unit_test(test_properties),
+    };
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
