@@ -138,13 +138,17 @@ static bool path_of(char path[MAX_PATH_BYTES], const char *name)
 }
 
 #ifdef POSIX
-static void make_folders(char *path)
+/* Returns 0 or why it could not. */
+static int make_folders(char *path)
 {
+    int why = 0;
     for (char *p = path + 1; (p = strchr(p, '/')) != 0; p++) {
         *p = 0;
-        mkdir(path, 0777);
+        if (mkdir(path, 0777) != 0 && errno != EEXIST && !why)
+            why = errno;
         *p = '/';
     }
+    return why;
 }
 
 static bool to_disk(FILE *f)
@@ -181,9 +185,10 @@ static bool replace(const char *from, const char *to)
     return rename(from, to) == 0;
 }
 #else
-static void make_folders(char *path)
+static int make_folders(char *path)
 {
     (void)path;
+    return 0;
 }
 
 static bool to_disk(FILE *f)
@@ -269,13 +274,15 @@ DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
     char path[MAX_PATH_BYTES], temp[MAX_PATH_BYTES + 32];
     if (!path_of(path, name))
         return false;
-    make_folders(path);
+    int why = make_folders(path);
     snprintf(temp, sizeof temp, "%s.%ld.tmp", path, process());
     FILE *f = fopen(temp, "wb");
-    if (!f)
+    if (!f) {
+        errno = why ? why : errno;
         return false;
+    }
     if (!write_all(f, buf, len) || !replace(temp, path)) {
-        int why = errno;
+        why = errno;
         remove(temp);
         errno = why;
         return false;

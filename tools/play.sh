@@ -12,7 +12,7 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || [ "$(uname)" = Darwin ]; then
     [ $code = 3 ] || exit $code # 3: the host failed; most likely nothing answers at that display
 fi
 echo "No display: playing the demo of $game without one."
-said=$(build/curtain verify $game $demo)
+said=$(build/curtain verify $game $demo) || { echo "$said"; exit 1; }
 echo "$said"
 frames=$(echo "$said" | sed -n 's/.*holds, \([0-9]*\) frames.*/\1/p')
 rm -rf $out

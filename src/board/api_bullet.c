@@ -5,7 +5,7 @@
 #include "../base/trig.h"
 #include "../base/geom.h"
 #include "../chips/sparks.h"
-#include "api.h"
+#include "api_parts.h"
 
 /* ---- hit shapes ---- */
 
@@ -699,4 +699,5 @@ static const struct api_entry entries[] = {
     { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
     { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
 };
+const struct api_entry *const api_fire = &entries[1];
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

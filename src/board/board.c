@@ -106,8 +106,8 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
         return false;
     uint64_t sum = ram_needed(&cart);
     if (sum > RAM_MOST) {
-        snprintf(err, err_size, "the capacities in rom.lua ask for %llu bytes of RAM, a board has at most %llu",
-                 (unsigned long long)sum, (unsigned long long)RAM_MOST);
+        snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
+                 (unsigned long long)(sum + 0xfffff) >> 20, (unsigned long long)RAM_MOST >> 20);
         return false;
     }
     *size = (size_t)sum;

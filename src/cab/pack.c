@@ -12,6 +12,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/hash.h"
+#include "../board/board.h"
 #include "../board/cart.h"
 #include "../board/script.h"
 #include "art.h"
@@ -496,9 +497,9 @@ static int by_name(const void *a, const void *b)
 /* What was packed must be what the board takes. */
 static bool check_image(const uint8_t *image, size_t size, struct rom *rom, char *err, size_t err_size)
 {
-    struct cart cart;
+    size_t ram;
 
-    return rom_open(rom, image, size, err, err_size) && cart_open(&cart, rom, err, err_size);
+    return rom_open(rom, image, size, err, err_size) && board_size(rom, &ram, err, err_size);
 }
 
 static bool write_image(struct packer *p, uint8_t **image, size_t *size)

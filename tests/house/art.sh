@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # art.sh - the pictures in roms/ are what tools/art.c draws, pixel by pixel, with gcc and with clang.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 compare() { # WHAT ROM MODE
     local dir=$1-$2 picture

@@ -1,0 +1,138 @@
+/*
+ * api_handle.c - the metatable of the number type: properties and methods of handles.
+ */
+#include <string.h>
+#include "api_parts.h"
+
+static const char methods_key[HANDLES] = { 0 }; /* registry: a table of methods a kind of handle */
+
+void api_push_methods(lua_State *L, int kind)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
+}
+
+static const struct api_prop *prop_named(const struct api_thing *t, const char *name, int *index)
+{
+    for (int i = 0; i < t->n; i++)
+        if (!strcmp(t->props[i].value.name, name)) {
+            *index = i;
+            return &t->props[i];
+        }
+    return NULL;
+}
+
+static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
+{
+    const char *found = NULL;
+    int best = 99;
+
+    for (int i = 0; i < t->n; i++)
+        words_consider(name, t->props[i].value.name, &best, &found);
+    api_push_methods(L, kind);
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        words_consider(name, lua_tostring(L, -1), &best, &found);
+    }
+    if (found)
+        return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
+                        name, found);
+    return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
+}
+
+/* Register properties of a player: a name of its kind, which comes after the fixed ones. */
+int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+
+static int get_property(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
+    int p;
+
+    if (!handle_is(h))
+        return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
+    if (lua_type(L, 2) != LUA_TSTRING)
+        return vm_fault(L, FAULT_SCRIPT, "%s has no property of type %s", api_thing_names[handle_kind(h)],
+                        luaL_typename(L, 2));
+    const char *name = lua_tostring(L, 2);
+    const struct api_thing *t = api_things[handle_kind(h)];
+    api_push_methods(L, (int)handle_kind(h));
+    if (lua_getfield(L, -1, name) == LUA_TFUNCTION)
+        return 1;
+    bool alive = board_alive(b, h);
+    if (!strcmp(name, "alive") && handle_kind(h) != H_GROUP && handle_kind(h) != H_MOTION)
+        return lua_pushboolean(L, alive), 1;
+    const struct api_prop *prop = prop_named(t, name, &p);
+    if (handle_kind(h) == H_PLAYER && !prop) {
+        int reg = player_register(L, b, handle_slot(h), name);
+        if (reg >= 0) {
+            if (!alive)
+                return lua_pushnil(L), 1;
+            return lua_pushinteger(L, b->player.regs[handle_slot(h) * REGISTERS + (uint32_t)reg]), 1;
+        }
+    }
+    if (!prop)
+        return no_property(L, t, (int)handle_kind(h), name);
+    if (!alive && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
+        return lua_pushnil(L), 1;
+    t->get(L, b, handle_slot(h), p);
+    return 1;
+}
+
+static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
+{
+    struct api_param p = { name, A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL };
+    struct api_value v = { 0 };
+
+    api_check(L, "player", &p, 3, &v);
+    b->player.regs[slot * REGISTERS + (uint32_t)reg] = (int32_t)v.i;
+    return 0;
+}
+
+static int set_property(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
+    struct api_value v = { 0 };
+    int p;
+
+    if (!handle_is(h) || lua_type(L, 2) != LUA_TSTRING)
+        return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
+    const char *name = lua_tostring(L, 2);
+    const struct api_thing *t = api_things[handle_kind(h)];
+    const struct api_prop *prop = prop_named(t, name, &p);
+    bool alive = board_alive(b, h);
+    script_fold(b, 0x2000);
+    api_fold(L, b, 1);
+    api_fold(L, b, 2);
+    api_fold(L, b, 3);
+    if (handle_kind(h) == H_PLAYER && !prop) {
+        int reg = player_register(L, b, handle_slot(h), name);
+        if (reg >= 0)
+            return alive ? set_register(L, b, handle_slot(h), reg, name) : 0;
+    }
+    if (!prop)
+        return no_property(L, t, (int)handle_kind(h), name);
+    if (prop->write != PROP_WRITE)
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
+    api_check(L, t->name, &prop->value, 3, &v);
+    if (alive)
+        t->set(L, b, handle_slot(h), p, &v);
+    return 0;
+}
+
+void api_open_handles(lua_State *L)
+{
+    for (int i = 0; i < HANDLES; i++) {
+        lua_newtable(L);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[i]);
+    }
+    lua_pushinteger(L, 0);
+    lua_createtable(L, 0, 2);
+    lua_pushcfunction(L, get_property);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, set_property);
+    lua_setfield(L, -2, "__newindex");
+    lua_setmetatable(L, -2); /* of the number type */
+    lua_pop(L, 1);
+}

@@ -1,0 +1,131 @@
+/*
+ * api_help.c - `curtain help lua`: the API table as text.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "api_parts.h"
+
+static const char *type_words(const struct api_param *p)
+{
+    static const char *const words[] = {
+        [A_INT] = "whole number",
+        [A_COUNT] = "whole number or forever",
+        [A_NUM] = "number",
+        [A_FX] = "number",
+        [A_DIR] = "degrees",
+        [A_STR] = "string",
+        [A_BOOL] = "true or false",
+        [A_FUNC] = "function",
+        [A_TABLE] = "table",
+        [A_ANY] = "any value",
+        [A_ROUTE] = "route",
+        [A_THING] = "thing",
+        [A_HIT] = "{ circle = r }, { box = { w, h } } or \"none\"",
+        [A_MOTION] = "motion or its name",
+        [A_BULLET_KIND] = "name of a bullet kind",
+        [A_SHOT_KIND] = "name of a shot kind",
+        [A_ENEMY_KIND] = "name of an enemy kind",
+        [A_PLAYER_KIND] = "name of a player kind",
+        [A_SPARK_KIND] = "name of a spark kind",
+        [A_SPRITE] = "name of a sprite",
+        [A_BUTTON] = "up down left right fire bomb focus special start select",
+        [A_PAD] = "1, 2 or a player",
+        [A_EASE] = "linear, in, out or both",
+        [A_LAYER] = "back, middle or front",
+        [A_ALIGN] = "left, center or right",
+    };
+
+    return words[p->type];
+}
+
+static void help_param(const struct api_param *p, void (*line)(const char *))
+{
+    char text[320], range[80] = "", def[80] = "";
+    bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX;
+
+    if (ranged)
+        snprintf(range, sizeof range, " from %.14g to %.14g%s%s", p->lo, p->hi, p->unit ? " " : "",
+                 p->unit ? p->unit : "");
+    if (p->def)
+        snprintf(def, sizeof def, " = %s", p->def);
+    else if (!p->optional)
+        snprintf(def, sizeof def, " (required)");
+    snprintf(text, sizeof text, "    %-10s %s%s%s", p->name, type_words(p), range, def);
+    line(text);
+}
+
+static void help_signature(const struct api_entry *e, char *out, size_t size)
+{
+    int first = e->flags & API_METHOD ? 1 : 0;
+    size_t n = (size_t)snprintf(out, size, "%s", e->name);
+    bool table = e->count > e->plain || e->flags & API_FIRE;
+
+    if (!table || e->plain > first)
+        n += (size_t)snprintf(out + n, size - n, "(");
+    for (int i = first; i < e->plain; i++)
+        n += (size_t)snprintf(out + n, size - n, "%s%s%s", i > first ? ", " : "", e->params[i].name,
+                              e->params[i].optional ? "?" : "");
+    if (e->flags & API_MORE)
+        n += (size_t)snprintf(out + n, size - n, "%s...", e->plain > first ? ", " : "");
+    if (table)
+        n += (size_t)snprintf(out + n, size - n, "%s{...}", e->plain > first ? ", " : "");
+    if (!table || e->plain > first)
+        n += (size_t)snprintf(out + n, size - n, ")");
+    if (e->returns)
+        snprintf(out + n, size - n, " -> %s", e->returns);
+}
+
+static void help_entry(const struct api_entry *e, bool whole, void (*line)(const char *))
+{
+    char text[400], signature[200];
+
+    help_signature(e, signature, sizeof signature);
+    if (!whole) {
+        snprintf(text, sizeof text, "%-46s %s", signature, e->help);
+        line(text);
+        return;
+    }
+    line(signature);
+    snprintf(text, sizeof text, "  %s%s", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
+    line(text);
+    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->count; i++)
+        help_param(&e->params[i], line);
+    if (e->flags & API_FIRE)
+        line("    ...        and every argument of bullet.fire");
+}
+
+static bool help_thing(int kind, void (*line)(const char *))
+{
+    const struct api_thing *t = api_things[kind];
+    char text[400];
+
+    snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
+    line(text);
+    if (kind != H_GROUP && kind != H_MOTION)
+        line("    alive      read  is it there?");
+    for (int i = 0; i < t->n; i++) {
+        const struct api_prop *p = &t->props[i];
+        snprintf(text, sizeof text, "    %-10s %-5s %s", p->value.name, p->write == PROP_WRITE ? "write" : "read",
+                 p->help);
+        line(text);
+    }
+    return true;
+}
+
+bool api_help(const char *name, void (*line)(const char *))
+{
+    size_t n = name ? strlen(name) : 0;
+    bool exact = name && api_find(name), any = false;
+
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        if (e->flags & API_SYS || (exact && strcmp(e->name, name)) || (n && strncmp(e->name, name, n)))
+            continue;
+        help_entry(e, exact, line);
+        any = true;
+    }
+    for (int k = 1; name && !exact && k < HANDLES; k++)
+        if (api_things[k] && !strcmp(api_things[k]->name, name))
+            any = help_thing(k, line);
+    return any;
+}

@@ -1,0 +1,126 @@
+/*
+ * api_names.c - the names scripts declare, tags, and which name was meant when one is misspelt.
+ */
+#include <string.h>
+#include "api_parts.h"
+
+static const char names_key[NAMES] = { 0 }, back_key[NAMES] = { 0 }; /* registry: name -> index, index -> name */
+
+void api_open_names(lua_State *L)
+{
+    for (int i = 0; i < NAMES; i++) {
+        lua_newtable(L);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
+        lua_newtable(L);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &back_key[i]);
+    }
+}
+
+int words_apart(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    size_t n = strlen(a), m = strlen(b);
+    int d[LONGEST + 1][LONGEST + 1];
+
+    if (n > LONGEST || m > LONGEST)
+        return 99;
+    for (size_t i = 0; i <= n; i++)
+        for (size_t j = 0; j <= m; j++) {
+            if (!i || !j) {
+                d[i][j] = (int)(i + j);
+                continue;
+            }
+            int best = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
+            best = d[i - 1][j] + 1 < best ? d[i - 1][j] + 1 : best;
+            best = d[i][j - 1] + 1 < best ? d[i][j - 1] + 1 : best;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < best)
+                best = d[i - 2][j - 2] + 1;
+            d[i][j] = best;
+        }
+    return d[n][m] <= 1 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7) ? d[n][m] : 99;
+}
+
+void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
+{
+    static const char *const nouns[NAMES] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
+
+    if (names_find(L, what, name) != NO_SLOT)
+        api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    lua_pushinteger(L, index);
+    lua_setfield(L, -2, name);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[what]);
+    lua_pushstring(L, name);
+    lua_rawseti(L, -2, index);
+    lua_pop(L, 2);
+}
+
+int names_find(lua_State *L, enum api_names what, const char *name)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
+    lua_pop(L, 2);
+    return index;
+}
+
+void names_push(lua_State *L, enum api_names what, int index)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[what]);
+    lua_rawgeti(L, -1, index);
+    lua_remove(L, -2);
+}
+
+void words_consider(const char *word, const char *candidate, int *best, const char **found)
+{
+    int d = words_apart(word, candidate);
+
+    if (d < *best || (d == *best && *found && d < 99 && strcmp(candidate, *found) < 0)) {
+        *best = d;
+        *found = candidate;
+    }
+}
+
+void names_near(lua_State *L, enum api_names what, const char *name)
+{
+    const char *found = NULL;
+    int best = 99;
+
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        words_consider(name, lua_tostring(L, -1), &best, &found);
+    }
+    lua_pop(L, 1);
+    if (found)
+        lua_pushstring(L, found);
+    else
+        lua_pushnil(L);
+}
+
+uint16_t api_tag(lua_State *L, const char *entry, int at)
+{
+    size_t n;
+    const char *tag = lua_tolstring(L, at, &n);
+
+    if (n > 31 || n == 0 || strlen(tag) != n)
+        api_error(L, entry, "tag: expected a string of 1 to 31 bytes, got %d", (int)n);
+    int i = names_find(L, N_TAG, tag);
+    if (i != NO_SLOT)
+        return (uint16_t)i;
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[N_TAG]);
+    i = (int)lua_rawlen(L, -1) + 1;
+    lua_pop(L, 1);
+    if (i > 4095)
+        api_error(L, entry, "tag: \"%s\" is one tag too many: a run has at most 4095 different ones", tag);
+    names_declare(L, N_TAG, entry, tag, i);
+    return (uint16_t)i;
+}
+
+void api_push_tag(lua_State *L, uint16_t tag)
+{
+    if (tag)
+        names_push(L, N_TAG, tag);
+    else
+        lua_pushnil(L);
+}

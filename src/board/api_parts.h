@@ -1,0 +1,42 @@
+/*
+ * api_parts.h - what the files of the API table share among themselves.
+ * floor: board    used by: api.c api_names.c api_check.c api_handle.c api_help.c
+ */
+#ifndef BOARD_API_PARTS_H
+#define BOARD_API_PARTS_H
+
+#include "api.h"
+
+enum { MAX_PARAMS = 40 };
+
+/* bullet.fire, whose parameters patterns take too. */
+extern const struct api_entry *const api_fire;
+
+/* An entry by name; NULL: none. */
+const struct api_entry *api_find(const char *name);
+
+/* "a bullet", "an enemy": a thing of that kind in a sentence. */
+extern const char *const api_thing_names[HANDLES];
+
+/* Keeps the better of two suggestions for a misspelt word: the nearer, then the one that comes first in byte order. Start
+ * with *best = 99, *found = NULL. */
+void words_consider(const char *word, const char *candidate, int *best, const char **found);
+
+/* All parameters of an entry, those of bullet.fire that it takes included. */
+int api_param_count(const struct api_entry *e);
+const struct api_param *api_param_at(const struct api_entry *e, int i);
+
+/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one a parameter. */
+void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v);
+
+/* Folds the value at `at` into the script digest. */
+void api_fold(lua_State *L, struct board *b, int at);
+
+/* Sets the number type's metatable: handles' properties and methods. Pushes the table of a handle kind's methods. */
+void api_open_handles(lua_State *L);
+void api_push_methods(lua_State *L, int kind);
+
+/* Makes the tables of declared names. */
+void api_open_names(lua_State *L);
+
+#endif

@@ -1,0 +1,309 @@
+#!/usr/bin/env bash
+# badinput.sh - wrong words, files, games and disks: each ends with the right exit code and one line that names file and
+# cause. The whole of stderr is compared.
+. "$(dirname "$0")/../tap.sh"
+mounts=()
+clean() {
+    cd /
+    for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
+    rm -rf "$tmp"
+}
+trap clean EXIT
+
+says() { # NAME CODE LINE ARGUMENT...
+    local name=$1 code=$2 line=$3 got
+    shift 3
+    timeout 300 "$curtain" "$@" >out 2>err
+    got=$?
+    same "$name" "$line"$'\n'"exit $code" "$(cat err)"$'\n'"exit $got"
+}
+bad() { # NAME LINE ARGUMENT...
+    local name=$1 line=$2
+    shift 2
+    says "$name" 2 "curtain: $line" "$@"
+}
+host() {
+    local name=$1 line=$2
+    shift 2
+    says "$name" 3 "curtain: $line" "$@"
+}
+fault() { # NAME LINE: main.lua is standard input
+    game bad
+    says "$1" 2 "$2" hash bad --frames 5
+    rm -rf bad
+}
+idle() { echo 'task.go(function() while true do wait(1) end end)'; }
+
+idle | game g
+"$curtain" pack g -o g.rom || not_ok 'the game is packed'
+
+# ---- ROMs ----
+
+bad 'no such ROM' 'none.rom: no such file or folder' hash none.rom
+bad 'no such ROM to play' 'none.rom: no such file or folder' play none.rom
+bad 'no such ROM, no command' 'none.rom: no such command, file or folder (curtain help lists the commands)' none.rom
+mkdir empty
+bad 'folder without rom.lua' 'empty: rom.lua: no such file' hash empty
+: >zero.rom
+bad 'empty file' 'zero.rom: too short for a ROM (0 bytes)' hash zero.rom
+bad 'not a ROM' 'g/art/all.png: not a Curtain ROM' hash g/art/all.png
+cp g.rom other.rom
+printf '\143' | dd of=other.rom bs=1 seek=8 conv=notrunc 2>/dev/null
+bad 'ROM of another format' 'other.rom: ROM format 99 is not known (this program reads 1)' hash other.rom
+cp g.rom damaged.rom
+printf '\1' | dd of=damaged.rom bs=1 seek=9000 conv=notrunc 2>/dev/null
+bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
+
+# The standard library makes up most of a ROM; a game may replace it.
+game small <<<''
+mkdir small/std
+for module in "$repo"/scripts/*.lua; do echo 'return {}' >"small/std/$(basename "$module")"; done
+sed -i '/sheets =\|sprites =/d' small/rom.lua
+"$curtain" pack small -o small.rom || not_ok 'the small game is packed'
+size=$(stat -c %s small.rom)
+cp small.rom cut.rom
+wrong=
+for ((n = size - 1; n >= 0; n--)); do
+    truncate -s "$n" cut.rom
+    line=$("$curtain" list cut.rom 2>&1)
+    code=$?
+    if ((n < 32)); then want="curtain: cut.rom: too short for a ROM ($n bytes)"; else want="curtain: cut.rom: $n bytes long, but its header says $size"; fi
+    [ "$code $line" = "2 $want" ] || wrong+="at $n: $code $line"$'\n'
+done
+same "ROM cut short, at each of its $size bytes" '' "$wrong"
+
+# ---- manifests ----
+
+with() { # NAME LINE SED-SCRIPT
+    idle | game bad
+    sed -i "$3" bad/rom.lua
+    bad "$1" "bad: $2" hash bad --frames 1
+    rm -rf bad
+}
+whole='expected a whole number from'
+with 'bullets over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 4194305" 's/bullets = 256/bullets = 4194305/'
+with 'shots over the maximum' "rom.lua: board.shots: $whole 0 to 65536, got 65537" 's/shots = 32/shots = 65537/'
+with 'enemies over the maximum' "rom.lua: board.enemies: $whole 0 to 4096, got 4097" 's/enemies = 32/enemies = 4097/'
+with 'sparks over the maximum' "rom.lua: board.sparks: $whole 0 to 4194304, got 4194305" 's/sparks = 64/sparks = 4194305/'
+with 'sprites over the maximum' "rom.lua: board.sprites: $whole 0 to 65536, got 65537" 's/sprites = 16/sprites = 65537/'
+with 'motions over the maximum' "rom.lua: board.motions: $whole 0 to 4095, got 4096" 's/motions = 16/motions = 4096/'
+with 'tasks over the maximum' "rom.lua: board.tasks: $whole 1 to 65536, got 65537" 's/tasks = 128/tasks = 65537/'
+with 'no tasks' "rom.lua: board.tasks: $whole 1 to 65536, got 0" 's/tasks = 128/tasks = 0/'
+with 'Lua memory over the maximum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 262145" 's/lua_kib = 1024/lua_kib = 262145/'
+with 'Lua memory under the minimum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 255" 's/lua_kib = 1024/lua_kib = 255/'
+with 'far over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 9223372036854775807" 's/bullets = 256/bullets = 9223372036854775807/'
+with 'negative' "rom.lua: board.bullets: $whole 0 to 4194304, got -1" 's/bullets = 256/bullets = -1/'
+with 'not a whole number' "rom.lua: board.bullets: $whole 0 to 4194304, got 2.5" 's/bullets = 256/bullets = 2.5/'
+with 'not a number' "rom.lua: board.bullets: $whole 0 to 4194304, got \"many\"" 's/bullets = 256/bullets = "many"/'
+with 'misspelled' 'rom.lua: board.bulets: unknown name (did you mean "bullets"?)' 's/bullets = 256/bulets = 256/'
+with 'a screen too large' "rom.lua: screen.w: $whole 64 to 1024, got 2048" 's/w = 64/w = 2048/'
+with 'a screen of odd width' 'rom.lua: screen.w: expected a multiple of 8, got 65' 's/w = 64/w = 65/'
+with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'" 's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
+with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*//;1s/.*/return 5/'
+with 'sprite outside its sheet' 'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 are not inside the sheet'"'s 16x16 pixels" 's/w = 8, h = 8 }/w = 99, h = 8 }/'
+with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not one of the sheets' 's/sheet = "all"/sheet = "al"/g'
+with 'picture that is not there' 'art/none.png: no such file' 's/art\/all.png/art\/none.png/'
+with 'picture outside the folder' 'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' 's/art\/all.png/..\/all.png/'
+with 'entry that is not there' 'rom.lua: entry: there is no start.lua' 's/id = "probe"/id = "probe", entry = "start"/'
+with 'more than 1 GiB in all' 'the capacities in rom.lua ask for 1268 MiB of RAM; a board has at most 1024' \
+    's/bullets = 256/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/;s/sprites = 16/sprites = 65536/;s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/;s/lua_kib = 1024/lua_kib = 262144/'
+
+# ---- art and scripts ----
+
+art() { # NAME LINE COMMAND...: run in the game's folder
+    local name=$1 line=$2
+    shift 2
+    idle | game bad
+    (cd bad && "$@")
+    bad "$name" "bad: $line" pack bad -o bad.rom
+    holds "$name: nothing is written" [ ! -e bad.rom ]
+    rm -rf bad
+}
+dotted() { python3 "$repo/tests/cli/png_make.py" art/all.png 16 16 ffffff 3 2 123456; }
+art 'colour that is not in its bank' 'art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest)' dotted
+idle | game near
+(cd near && dotted)
+says 'and --nearest takes it' 0 '' hash near --nearest --frames 1
+art 'missing art file' 'art/all.png: no such file' rm art/all.png
+art 'art that is not a PNG' 'art/all.png: not a PNG' cp rom.lua art/all.png
+art 'PNG cut short' 'art/all.png: a PNG that is cut short' truncate -s 60 art/all.png
+art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
+art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
+art 'syntax error further down' "stages/one.lua:2: 'end' expected (to close 'do' at line 1) near <eof>" bash -c 'mkdir stages; echo "do" >stages/one.lua'
+art 'compiled Lua' 'main.lua:1: compiled Lua, expected text' bash -c 'printf "\33Lua" >main.lua'
+art 'the operator ^' 'main.lua:1: the operator ^ is not available (results differ between machines); use x*x or math.sqrt' \
+    bash -c 'echo "print(2 ^ 3)" >main.lua'
+art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua 'my file.lua'
+bad 'a file is packed' 'g.rom: is a file; pack takes a game'"'s folder" pack g.rom
+
+# ---- scripts that fail ----
+
+fault 'error at load' 'main.lua:2: boo' <<<$'local x\nerror("boo")'
+fault 'error in a task' 'main.lua:1: boo' <<<'task.go(function() wait(2) error("boo") end)'
+fault 'error in a handler' 'main.lua:2: boo' <<'LUA'
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+on.leave(function() error("boo") end)
+task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
+LUA
+fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)' <<<'local t = {} while true do t[#t + 1] = {} end'
+fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
+fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
+fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
+
+# ---- demos ----
+
+"$curtain" hash g --frames 200 --record a.demo >/dev/null 2>&1 || not_ok 'a demo is recorded'
+cp -r g else
+sed -i 's/"probe"/"else"/' else/rom.lua
+bad 'demo of another game' 'a.demo: a demo of another game ("probe", this is "else")' hash else --demo a.demo
+bad 'demo of another game to play' 'a.demo: a demo of another game ("probe", this is "else")' play else --demo a.demo
+bad 'demo of another game to verify' 'a.demo: a demo of another game ("probe", this is "else")' verify else a.demo
+cp -r g later
+echo '-- later' >>later/main.lua
+says 'demo of another build plays' 0 'curtain: a.demo: recorded on another build; it may not play as it was' hash later --demo a.demo
+says 'demo of another build holds' 0 '' verify later a.demo
+same 'and the report says so' 'a.demo: holds, 200 frames (recorded on another build)' "$(cat out)"
+echo 'board.note(1)' >>later/main.lua
+says 'demo of a build that differs' 1 '' verify later a.demo
+same 'and the report names frame and parts' 'a.demo: frame 0: script, board differ (recorded on another build)' "$(cat out)"
+bad 'no such demo' 'none.demo: no such file' hash g --demo none.demo
+bad 'not a demo' 'g/rom.lua: not a demo' hash g --demo g/rom.lua
+# Cut at every byte: refused in its header, then played as far as it goes, and never said to hold.
+size=$(stat -c %s a.demo)
+wrong= refused=0 played=0
+for ((n = size - 1; n >= 0; n -= 1)); do
+    head -c "$n" a.demo >cut.demo
+    line=$("$curtain" verify g cut.demo 2>&1)
+    code=$?
+    case "$code $line" in
+    '2 curtain: cut.demo: not a demo' | '2 curtain: cut.demo: cut short in its header') refused=1 ;;
+    '2 curtain: cut.demo: cut short: it has '*' frames and no end mark') played=1 ;;
+    *) wrong+="at $n: $code $line"$'\n' ;;
+    esac
+done
+same "demo cut short, at each of its $size bytes" '1 1 ' "$refused $played $wrong"
+head -c $((size - 30)) a.demo >cut.demo
+says 'a demo cut short plays as far as it goes' 0 'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
+cp a.demo spoilt.demo
+printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
+bad 'damaged demo' 'spoilt.demo: the record at byte 8 is damaged (CRC)' verify g spoilt.demo
+says 'good and bad demos in one go' 2 'curtain: none.demo: no such file' verify g a.demo none.demo
+same 'and the good one is checked' 'a.demo: holds, 200 frames' "$(cat out)"
+
+# ---- words ----
+
+frames='--frames: expected frames from 0 to 8388608 like 600 or 1,60,600 or 0:600:60, got'
+seed='--seed: expected a whole number from 0 to 18446744073709551615, got'
+bad 'unknown option, near one' 'unknown option --frame (did you mean --frames?)' hash g --frame 3
+bad 'unknown option' 'unknown option --frobnicate (curtain help lists them)' hash g --frobnicate
+bad 'unknown command, near one' 'unknown command "hsah" (did you mean hash?)' hsah g
+bad 'unknown command' 'frobnicate: no such command, file or folder (curtain help lists the commands)' frobnicate
+bad 'no ROM' 'hash: expected ROM (curtain help hash)' hash
+bad 'too many words' 'hash: "h" is one argument too many (curtain help hash)' hash g h
+bad 'option without its value' '--frames: expected LIST, got nothing' hash g --frames
+bad 'frames in letters' "$frames \"x\"" hash g --frames x
+bad 'frames below 0' "$frames \"-3\"" hash g --frames -3
+bad 'too many frames' "$frames \"99999999999999999999\"" hash g --frames 99999999999999999999
+bad 'frames backwards' '--frames: 5:1 ends before it starts' render g --frames 5:1
+bad 'frames without a step' "$frames \"1:5:0\"" render g --frames 1:5:0
+bad 'a list for hash' '--frames: hash takes one number, how many frames to run' hash g --frames 1,2
+bad 'render without frames' 'render needs --frames (curtain help render)' render g
+bad 'seed with a letter' "$seed \"1x\"" hash g --seed 1x
+bad 'seed below 0' "$seed \"-1\"" hash g --seed -1
+bad 'seed of 65 bits' "$seed \"18446744073709551616\"" hash g --seed 18446744073709551616
+bad 'every 0' '--every: expected a whole number from 1 to 8388608, got "0"' hash g --every 0
+bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --scale 99
+bad 'an option of another command' '--scale does not go with hash (it goes with play)' hash g --scale 2
+bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
+bad 'a switch with a value' '--trace takes no value, got "1"' hash g --trace=1
+bad 'what a demo holds' '--seed does not go with --demo, which holds its own' hash g --seed 1 --demo a.demo
+bad 'unknown DIP switch' '--dip: unknown DIP switch "coin" (did you mean "coins"?)' hash g --dip coin=one
+bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)' hash g --dip coins=oen
+bad 'DIP value far off' '--dip: coins: unknown value "two" (expected free or one)' hash g --dip coins=two
+bad 'DIP number out of range' '--dip: ships: expected a whole number from 1 to 9, got "10"' hash g --dip ships=10
+bad 'DIP number in letters' '--dip: ships: expected a whole number from 1 to 9, got "x"' hash g --dip ships=x
+bad 'DIP number of many digits' '--dip: ships: expected a whole number from 1 to 9, got "99999999999999999999"' hash g --dip ships=99999999999999999999
+bad 'DIP without a value' '--dip: expected NAME=VALUE, got "coins"' hash g --dip coins
+bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did you mean "hard"?)' hash g --difficulty hrd
+bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g --difficulty insane
+bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
+bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lists all names)' help lua nothing
+
+# ---- stages ----
+
+game s <<'LUA'
+player.def("p", { sprite = "dot", hit = { circle = 1 } })
+enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
+boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20, phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
+stage.def("one", function() stage.at(10) stage.mark("guard") stage.at(60) end)
+boot.run { stages = { "one" }, players = { "p" } }
+LUA
+says 'a stage' 0 '' hash s --stage one --frames 20
+says 'a mark' 0 '' hash s --stage one:guard --frames 20
+says 'a phase' 0 '' hash s --stage queen/bloom --frames 20
+says 'unknown stage' 2 'main.lua:5: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen --frames 20
+says 'unknown mark' 2 '@std/prelude.lua:8: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s --stage one:gurad --frames 20
+says 'unknown boss' 2 'main.lua:5: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s --stage quene/bloom --frames 20
+says 'unknown phase' 2 'main.lua:5: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s --stage queen/bloon --frames 20
+says 'a game without stages' 2 '--stage: the game cannot start at "one": main.lua does not call boot.run' hash g --stage one
+bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters' hash g --stage $'o\tne'
+bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
+
+# ---- disks ----
+
+disk() { # NAME OPTIONS
+    mkdir "$1"
+    mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "a disk of its own for $1"; return 1; }
+    mounts+=("$tmp/$1")
+}
+touch file
+host 'output folder is a file' 'file/000001.png: cannot be written (Not a directory)' render g --frames 1 -o file
+host 'sheet below a file' 'file/a.png: cannot be written (Not a directory)' render g --frames 1 --sheet file/a.png
+host 'ROM below a file' 'file/a.rom: cannot be written (Not a directory)' pack g -o file/a.rom
+host 'ROM is a folder' 'empty: cannot be written (Is a directory)' pack g -o empty
+host 'demo below a file' 'file/a.demo: cannot be written (Not a directory)' hash g --frames 2 --record file/a.demo
+host 'unpack into a file' 'file/lumps/gfx/dart: cannot be written (Not a directory)' unpack g file
+bad 'unpack over files' 'g/main.lua: is already there' unpack g.rom g
+for command in 'list g' 'hash g --frames 1' 'help' 'version' 'verify g a.demo'; do
+    line=$("$curtain" $command 2>&1 >/dev/full)
+    same "standard output is full: $command" '3 curtain: standard output cannot be written' "$? $line"
+done
+
+if disk locked size=64k; then
+    mount -o remount,ro locked
+    host 'read-only folder: picture' 'locked/000001.png: cannot be written (Read-only file system)' render g --frames 1 -o locked
+    host 'read-only folder: sheet' 'locked/a.png: cannot be written (Read-only file system)' render g --frames 1 --sheet locked/a.png
+    host 'read-only folder: ROM' 'locked/a.rom: cannot be written (Read-only file system)' pack g -o locked/a.rom
+    host 'read-only folder: demo' 'locked/a.demo: cannot be written (Read-only file system)' hash g --frames 2 --record locked/a.demo
+    host 'read-only folder: unpack' 'locked/lumps/gfx/dart: cannot be written (Read-only file system)' unpack g locked
+fi
+
+if disk full size=256k; then
+    cp g.rom full/a.rom
+    cp a.demo full/a.demo
+    "$curtain" render g --frames 1 -o full 2>/dev/null
+    cp full/000001.png picture
+    cp full/000001.png full/a.png
+    dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
+    full='cannot be written (No space left on device)'
+    host 'full disk: ROM' "full/a.rom: $full" pack later -o full/a.rom
+    host 'full disk: picture' "full/000001.png: $full" render later --frames 1 -o full
+    host 'full disk: sheet' "full/a.png: $full" render later --frames 1:9 --sheet full/a.png
+    host 'full disk: demo' "full/a.demo: $full" hash later --frames 2 --record full/a.demo
+    host 'full disk: unpack' "full/u/lumps/gfx/dart: $full" unpack g full/u
+    holds 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
+    holds 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
+    holds 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
+    holds 'full disk: and the sheet' cmp -s picture full/a.png
+    rm -rf full/u
+    same 'full disk: nothing half made is left' '000001.png a.demo a.png a.rom filler' "$(cd full && echo *)"
+    # Room for one page: the disk is full in the middle of a recording.
+    truncate -s -4096 full/filler
+    host 'disk full while recording' "full/long.demo: $full" hash g --frames 3000 --record full/long.demo
+    line=$("$curtain" verify g full/long.demo 2>&1)
+    holds "what was recorded stays readable ($line)" grep -Eq '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
+    "$curtain" hash g --demo full/long.demo --frames 60 >one 2>/dev/null
+    "$curtain" hash g --frames 60 >two
+    same 'and plays' "$(cat two)" "$(cat one)"
+fi
+finish

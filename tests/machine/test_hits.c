@@ -1,0 +1,497 @@
+/*
+ * test_hits.c - every collision of a frame against a plain reference in 128 bits: which events, and in which order.
+ * Scenes are drawn so that most pairs are about to touch, at all scales up to the ends of the world.
+ */
+#include "../../src/board/hit.h"
+#include "rig.h"
+
+__extension__ typedef __int128 wide;
+
+enum { BULLETS = 192, SHOTS = 48, FOES = 24, KINDS = 8 };
+
+static struct rig_game g;
+static struct rig rig;
+static struct rng rng;
+static struct {
+    long hits, grazes, bullet_misses, box_hits, touches, touch_misses, shots, shot_misses;
+} seen;
+
+/* ---- the reference ---- */
+
+static wide square(wide v)
+{
+    return v * v;
+}
+
+static wide magnitude(wide v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* Is the point (px, py) within r of the segment from (x, y) to (x + wx, y + wy)? */
+static bool near_segment(wide px, wide py, wide x, wide y, wide wx, wide wy, wide r)
+{
+    wide dx = px - x, dy = py - y, along = dx * wx + dy * wy, ww = square(wx) + square(wy);
+
+    if (along <= 0)
+        return square(dx) + square(dy) <= square(r);
+    if (along >= ww)
+        return square(dx - wx) + square(dy - wy) <= square(r);
+    wide cross = magnitude(dx * wy - dy * wx);
+    return cross < (wide)1 << 63 && square(cross) <= square(r) * ww;
+}
+
+/* How far v is outside of [-half, half]. */
+static wide outside(wide v, wide half)
+{
+    return magnitude(v) > half ? magnitude(v) - half : 0;
+}
+
+static bool near_box(wide x, wide y, wide hw, wide hh, wide r)
+{
+    return square(outside(x, hw)) + square(outside(y, hh)) <= square(r);
+}
+
+/* Do the segment and the box around the origin share a point? Separating axes. */
+static bool crosses(wide x, wide y, wide wx, wide wy, wide hw, wide hh)
+{
+    bool left = false, right = false;
+
+    if ((x > hw && x + wx > hw) || (x < -hw && x + wx < -hw) || (y > hh && y + wy > hh) || (y < -hh && y + wy < -hh))
+        return false;
+    for (int i = 0; i < 4; i++) {
+        wide side = ((i & 1 ? hw : -hw) - x) * wy - ((i & 2 ? hh : -hh) - y) * wx;
+        left |= side <= 0;
+        right |= side >= 0;
+    }
+    return left && right;
+}
+
+/* Two convex shapes that do not meet are nearest at a corner of one of them. */
+static bool segment_near_box(wide x, wide y, wide wx, wide wy, wide hw, wide hh, wide r)
+{
+    if (crosses(x, y, wx, wy, hw, hh) || near_box(x, y, hw, hh, r) || near_box(x + wx, y + wy, hw, hh, r))
+        return true;
+    for (int i = 0; i < 4; i++)
+        if (near_segment(i & 1 ? hw : -hw, i & 2 ? hh : -hh, x, y, wx, wy, r))
+            return true;
+    return false;
+}
+
+static bool bullet_touches(const struct board *b, uint32_t p, uint32_t i, wide grow)
+{
+    const struct bullets *s = &b->bullets;
+    const struct player *pl = &b->player;
+    uint16_t k = s->kind[i];
+    wide mx = (wide)pl->x[p] - pl->was_x[p], my = (wide)pl->y[p] - pl->was_y[p];
+    wide x = (wide)s->x[i] - s->vx[i] - pl->was_x[p], y = (wide)s->y[i] - s->vy[i] - pl->was_y[p];
+
+    if (b->bullet_kinds.shape[k] == SHAPE_CIRCLE)
+        return near_segment(0, 0, x, y, s->vx[i] - mx, s->vy[i] - my, b->bullet_kinds.a[k] + grow);
+    return segment_near_box(x, y, s->vx[i] - mx, s->vy[i] - my, b->bullet_kinds.a[k], b->bullet_kinds.b[k], grow);
+}
+
+static bool shot_touches(const struct board *b, uint32_t i, uint32_t e)
+{
+    uint16_t k = b->shots.kind[i], ek = b->enemies.kind[e];
+    wide dx = (wide)b->shots.x[i] - b->enemies.x[e], dy = (wide)b->shots.y[i] - b->enemies.y[e];
+    wide hw = b->enemy_kinds.half_w[ek], hh = b->enemy_kinds.half_h[ek];
+
+    if (b->shot_kinds.shape[k] == SHAPE_CIRCLE)
+        return near_box(dx, dy, hw, hh, b->shot_kinds.a[k]);
+    return magnitude(dx) <= hw + b->shot_kinds.a[k] && magnitude(dy) <= hh + b->shot_kinds.b[k];
+}
+
+static int expected_n;
+static struct event expected[4096];
+
+static void expect(enum event_kind kind, enum handle_kind hx, uint32_t x, enum handle_kind hy, uint32_t y)
+{
+    const struct board *b = rig.b;
+
+    assert_true(expected_n < 4096);
+    expected[expected_n++] =
+        (struct event){ .kind = kind, .a = board_handle(b, hx, (int32_t)x), .b = board_handle(b, hy, (int32_t)y) };
+}
+
+static void player_reference(const struct board *b, uint32_t p)
+{
+    uint16_t kind = b->player.kind[p], k;
+
+    for (uint32_t i = 0; i < b->bullets.s.cap; i++) {
+        if (i >= b->bullets.s.top || !(b->bullets.s.used[i / 64] >> (i & 63) & 1))
+            continue;
+        k = b->bullets.kind[i];
+        if (b->bullet_kinds.shape[k] == SHAPE_NONE)
+            continue;
+        if (bullet_touches(b, p, i, b->player_kinds.radius[kind])) {
+            expect(EV_HIT, H_PLAYER, p, H_BULLET, i);
+            seen.hits++;
+            seen.box_hits += b->bullet_kinds.shape[k] == SHAPE_BOX;
+        } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
+                   bullet_touches(b, p, i, b->player_kinds.graze[kind])) {
+            expect(EV_GRAZE, H_PLAYER, p, H_BULLET, i);
+            seen.grazes++;
+        } else
+            seen.bullet_misses++;
+    }
+    for (uint32_t e = 0; e < b->enemies.s.top; e++) {
+        if (!(b->enemies.s.used[e / 64] >> (e & 63) & 1) || !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_TOUCH))
+            continue;
+        k = b->enemies.kind[e];
+        if (near_box((wide)b->player.x[p] - b->enemies.x[e], (wide)b->player.y[p] - b->enemies.y[e],
+                     b->enemy_kinds.half_w[k], b->enemy_kinds.half_h[k], b->player_kinds.radius[kind])) {
+            expect(EV_HIT, H_PLAYER, p, H_ENEMY, e);
+            seen.touches++;
+        } else
+            seen.touch_misses++;
+    }
+}
+
+static void reference(const struct board *b)
+{
+    expected_n = 0;
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p])
+            player_reference(b, p);
+    EACH_LIVE (i, &b->shots.s)
+        EACH_LIVE (e, &b->enemies.s) {
+            if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
+                break;
+            if (!shot_touches(b, i, e)) {
+                seen.shot_misses++;
+                continue;
+            }
+            expect(EV_SHOT, H_SHOT, i, H_ENEMY, e);
+            seen.shots++;
+            break;
+        }
+}
+
+/* ---- scenes ---- */
+
+static fx within(fx most)
+{
+    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
+}
+
+static bool one_in(uint64_t n)
+{
+    return rng_below(&rng, n) == 0;
+}
+
+/* A length up to most, of any order of magnitude. */
+static fx length(fx most)
+{
+    return one_in(9) ? most : one_in(9) ? 0 : (fx)(rng_below(&rng, (uint64_t)most + 1) >> rng_below(&rng, 24));
+}
+
+static fx either_way(fx v)
+{
+    return one_in(2) ? v : -v;
+}
+
+static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
+
+static fx clamped(int64_t v, fx most)
+{
+    return (fx)(v > most ? most : v < -most ? -most : v);
+}
+
+static void draw_kinds(struct board *b, fx scale)
+{
+    b->bullet_kinds.s.live = b->shot_kinds.s.live = b->enemy_kinds.s.live = KINDS;
+    for (uint32_t k = 0; k < KINDS; k++) {
+        struct bullet_kinds *of[] = { &b->bullet_kinds, &b->shot_kinds };
+        for (int i = 0; i < 2; i++) {
+            of[i]->shape[k] = (uint8_t)(one_in(8) ? SHAPE_NONE : 1 + rng_below(&rng, 2));
+            of[i]->a[k] = length(scale);
+            of[i]->b[k] = of[i]->shape[k] == SHAPE_BOX ? length(scale) : 0;
+            of[i]->flags[k] = one_in(5) ? 0 : KIND_GRAZE;
+            if (of[i]->shape[k] == SHAPE_NONE)
+                of[i]->a[k] = of[i]->b[k] = 0;
+        }
+        b->enemy_kinds.half_w[k] = length(scale);
+        b->enemy_kinds.half_h[k] = length(scale);
+        b->enemy_kinds.flags[k] = one_in(4) ? 0 : ENEMY_TOUCH;
+    }
+    b->player_kinds.s.live = 2;
+    for (int k = 0; k < 2; k++) {
+        b->player_kinds.radius[k] = length(scale);
+        b->player_kinds.graze[k] = length(scale);
+    }
+}
+
+static void draw_players(struct board *b, fx scale, fx place)
+{
+    for (int p = 0; p < PADS; p++) {
+        struct player *pl = &b->player;
+        pl->in[p] = !one_in(6);
+        pl->kind[p] = (uint16_t)rng_below(&rng, 2);
+        pl->x[p] = within(place);
+        pl->y[p] = within(place);
+        pl->was_x[p] = clamped((int64_t)pl->x[p] + either_way(length(scale)), edge);
+        pl->was_y[p] = clamped((int64_t)pl->y[p] + either_way(length(scale)), edge);
+        if (!pl->in[p])
+            pl->x[p] = pl->y[p] = pl->was_x[p] = pl->was_y[p] = PARK;
+    }
+}
+
+/* Puts bullet i so that its way just touches, or just misses, player p's circle or ring. */
+static void graze_past(struct board *b, uint32_t i, uint32_t p)
+{
+    struct bullets *s = &b->bullets;
+    uint16_t kind = b->player.kind[p], k = s->kind[i];
+    int64_t r = (int64_t)b->bullet_kinds.a[k] +
+                (one_in(2) ? b->player_kinds.radius[kind] : b->player_kinds.graze[kind]) + within(3);
+    fx ux, uy;
+    int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.was_x[p]),
+            wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.was_y[p]);
+
+    if (one_in(3) || (!wx && !wy)) /* anywhere around */
+        trig_normalise(within(FX_ONE), within(FX_ONE), &ux, &uy);
+    else /* square to its way */
+        trig_normalise((fx)(-wy / 4), (fx)(wx / 4), &ux, &uy);
+    if (one_in(2))
+        ux = -ux, uy = -uy;
+    int64_t back = (int64_t)rng_below(&rng, FX_ONE + 1);
+    s->x[i] = clamped(b->player.x[p] + (ux * r >> 16) + (wx * back >> 16), edge + (edge >> 4));
+    s->y[i] = clamped(b->player.y[p] + (uy * r >> 16) + (wy * back >> 16), edge + (edge >> 4));
+}
+
+static void draw_bullets(struct board *b, fx scale, fx place)
+{
+    struct bullet_shape shape = { 0 };
+    uint32_t n = (uint32_t)rng_below(&rng, BULLETS + 1);
+
+    for (uint32_t k = 0; k < n; k++) {
+        shape.kind = (uint16_t)rng_below(&rng, KINDS);
+        shape.speed = either_way(length(clamped(scale, fastest)));
+        shape.dir = (ang)(rng_next(&rng) >> (one_in(3) ? 34 : 0)) << (one_in(3) ? 30 : 0);
+        shape.x = within(place);
+        shape.y = within(place);
+        int32_t i = bullets_fire(&b->bullets, &shape, 0);
+        if (!one_in(6))
+            graze_past(b, (uint32_t)i, (uint32_t)rng_below(&rng, PADS));
+        b->bullets.flags[i] = (uint8_t)(one_in(4) ? rng_below(&rng, 4) : 0);
+        if (one_in(9))
+            bullets_drop(&b->bullets, (uint32_t)i);
+    }
+}
+
+static void draw_others(struct board *b, fx scale, fx place)
+{
+    struct bullet_shape shape = { 0 };
+
+    for (uint64_t n = rng_below(&rng, FOES + 1); n--;) {
+        uint16_t k = (uint16_t)rng_below(&rng, KINDS);
+        uint32_t p = (uint32_t)rng_below(&rng, PADS);
+        int64_t r = b->player_kinds.radius[b->player.kind[p]];
+        fx x = within(place), y = within(place);
+        if (!one_in(3)) {
+            x = clamped((int64_t)b->player.x[p] + either_way(clamped(r + b->enemy_kinds.half_w[k], edge)) + within(2), edge);
+            y = clamped((int64_t)b->player.y[p] + within(clamped(b->enemy_kinds.half_h[k] + 2, edge)), edge);
+        }
+        enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
+    }
+    for (uint64_t n = rng_below(&rng, SHOTS + 1); n--;) {
+        shape.kind = (uint16_t)rng_below(&rng, KINDS);
+        shape.x = within(place);
+        shape.y = within(place);
+        shape.speed = length(clamped(scale, fastest));
+        if (b->enemies.s.live && !one_in(4)) {
+            uint32_t e = (uint32_t)rng_below(&rng, b->enemies.s.live);
+            uint16_t k = b->enemies.kind[e];
+            int64_t dx = (int64_t)b->enemy_kinds.half_w[k] + b->shot_kinds.a[shape.kind] + within(2);
+            shape.x = clamped(b->enemies.x[e] + (one_in(2) ? dx : -dx), edge);
+            shape.y = clamped((int64_t)b->enemies.y[e] + within(b->enemy_kinds.half_h[k]), edge);
+        }
+        bullets_fire(&b->shots, &shape, 0);
+    }
+}
+
+static void empty(struct board *b)
+{
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
+    EACH_LIVE (i, &b->shots.s)
+        bullets_drop(&b->shots, i);
+    EACH_LIVE (i, &b->enemies.s)
+        enemies_drop(&b->enemies, i);
+    slots_trim(&b->bullets.s);
+    slots_trim(&b->shots.s);
+    slots_trim(&b->enemies.s);
+    b->events.n = 0;
+}
+
+static void compare(const struct board *b, int scene)
+{
+    for (int i = 0; i < expected_n && i < (int)b->events.n; i++) {
+        const struct event *e = &b->events.list[i], *x = &expected[i];
+        if (e->kind != x->kind || e->a != x->a || e->b != x->b)
+            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e->kind,
+                     handle_slot(e->a), handle_slot(e->b), x->kind, handle_slot(x->a), handle_slot(x->b));
+    }
+    if ((int)b->events.n != expected_n)
+        fail_msg("scene %d: %u events, expected %d", scene, b->events.n, expected_n);
+}
+
+static void test_random(void **state)
+{
+    struct board *b = rig.b;
+    int scenes = rig_long() ? 200000 : 10000;
+
+    (void)state;
+    rng_seed(&rng, 77);
+    for (int i = 0; i < scenes; i++) {
+        fx scale = length(fastest), place = one_in(4) ? edge : length(edge);
+        empty(b);
+        draw_kinds(b, scale);
+        draw_players(b, one_in(2) ? scale : length(fastest), place);
+        draw_bullets(b, one_in(2) ? scale : length(fastest), place);
+        draw_others(b, scale, place);
+        reference(b);
+        hit_run(b);
+        compare(b, i);
+    }
+    empty(b);
+    const long least = 10000;
+    if (seen.hits < least || seen.bullet_misses < least || seen.grazes < least || seen.box_hits < least ||
+        seen.touches < least / 2 || seen.touch_misses < least / 2 || seen.shots < least || seen.shot_misses < least)
+        fail_msg("too few: hits %ld (boxes %ld) grazes %ld misses %ld, touches %ld misses %ld, shots %ld misses %ld",
+                 seen.hits, seen.box_hits, seen.grazes, seen.bullet_misses, seen.touches, seen.touch_misses, seen.shots,
+                 seen.shot_misses);
+}
+
+/* ---- by hand ---- */
+
+static const char game[] =
+    "bullet.def('ball', { sprite = 'dot', hit = { circle = 4 } })\n"
+    "bullet.def('bar', { sprite = 'dot', hit = { box = { 20, 4 } } })\n"
+    "bullet.def('meek', { sprite = 'dot', hit = { circle = 4 }, graze = false })\n"
+    "bullet.def('air', { sprite = 'dot', hit = 'none' })\n"
+    "shot.def('bolt', { sprite = 'dot', hit = { box = { 4, 8 } }, damage = 3 })\n"
+    "enemy.def('foe', { sprite = 'dot', hit = { box = { 10, 10 } }, hp = 10 })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, graze = 16, speed = 4, lives = 9, safe = 1 })\n"
+    "string.sys.join(1, 'ship') string.sys.join(2, 'ship')\n"
+    "player.get(1).x, player.get(1).y, player.get(1).safe = 60, 200, 0\n"
+    "player.get(2).x, player.get(2).y, player.get(2).safe = 180, 200, 0\n"
+    "string.log = ''\n"
+    "local function say(s) string.log = string.log .. s .. ' ' end\n"
+    "on.graze(function(p, b) say('g' .. p.index) end)\n"
+    "on.hit(function(p, b) say('h' .. p.index) p.safe = 2 end)\n"
+    "on.kill(function(e, p) say('k' .. (p and p.index or 0)) end)\n"
+    "task.go(function() string.scene() end)\n";
+
+static const char *told(struct rig *r)
+{
+    lua_State *L = r->b->vm.L;
+
+    lua_getglobal(L, "string");
+    lua_getfield(L, -1, "log");
+    const char *s = lua_tostring(L, -1);
+    lua_pop(L, 2);
+    return s;
+}
+
+/* Runs a scene: what the handlers said in so many frames. */
+static void scene(const char *code, int frames, const char *says)
+{
+    static char prelude[1 << 14], main_text[1 << 14];
+    const struct rig_script scripts[] = { { "main", main_text }, { "@std/prelude", prelude } };
+    struct rig_game gg;
+    struct rig r;
+
+    for (int i = 0; i < std_script_count; i++)
+        if (!strcmp(std_scripts[i].name, "prelude"))
+            snprintf(prelude, sizeof prelude, "string.sys = ... %.*s", (int)std_scripts[i].size,
+                     (const char *)std_scripts[i].data);
+    snprintf(main_text, sizeof main_text, "function string.scene()\n%s\nend\n%s", code, game);
+    rig_scripts(&gg, NULL, scripts, 2);
+    rig_power(&r, &gg, NULL);
+    rig_run(&r, frames);
+    if (strcmp(told(&r), says))
+        fail_msg("%s\nsaid \"%s\", expected \"%s\"", code, told(&r), says);
+    rig_free(&r);
+    rig_game_free(&gg);
+}
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    /* across the middle of player 1 between two frames: 60 px a frame, 12 px of contact */
+    scene("bullet.fire { kind = 'ball', x = 60, y = 100, speed = 60 } wait(1) bullet.clear()", 3, "");
+    scene("bullet.fire { kind = 'ball', x = 60, y = 170, speed = 60 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'ball', x = 60, y = 230, speed = 60, dir = 270 }", 1, "h1 ");
+    /* a teleport sweeps nothing */
+    scene("local b = bullet.fire { kind = 'ball', x = 60, y = 100, speed = 0 } wait(1) b.y = 240", 3, "");
+    scene("local p = player.get(1) p.y = 100 bullet.fire { kind = 'ball', x = 60, y = 150, speed = 0 } wait(1) p.y = 200", 3, "");
+    /* edges: 4 + 2 px of a circle; a box of 10 and 2 with round corners */
+    scene("bullet.fire { kind = 'meek', x = 66, y = 200, speed = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'meek', x = 66 + 1 / 65536, y = 200, speed = 0 }", 1, "");
+    scene("bullet.fire { kind = 'bar', x = 72, y = 200, speed = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'bar', x = 72 + 1 / 65536, y = 200, speed = 0 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'bar', x = 71.5, y = 203.5, speed = 0 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'bar', x = 71, y = 203, speed = 0 }", 1, "h1 ");
+    /* the ring: once a bullet and player, however long it stays; not for those without graze, nor for those that hit */
+    scene("bullet.fire { kind = 'ball', x = 80, y = 200, speed = 0 }", 9, "g1 ");
+    scene("bullet.fire { kind = 'ball', x = 80 + 1 / 65536, y = 200, speed = 0 }", 9, "");
+    scene("bullet.fire { kind = 'ball', x = 70, y = 190, speed = 6, dir = 0 }", 30, "g1 g2 ");
+    scene("bullet.fire { kind = 'meek', x = 75, y = 200, speed = 0 }", 9, "");
+    scene("bullet.fire { kind = 'air', x = 60, y = 200, speed = 0 }", 9, "");
+    scene("for i = 1, 3 do bullet.fire { kind = 'ball', x = 180, y = 210, speed = 0 } end", 9, "g2 g2 g2 ");
+    /* who is safe is not hit, and tells nobody */
+    scene("player.get(1).safe = 3 bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } wait(3) bullet.clear()", 9, "");
+    scene("bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } "
+          "wait(1) bullet.clear()",
+          9, "h1 ");
+    /* bodies */
+    scene("enemy.spawn { kind = 'foe', x = 67, y = 200 } wait(1) enemy.each(nil, function(e) e:remove() end)", 3, "h1 ");
+    scene("enemy.spawn { kind = 'foe', x = 67 + 1 / 65536, y = 200 }", 3, "");
+    /* a shot is used up by the first enemy in slot order, and each enemy takes it once */
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 3 } enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 3 } "
+          "shot.fire { kind = 'bolt', x = 100, y = 50, speed = 0, by = player.get(2) } wait(1) "
+          "assert(enemy.count() == 1 and board.live 'shots' == 0)",
+          3, "k2 ");
+    scene("local e = enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 4 } e.safe = 2 "
+          "for i = 1, 3 do shot.fire { kind = 'bolt', x = 100, y = 50, speed = 0 } end wait(1) "
+          "assert(e.hp == 4 and board.live 'shots' == 0)",
+          3, "");
+    /* three shots and 6 hp: the third finds it dead and flies on */
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 6 } "
+          "for i = 1, 3 do shot.fire { kind = 'bolt', x = 100, y = 50, speed = 0 } end wait(1) "
+          "assert(enemy.count() == 0 and board.live 'shots' == 1)",
+          3, "k0 ");
+    /* players in their order, bullets by slot, then enemies */
+    scene("bullet.fire { kind = 'ball', x = 180, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 215, speed = 0 } "
+          "bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } wait(1) bullet.clear()",
+          2, "g1 h1 h2 ");
+}
+
+static int setup(void **state)
+{
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.bullets = BULLETS;
+    m.shots = SHOTS;
+    m.enemies = FOES;
+    rig_script(&g, &m, "");
+    rig_power(&rig, &g, NULL);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    rig_free(&rig);
+    rig_game_free(&g);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_by_hand) };
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
