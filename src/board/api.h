@@ -163,7 +163,7 @@ enum {
 };
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
 
-/* Fills the rom table (api_world.c). */
+/* Fills the rom table (api_board.c). */
 void api_rom_open(lua_State *L);
 
 /* Where a player enters and returns. */

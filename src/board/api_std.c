@@ -118,9 +118,11 @@ static const struct api_entry entries[] = {
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
-extern const struct api_module api_time, api_bullet, api_enemy, api_player, api_screen, api_world;
+extern const struct api_module api_time, api_bullet, api_enemy, api_player, api_screen, api_rng, api_query, api_save,
+    api_board, api_sys;
 const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_enemy, &api_player,
-                                                 &api_screen, &api_world,  &api_std };
+                                                 &api_screen, &api_rng,    &api_query, &api_save,
+                                                 &api_board,  &api_sys,    &api_std };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing bullet_thing, shot_thing, enemy_thing, player_thing, sprite_thing, task_thing,

@@ -106,7 +106,7 @@ with 'picture that is not there' 'art/none.png: no such file' 's/art\/all.png/ar
 with 'picture outside the folder' 'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' 's/art\/all.png/..\/all.png/'
 with 'entry that is not there' 'rom.lua: entry: there is no start.lua' 's/id = "probe"/id = "probe", entry = "start"/'
 with 'more than 1 GiB in all' 'the capacities in rom.lua ask for 1268 MiB of RAM; a board has at most 1024' \
-    's/bullets = 256/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/;s/sprites = 16/sprites = 65536/;s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/;s/lua_kib = 1024/lua_kib = 262144/'
+    's/bullets = 256/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/;s/sprites = 16/sprites = 65536/;s/motions = 16/motions = 4095/;s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/;s/lua_kib = 1024/lua_kib = 262144/'
 
 # ---- art and scripts ----
 

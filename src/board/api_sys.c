@@ -1,0 +1,197 @@
+/*
+ * api_sys.c - sys, which only the standard library (@std) sees.
+ */
+#include <string.h>
+#include "api.h"
+#include "events_run.h"
+
+int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+
+static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "message", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_near[] = { { "word", A_ANY, REQ, 0, 0, NULL, NULL },
+                                             { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                         { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
+static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param pad_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
+                                         { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_error(L, lua_tostring(L, v[0].at), "%s", lua_tostring(L, v[1].at));
+}
+
+static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    int best = 99;
+    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[1].at);
+
+    (void)b;
+    if (lua_type(L, v[0].at) != LUA_TSTRING)
+        return lua_pushnil(L), 1;
+    for (lua_Integer i = 1; i <= n; i++) {
+        if (lua_rawgeti(L, v[1].at, i) == LUA_TSTRING) {
+            int d = words_apart(lua_tostring(L, v[0].at), lua_tostring(L, -1));
+            if (d < best)
+                best = d, found = i;
+        }
+        lua_pop(L, 1);
+    }
+    if (!found)
+        lua_pushnil(L);
+    else
+        lua_rawgeti(L, v[1].at, found);
+    return 1;
+}
+
+static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->vm.loading);
+    return 1;
+}
+
+static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[0].at);
+    int n = lua_gettop(L) - 1;
+
+    if (!events_emit(b, L, name, n))
+        return api_error(L, "sys.emit", "no event \"%s\"", name);
+    return 0;
+}
+
+static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    b->vm.asked = true;
+    lua_pushstring(L, b->start.stage);
+    return 1;
+}
+
+static int sys_join(lua_State *L, struct board *b, struct api_value *v)
+{
+    return v[0].i ? player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
+}
+
+static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (v[0].i)
+        player_leave(&b->player, (uint32_t)v[0].i - 1);
+    return 0;
+}
+
+static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint8_t *p = cart_palette(&b->cart, "main");
+
+    (void)L, (void)v;
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
+    EACH_LIVE (i, &b->shots.s)
+        bullets_drop(&b->shots, i);
+    EACH_LIVE (i, &b->enemies.s)
+        enemies_drop(&b->enemies, i);
+    EACH_LIVE (i, &b->sparks.s)
+        slots_drop(&b->sparks.s, i);
+    EACH_LIVE (i, &b->sprites.s)
+        slots_drop(&b->sprites.s, i);
+    pal_rest(&b->pal);
+    for (int i = 0; i < COLOURS; i++, p += 3)
+        pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+    fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
+    return 0;
+}
+
+static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    b->core.frozen = v[0].given ? v[0].i : 0;
+    return 0;
+}
+
+static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t i = handle_slot(v[0].i);
+
+    (void)L;
+    if (board_alive(b, v[0].i))
+        b->enemies.flags[i] = (uint8_t)(v[1].i ? b->enemies.flags[i] | ENEMY_HELD : b->enemies.flags[i] & ~ENEMY_HELD);
+    return 0;
+}
+
+static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark" };
+    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s, &b->enemy_kinds.s, &b->player_kinds.s,
+                                &b->spark_kinds.s };
+
+    for (int k = 0; k < 5; k++) {
+        if (strcmp(words[k], lua_tostring(L, v[0].at)))
+            continue;
+        lua_newtable(L);
+        for (uint32_t i = 0; i < s[k]->live; i++) {
+            names_push(L, (enum api_names)k, (int)i);
+            lua_rawseti(L, -2, (lua_Integer)i + 1);
+        }
+        return 1;
+    }
+    return api_error(L, "sys.kinds", "no kinds of \"%s\"", lua_tostring(L, v[0].at));
+}
+
+static int sys_players(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.m.players);
+    return 1;
+}
+
+static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_newtable(L);
+    for (int i = 0; i < b->cart.m.n_difficulties; i++) {
+        lua_pushstring(L, b->cart.m.difficulties[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.n_glyphs);
+    return 1;
+}
+
+static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->core.clock);
+    return 1;
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "sys.fail", sys_fail, PARAMS(fail), 2, API_SYS, NULL, "raises an entry's error" },
+    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
+    { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
+    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
+    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "string", "the practice start" },
+    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
+    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
+    { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
+    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
+    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
+    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
+    { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
+    { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
+    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
+};
+const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,99 @@
+-- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
+player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
+  registers = { power = 3 },
+  run = function(p)
+    while true do
+      wait(4)
+      p.power = p.power + 1
+      shot.fire { kind = "bolt", from = p, speed = 6.5, dir = 270 + 13 * rng.number(-1, 1), by = p }
+    end
+  end })
+shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
+spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
+bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
+bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
+motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
+  { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 }, { speed = 4.75, over = 9 } }
+motion.def { name = "spin", { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
+enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 170, spark = "pop",
+  run = function(e)
+    while true do
+      wait(rng.int(3, 9))
+      pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 3, hard = 7 }, spread = 71.5, aim = true, speed = 1.7 }
+    end
+  end })
+enemy.def("king", { sprite = "dot", hit = { box = { 12, 12 } }, score = 9000, spark = "pop" })
+local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 }, { x = 75, y = 5, over = 41, ease = "both" } }
+boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
+  { id = "a", hp = 60, time = 200, rest = 10, run = function(e)
+      pattern.spiral { from = e, kind = "orb", n = forever, arms = 3, step = 11.3, every = 5, speed = 1.1 }
+    end },
+  { id = "b", spell = "Second", hp = 90, time = 150, rest = 10, bonus = 3000, run = function(e)
+      while true do
+        pattern.ring { from = e, kind = "orb", n = 7, dir = rng.dir(), speed = 0.9, motion = "bloom", tag = "petal" }
+        e:move { x = rng.int(10, 50), y = rng.int(5, 30), over = 17, ease = "in" }
+        wait(18)
+      end
+    end } } })
+
+local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0 }
+for name in pairs(counts) do on[name](function() counts[name] = counts[name] + 1 end) end
+
+local function fold(s)
+  local h = 0
+  for i = 1, #s do h = (h * 33 + s:byte(i)) & 0x7fffffff end
+  board.note(h)
+end
+
+-- The library: sorting, patterns, text, numbers, trigonometry.
+local function library(i)
+  local t = {}
+  for k = 1, 60 do t[k] = { k * 37 % 11 + 0.5 / k, k } end
+  table.sort(t, function(a, b) return a[1] // 1 < b[1] // 1 end)
+  local out = {}
+  for k, v in ipairs(t) do out[k] = ("%d:%.6f:%g"):format(v[2], math.sin(v[1] * i), math.sqrt(v[1]) / 3) end
+  local text = table.concat(out, ","):gsub("(%d+):(%-?)", "%2<%1>"):upper()
+  fold(text .. tostring(i / 7) .. tostring(-0.0) .. (7.5 // -2) .. (7.5 % -2) .. math.atan(i, 3) .. utf8.char(228, 8364))
+  fold(("%q %5.2f %x %s"):format("a\0b", i * 0.1, i * 7919, { } ~= nil) .. (pcall(error, "x") and 1 or 0))
+  for k, v in pairs { z = 1, a = 2, [3] = 3, [-1] = 4 } do fold(k .. "=" .. v) end
+end
+
+stage.def("one", function()
+  stage.at(5)
+  stage.wave { kind = "wisp", n = 4, every = 9, path = loop, dy = 3.3 }
+  stage.at(60)
+  stage.mark("king")
+  boss.fight("king")
+  stage.wave { kind = "wisp", n = 3, every = 6, path = loop, mirror = true }
+  stage.clear(200)
+end)
+
+task.go(function()
+  local petals, seen = bullet.group("petal"), save.get("seen", 0)
+  local mark = sprite.put { sprite = "dart", x = 5, y = 5, layer = "front" }
+  palette.cycle { first = 17, last = 30, every = 3 }
+  for i = 1, forever do
+    library(i)
+    bullet.fire { kind = "ghost", x = rng.number(0, 64), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(), motion = "spin" }
+    if i % 50 == 0 then
+      petals.speed, petals.bank = 0.5, 6
+      bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)
+      palette.fade { to = 0x203040, over = 20, first = 0, last = 99 }
+      bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
+      seen = seen + 1
+      save.set("seen", seen)
+      score.enter("all", { name = "AB" .. seen, score = i * 31 })
+    end
+    local p = player.nearest(3, 4)
+    if p.alive then
+      local near = query.near { what = "bullet", x = p.x, y = p.y, radius = 20 }
+      fold(#near .. " " .. angle.to(p, { x = 1, y = 2 }) .. " " .. p.x .. " " .. p.grazes .. " " .. p.score)
+      mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
+    end
+    spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
+    text.put { col = 0, row = 7, text = ("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
+    wait(1)
+  end
+end)
+boot.run { stages = { "one" }, players = { "ship" } }

@@ -1,0 +1,759 @@
+/*
+ * test_chips.c - each chip by itself, with exact numbers: slots, input, bullets and every motion step, enemies' moves,
+ * players, sparks, text, palette, nvram.
+ */
+#include "rig.h"
+
+static fx px(double v)
+{
+    return (fx)(v * 65536);
+}
+
+/* ---- slots ---- */
+
+static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, COL_GAME, NULL } };
+static const struct chip thing_chip = { "things", thing_columns, 1, false, false };
+struct thing {
+    struct slots s;
+    uint32_t *v;
+};
+
+enum { CAP = 200 }; /* no multiple of 64 */
+
+/* Against a list that is as plain as can be. */
+static void test_slots(void **state)
+{
+    static uint8_t room[8192];
+    uint32_t gen[256], live = 0, refused = 0;
+    bool used[256] = { false };
+    uint8_t *next = room;
+    struct thing t;
+    struct rng rng;
+
+    (void)state;
+    assert_true(slots_size(&thing_chip, CAP) <= sizeof room);
+    slots_layout(&thing_chip, &t, CAP, &next);
+    assert_int_equal(next - room, slots_size(&thing_chip, CAP));
+    for (int i = 0; i < 256; i++)
+        gen[i] = 1;
+    rng_seed(&rng, 1);
+    for (int n = 0; n < 20000; n++) {
+        bool fill = n / 1000 % 2 == 0;
+        if (rng_below(&rng, 8) < (fill ? 6u : 2u)) {
+            int32_t i = slots_take(&t.s), lowest = 0;
+            while (lowest < CAP && used[lowest])
+                lowest++;
+            assert_int_equal(i, lowest < CAP ? lowest : NO_SLOT);
+            if (i == NO_SLOT)
+                refused++;
+            else
+                used[i] = true, live++;
+        } else {
+            uint32_t i = (uint32_t)rng_below(&rng, CAP);
+            if (used[i]) {
+                slots_drop(&t.s, i);
+                used[i] = false;
+                gen[i]++;
+                live--;
+            }
+        }
+        if (rng_below(&rng, 4) == 0)
+            slots_trim(&t.s);
+        assert_int_equal(t.s.live, live);
+        assert_int_equal(t.s.refused, refused);
+        assert_true(t.s.top % 64 == 0 && t.s.high % 64 == 0 && t.s.top <= t.s.high && t.s.high <= 256);
+        uint32_t at = 0;
+        for (uint32_t i = 0; i < CAP; i++) {
+            assert_int_equal(slots_has(&t.s, i, gen[i]), used[i]);
+            assert_false(slots_has(&t.s, i, gen[i] + 1));
+            if (used[i]) {
+                assert_int_equal(slots_next(&t.s, at), i);
+                at = i + 1;
+            }
+        }
+        assert_int_equal(slots_next(&t.s, at), t.s.top > at ? t.s.top : t.s.top);
+    }
+    for (uint32_t i = 0; i < CAP; i++)
+        if (used[i])
+            slots_drop(&t.s, i);
+    slots_trim(&t.s);
+    assert_int_equal(t.s.top, 0);
+    int32_t i = slots_take(&t.s);
+    t.s.gen[i] = GENERATIONS;
+    slots_drop(&t.s, (uint32_t)i);
+    assert_int_equal(t.s.gen[i], 1); /* 0 is never alive */
+}
+
+/* ---- input ---- */
+
+static void test_input(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    const struct input *in;
+    uint16_t pads[PADS] = { 0 };
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    in = &r.b->input;
+    pads[0] = PAD_LEFT | PAD_RIGHT | PAD_UP | PAD_FIRE | 0xfc00;
+    pads[1] = PAD_UP | PAD_DOWN | PAD_LEFT;
+    rig_tick(&r, pads);
+    assert_int_equal(in->held[0], PAD_UP | PAD_FIRE);
+    assert_int_equal(in->pressed[0], PAD_UP | PAD_FIRE);
+    assert_int_equal(in->held[1], PAD_LEFT);
+    pads[0] = PAD_LEFT | PAD_FIRE;
+    rig_tick(&r, pads);
+    assert_int_equal(in->pressed[0], PAD_LEFT);
+    assert_int_equal(in->released[0], PAD_UP);
+    assert_int_equal(in->pressed[1] | in->released[1], 0);
+    pads[0] = PAD_RIGHT | PAD_LEFT; /* held together: neither, so left comes up */
+    rig_tick(&r, pads);
+    assert_int_equal(in->released[0], PAD_LEFT | PAD_FIRE);
+    pads[0] = 0;
+    rig_tick(&r, pads);
+    pads[0] = PAD_DOWN;
+    for (int f = 0; f <= 41; f++) {
+        rig_tick(&r, pads);
+        bool again = f == 0 || f == 20 || f == 25 || f == 30 || f == 35 || f == 40;
+        assert_int_equal(in->repeated[0], again ? PAD_DOWN : 0);
+        assert_int_equal(in->pressed[0], f == 0 ? PAD_DOWN : 0);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- bullets ---- */
+
+static void test_bullets(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    struct bullet_shape s = { .x = px(100), .y = px(50), .speed = px(3), .dir = 0 };
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct board *b = r.b;
+    const int w = b->cart.m.field_w, h = b->cart.m.field_h, margin = b->cart.m.margin;
+    assert_int_equal(bullets_fire(&b->bullets, &s, 0), 0);
+    s.dir = 0x40000000; /* down */
+    s.speed = px(-1.5);
+    assert_int_equal(bullets_fire(&b->bullets, &s, 0), 1);
+    rig_run(&r, 4);
+    assert_int_equal(b->bullets.x[0], px(112));
+    assert_int_equal(b->bullets.y[0], px(50));
+    assert_int_equal(b->bullets.x[1], px(100));
+    assert_int_equal(b->bullets.y[1], px(44));
+    assert_int_equal(board_counts(b).moved, 2);
+
+    /* the keep box: its edges belong to it */
+    const fx x0 = px(-margin), y0 = px(-margin), x1 = px(w + margin), y1 = px(h + margin);
+    const struct {
+        fx x, y;
+        bool in;
+    } at[] = { { x0, y0, true },     { x1, y1, true },     { x0 - 1, px(9), false },
+               { x1 + 1, px(9), false }, { px(9), y0 - 1, false }, { px(9), y1 + 1, false } };
+    s.speed = 0;
+    for (int i = 0; i < 6; i++) {
+        s.x = at[i].x;
+        s.y = at[i].y;
+        assert_int_equal(bullets_fire(&b->bullets, &s, 0), 2);
+        rig_run(&r, 1);
+        assert_int_equal(b->bullets.s.used[0] >> 2 & 1, at[i].in);
+        if (at[i].in)
+            bullets_drop(&b->bullets, 2);
+        assert_int_equal(b->bullets.x[2], PARK);
+        assert_int_equal(b->bullets.vx[2] | b->bullets.vy[2], 0);
+    }
+    /* vx, vy and dir, speed; at speed 0 dir stays */
+    bullets_velocity(&b->bullets, 0, px(3), px(-4));
+    assert_int_equal(b->bullets.speed[0], px(5));
+    assert_int_equal(b->bullets.dir[0], trig_atan2(px(-4), px(3)));
+    ang dir = b->bullets.dir[0];
+    bullets_velocity(&b->bullets, 0, 0, 0);
+    assert_int_equal(b->bullets.dir[0], dir);
+    assert_int_equal(b->bullets.speed[0], 0);
+    /* full: no slot, and it is counted */
+    while (b->bullets.s.live < b->bullets.s.cap)
+        assert_true(bullets_fire(&b->bullets, &s, 0) != NO_SLOT);
+    assert_int_equal(bullets_fire(&b->bullets, &s, 0), NO_SLOT);
+    assert_int_equal(board_refused(b, "bullets"), 1);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- motion ---- */
+
+struct flight {
+    const char *steps; /* the program; bullets start at (100, 100) with speed 2 to the right */
+    const char *meanwhile; /* run in a task started after the bullet, or NULL */
+    double at[10][2];      /* where it is after each frame; x 0: gone or not looked at any more */
+};
+
+#define GONE                                                                                                           \
+    {                                                                                                                  \
+        -1, -1                                                                                                         \
+    }
+
+#define TWO_THIRDS (43691 / 65536.0)
+
+static const struct flight flights[] = {
+    { "{ wait = 1 }", NULL, { { 102, 100 }, { 104, 100 }, { 106, 100 } } },
+    { "{ wait = 3 }, { speed = 0 }", NULL, { { 102, 100 }, { 104, 100 }, { 106, 100 }, { 106, 100 }, { 106, 100 } } },
+    { "{ wait = 0 }, { speed = 1 }", NULL, { { 101, 100 }, { 102, 100 } } },
+    { "{ wait = forever }, { speed = 0 }", NULL, { { 102, 100 }, { 104, 100 }, { 106, 100 } } },
+    /* at once */
+    { "{ dir = 90 }", NULL, { { 100, 102 }, { 100, 104 } } },
+    { "{ dir = 270 }, { speed = 3 }", NULL, { { 100, 97 }, { 100, 94 } } },
+    { "{ turn = 90 }", NULL, { { 100, 102 }, { 100, 104 } } },
+    { "{ turn = 90 }, { turn = -180 }", NULL, { { 100, 98 }, { 100, 96 } } },
+    { "{ speed = -1 }", NULL, { { 99, 100 }, { 98, 100 } } },
+    { "{ accel = 0.5 }", NULL, { { 102.5, 100 }, { 105, 100 } } },
+    { "{ aim = true }", NULL, { { 100, 102 }, { 100, 104 } } },
+    { "{ aim = true, speed = 4 }", NULL, { { 100, 104 }, { 100, 108 } } },
+    { "{ dir = 180, turn = 90 }", NULL, { { 100, 98 }, { 100, 96 } } },
+    /* aim comes before turn in the order of the table */
+    { "{ aim = true, turn = 90 }", NULL, { { 98, 100 }, { 96, 100 } } },
+    { "{ speed = 1, accel = 1 }", NULL, { { 102, 100 }, { 104, 100 } } },
+    { "{ die = true }", NULL, { GONE } },
+    { "{ wait = 2 }, { die = true }", NULL, { { 102, 100 }, { 104, 100 }, GONE } },
+    /* over time: exactly so many frames, the next step in the frame after */
+    { "{ speed = 4, over = 4 }", NULL, { { 102.5, 100 }, { 105.5, 100 }, { 109, 100 }, { 113, 100 }, { 117, 100 } } },
+    { "{ speed = 0, over = 1 }", NULL, { { 100, 100 }, { 100, 100 } } },
+    { "{ accel = 0.5, over = 3 }", NULL, { { 102.5, 100 }, { 105.5, 100 }, { 109, 100 }, { 112.5, 100 } } },
+    { "{ turn = 90, over = 2 }", NULL, { { 100, 102 }, { 98, 102 }, { 96, 102 }, { 94, 102 } } },
+    { "{ turn = 90, speed = 4, over = 2 }", NULL, { { 100, 103 }, { 96, 103 }, { 92, 103 } } },
+    { "{ speed = 4, accel = 1, over = 2 }", NULL, { { 104, 100 }, { 109, 100 }, { 114, 100 } } },
+    { "{ home = 90, over = 1 }", NULL, { { 100, 102 }, { 100, 104 } } },
+    { "{ home = 180, over = 5 }, { dir = 0 }", NULL,
+      { { 100, 102 }, { 100, 104 }, { 100, 106 }, { 100, 108 }, { 100, 110 }, { 102, 110 } } },
+    { "{ aim = true, over = 2 }, { wait = 1 }, { speed = 0 }", NULL,
+      { { 100, 102 }, { 100, 104 }, { 100, 106 }, { 100, 106 } } },
+    { "{ speed = 3, over = 1 }, { speed = 1, over = 1 }, { dir = 180 }", NULL,
+      { { 103, 100 }, { 104, 100 }, { 103, 100 } } },
+    { "{ bank = 3, over = 2 }, { speed = 0 }", NULL, { { 102, 100 }, { 104, 100 }, { 104, 100 } } },
+    /* loops */
+    { "{ loop = 2, { turn = 90 }, { wait = 1 } }", NULL, { { 100, 102 }, { 98, 102 }, { 96, 102 } } },
+    { "{ loop = forever, { turn = 90, over = 1 } }", NULL,
+      { { 100, 102 }, { 98, 102 }, { 98, 100 }, { 100, 100 }, { 100, 102 } } },
+    { "{ loop = 0, { turn = 90, over = 1 } }, { speed = 1 }", NULL, { { 101, 100 }, { 102, 100 } } },
+    { "{ loop = 3, { accel = 1 } }", NULL, { { 105, 100 }, { 110, 100 } } },
+    { "{ loop = 2, { loop = 2, { accel = 1 }, { wait = 1 } }, { dir = 90 } }", NULL,
+      { { 103, 100 }, { 107, 100 }, { 107, 105 }, { 107, 111 }, { 107, 117 } } },
+    { "{ loop = 2, { loop = 2, { loop = 2, { loop = 2, { accel = 0.25 } } } } }", NULL, { { 106, 100 }, { 112, 100 } } },
+    /* a script's write wins over the step that drives the same thing; the program goes on */
+    { "{ turn = 90, over = 4 }, { speed = 1 }", "wait(1) b.dir = 0",
+      { { 100, 102 }, { 102, 102 }, { 104, 102 }, { 106, 102 }, { 107, 102 } } },
+    { "{ turn = 90, speed = 4, over = 2 }, { turn = 90 }", "wait(1) b.speed = 8", { { 100, 103 }, { 92, 103 }, { 92, 95 } } },
+    { "{ turn = 90, over = 4 }", "wait(1) b.speed = 1", { { 100, 102 }, { 99, 102 }, { 99, 101 }, { 100, 101 } } },
+    { "{ turn = 90, speed = 4, over = 3 }, { turn = 90 }", "wait(1) b.vx = 3 b.vy = 0",
+      { { 100, 102 + TWO_THIRDS }, { 103, 102 + TWO_THIRDS }, { 106, 102 + TWO_THIRDS }, { 106, 105 + TWO_THIRDS } } },
+    { "{ turn = 90, over = 9 }", "wait(2) b.motion = nil", { { 100, 102 }, { 98, 102 }, { 96, 102 }, { 94, 102 } } },
+    { "{ turn = 90, over = 2 }", "wait(2) b.motion = 'p'", { { 100, 102 }, { 98, 102 }, { 98, 100 }, { 100, 100 }, { 102, 100 } } },
+    { "{ turn = 90, over = 2 }", "wait(1) b.x, b.y = 50, 60", { { 100, 102 }, { 48, 60 }, { 46, 60 } } },
+    { "{ turn = 90, over = 2 }", "wait(1) b:turn(180)", { { 100, 102 }, { 100, 100 }, { 100, 98 } } },
+    { "{ turn = 90, over = 2 }", "wait(1) b:aim()", { { 100, 102 }, { 100, 104 }, { 100, 106 } } },
+};
+
+static void fly(const struct flight *f)
+{
+    static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
+                               "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
+                               "local p = motion.def { name = 'p', %s }\n"
+                               "stage.def('s', function()\n"
+                               "  local me = player.get(1) me.x, me.y = 100, 230\n"
+                               "  local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = p }\n"
+                               "  task.go(function() %s end) wait(forever)\n"
+                               "end)\n"
+                               "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+    static char code[4096];
+    struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
+    struct rig_game g;
+    struct rig r;
+
+    snprintf(code, sizeof code, text, f->steps, f->meanwhile ? f->meanwhile : "");
+    rig_script(&g, NULL, code);
+    rig_power(&r, &g, &start);
+    while (!r.b->bullets.s.live && board_frame(r.b) < 5 && f->at[0][0] > 0)
+        rig_run(&r, 1);
+    if (f->at[0][0] < 0)
+        rig_run(&r, 2);
+    for (int n = 0; n < 10 && f->at[n][0] != 0; n++) {
+        bool live = r.b->bullets.s.live;
+        if (live != (f->at[n][0] > 0))
+            fail_msg("%s: frame %d: the bullet %s", f->steps, n + 1, live ? "lives" : "is gone");
+        double x = r.b->bullets.x[0] / 65536.0, y = r.b->bullets.y[0] / 65536.0;
+        if (live && (x != f->at[n][0] || y != f->at[n][1]))
+            fail_msg("%s (%s): frame %d: at %.9g %.9g, expected %.9g %.9g", f->steps, f->meanwhile ? f->meanwhile : "",
+                     n + 1, x, y, f->at[n][0], f->at[n][1]);
+        rig_run(&r, 1);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void test_motion(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof flights / sizeof *flights; i++)
+        fly(&flights[i]);
+}
+
+/* Runs a script as the board's only task for some frames; its asserts are the test. */
+static void holds(const char *text, int frames)
+{
+    struct rig_game g;
+    struct rig r;
+
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, frames);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+#define DOTS                                                                                                           \
+    "bullet.def('dot', { sprite = 'dot', hit = 'none', bank = 2 })\n"                                                  \
+    "bullet.def('red', { sprite = 'dot', hit = 'none', bank = 9 })\n"                                                  \
+    "local function dot(m, s) return bullet.fire { kind = 'dot', x = 100, y = 100, speed = s or 0, dir = 0, motion = m } end\n"
+
+static void test_styles(void **state)
+{
+    (void)state;
+    /* a kind brings its bank, unless the step gives one; with over, at the start */
+    holds(DOTS "task.go(function()\n"
+               "  local b = dot(motion.def { { wait = 1 }, { kind = 'red' }, { wait = 1 }, { bank = 4 }, { wait = 1 },\n"
+               "    { kind = 'dot', bank = 5, over = 2 }, { kind = 'red', over = 2 } })\n"
+               "  assert(b.kind == 'dot' and b.bank == 2)\n"
+               "  wait(1) assert(b.kind == 'dot')\n"
+               "  wait(1) assert(b.kind == 'red' and b.bank == 9)\n"
+               "  wait(1) assert(b.bank == 4)\n"
+               "  wait(1) assert(b.kind == 'dot' and b.bank == 5)\n"
+               "  b.bank = 7 wait(1) assert(b.bank == 7)\n"
+               "  wait(1) assert(b.kind == 'red' and b.bank == 9 and b.motion)\n"
+               "  wait(2) assert(b.motion == nil)\n"
+               "end)",
+          12);
+    /* aim without anybody: it stays as it is */
+    holds(DOTS "task.go(function()\n"
+               "  local b = dot(motion.def { { aim = true }, { home = 9, over = 3 } }, 1)\n"
+               "  wait(5) assert(b.dir == 0 and b.x == 105)\n"
+               "  local a = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, aim = true } assert(a.dir == 90)\n"
+               "  local c = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, aim = true, dir = 10 } assert(math.abs(c.dir - 100) < 1e-6)\n"
+               "end)",
+          8);
+    /* equal programs are one; a full store gives a dead motion, and the bullet flies straight */
+    holds(DOTS "local a, b = motion.def { { turn = 3, over = 4 } }, motion.def { name = 'n', { turn = 3, over = 4 } }\n"
+               "assert(a == b and board.live 'motions' == 1)\n"
+               "for i = 1, 40 do motion.def { { wait = i } } end\n"
+               "assert(board.live 'motions' == 32 and board.refused 'motions' == 9)\n"
+               "local dead = motion.def { { wait = 999 } }\n"
+               "task.go(function() local x = dot(dead, 1) assert(x.motion == nil) wait(2) assert(x.x == 102) end)",
+          4);
+    /* speeds end exactly where they should, however odd the steps */
+    holds(DOTS "task.go(function()\n"
+               "  for _, n in ipairs { 1, 3, 7, 11, 59 } do\n"
+               "    local b = dot(motion.def { { speed = 1.7, over = n } }, 0.3) local target = dot(nil, 1.7)\n"
+               "    wait(n) assert(b.speed == target.speed) wait(1) assert(b.speed == target.speed and b.motion == nil)\n"
+               "  end\n"
+               "end)",
+          90);
+}
+
+/* ---- enemies ---- */
+
+static void test_enemies(void **state)
+{
+    static const double eased[4][4] = {
+        { 25, 50, 75, 100 }, { 6.25, 25, 56.25, 100 }, { 43.75, 75, 93.75, 100 }, { 12.5, 50, 87.5, 100 }
+    };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct board *b = r.b;
+    b->enemy_kinds.s.live = 1;
+    b->enemy_kinds.hp[0] = 7;
+    b->enemy_kinds.bank[0] = 3;
+    b->enemy_kinds.flags[0] = 0;
+    b->enemy_kinds.sprite[0] = 0;
+    for (int ease = 0; ease < 4; ease++) {
+        assert_int_equal(enemies_spawn(&b->enemies, &b->enemy_kinds, 0, px(10), px(200), b->core.clock), ease);
+        assert_int_equal(b->enemies.hp[ease], 7);
+        assert_int_equal(b->enemies.bank[ease], 3);
+        enemies_go(&b->enemies, (uint32_t)ease, px(110), px(0), 4, (enum ease)ease);
+    }
+    for (int f = 0; f < 6; f++) {
+        rig_run(&r, 1);
+        for (int ease = 0; ease < 4; ease++) {
+            double way = eased[ease][f < 4 ? f : 3];
+            assert_int_equal(b->enemies.x[ease], px(10 + way));
+            assert_int_equal(b->enemies.y[ease], px(200 - 2 * way));
+            assert_int_equal(b->enemies.over[ease], f < 3 ? 4 : 0);
+        }
+    }
+    /* over = 1 arrives at once; odd ways and times arrive exactly */
+    struct rng rng;
+    rng_seed(&rng, 4);
+    for (int n = 0; n < 300; n++) {
+        fx x = (fx)rng_below(&rng, 200 << 16), y = (fx)rng_below(&rng, 200 << 16);
+        uint32_t over = 1 + (uint32_t)rng_below(&rng, 20);
+        enemies_go(&b->enemies, 0, x, y, over, (enum ease)(n % 4));
+        for (uint32_t f = 0; f < over; f++) {
+            assert_int_equal(b->enemies.over[0], over);
+            rig_run(&r, 1);
+        }
+        assert_int_equal(b->enemies.x[0], x);
+        assert_int_equal(b->enemies.y[0], y);
+        assert_int_equal(b->enemies.over[0], 0);
+    }
+    /* the longest way in the longest time */
+    enemies_go(&b->enemies, 1, px(-16383), px(16383), 1000000000, EASE_BOTH);
+    b->enemies.x0[1] = px(16383);
+    b->enemies.made[1] = 999999999;
+    rig_run(&r, 1);
+    assert_int_equal(b->enemies.s.used[0] >> 1 & 1, 0); /* outside: it left */
+    rig_free(&r);
+    rig_game_free(&g);
+
+    /* safe = n: n frames, this one included */
+    holds("enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } }, hp = 100, touch = false })\n"
+          "shot.def('bolt', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
+          "task.go(function()\n"
+          "  local e = enemy.spawn { kind = 'foe', x = 50, y = 50 }\n"
+          "  local function frame() shot.fire { kind = 'bolt', x = 50, y = 50, speed = 0 } wait(1) return e.hp end\n"
+          "  assert(frame() == 99) e.safe = 2 assert(frame() == 99) assert(frame() == 99) assert(frame() == 98)\n"
+          "  e.safe = forever for i = 1, 9 do assert(frame() == 98) end assert(e.safe == forever)\n"
+          "  e.safe = 0 assert(frame() == 97)\n"
+          "  assert(e.kind == 'foe' and e.age == 14 and e.tag == nil)\n"
+          "end)",
+          20);
+}
+
+/* ---- players ---- */
+
+static void test_player(void **state)
+{
+    static const char text[] =
+        "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
+        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7, y = -2 } })\n"
+        "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
+    struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
+    const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },
+                   slow[PADS] = { PAD_DOWN | PAD_FOCUS }, none[PADS] = { 0 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, &start);
+    rig_run(&r, 1);
+    struct board *b = r.b;
+    struct player *p = &b->player;
+    const int w = b->cart.m.field_w, h = b->cart.m.field_h;
+    assert_int_equal(p->x[0], px(w / 2.0));
+    assert_int_equal(p->y[0], px(h * 7 / 8.0));
+    assert_int_equal(p->lives[0], 2);
+    assert_int_equal(p->x[1], PARK);
+    fx x = p->x[0], y = p->y[0];
+    rig_tick(&r, right);
+    assert_int_equal(p->x[0], x += px(4));
+    assert_int_equal(p->was_x[0], x - px(4));
+    rig_tick(&r, up_left);
+    assert_int_equal(p->x[0], x -= 185364); /* 4 / sqrt 2 */
+    assert_int_equal(p->y[0], y -= 185364);
+    rig_tick(&r, slow);
+    assert_int_equal(p->y[0], y += px(1.5));
+    assert_int_equal(p->focus[0], 1);
+    for (int i = 0; i < 200; i++)
+        rig_tick(&r, up_left);
+    assert_int_equal(p->x[0], px(8));
+    assert_int_equal(p->y[0], px(8));
+    rig_tick(&r, none);
+    assert_int_equal(p->was_x[0], px(8));
+    player_place(p, 0, px(50), px(60));
+    assert_int_equal(p->was_y[0], px(60));
+    player_join(p, &b->player_kinds, 1, 1, px(20), px(30));
+    assert_int_equal(p->regs[REGISTERS], -2); /* by name */
+    assert_int_equal(p->regs[REGISTERS + 1], 7);
+    assert_int_equal(p->lives[1], 2);
+    assert_int_equal(p->safe[1], 120);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- sparks ---- */
+
+static void test_sparks(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, "spark.def('a', { sprite = 'dot', life = 5, gravity = 0.5, drag = 0.25 })\n"
+                         "spark.def('b', { sprite = 'dot', life = 9 })");
+    rig_power(&r, &g, NULL);
+    struct sparks *s = &r.b->sparks;
+    struct spark_burst burst = { .x = px(50), .y = px(60), .n = 1, .kind = 0 };
+    sparks_burst(s, &burst);
+    s->vx[0] = px(8);
+    s->vy[0] = px(-4);
+    rig_run(&r, 1);
+    assert_int_equal(s->vx[0], px(6));
+    assert_int_equal(s->vy[0], px(-2.5));
+    assert_int_equal(s->x[0], px(56));
+    assert_int_equal(s->y[0], px(57.5));
+    rig_run(&r, 1);
+    assert_int_equal(s->vx[0], px(4.5));
+    assert_int_equal(s->vy[0], px(-1.375));
+    rig_run(&r, 2);
+    assert_int_equal(s->s.live, 1);
+    rig_run(&r, 1);
+    assert_int_equal(s->s.live, 0); /* life = 5 frames */
+
+    /* directions within the spread, speeds from half to all of it */
+    burst = (struct spark_burst){ .x = px(50), .y = px(60), .n = 60, .kind = 1, .speed = px(4), .dir = 0x40000000,
+                                  .spread = 0x20000000 };
+    sparks_burst(s, &burst);
+    assert_int_equal(s->s.live, 60);
+    int32_t least = INT32_MAX, largest = INT32_MIN;
+    for (int i = 0; i < 60; i++) {
+        fx speed = fx_hypot(s->vx[i], s->vy[i]);
+        int32_t off = trig_difference(burst.dir, trig_atan2(s->vy[i], s->vx[i]));
+        assert_in_range(speed, px(2) - 2, px(4) + 2);
+        assert_true(off >= -0x10000000 - 40000 && off <= 0x10000000 + 40000);
+        least = off < least ? off : least;
+        largest = off > largest ? off : largest;
+    }
+    assert_true(least < -0x0c000000 && largest > 0x0c000000);
+    /* a full pool takes no more, and counts */
+    burst.n = 1000;
+    sparks_burst(s, &burst);
+    assert_int_equal(s->s.live, s->s.cap);
+    assert_int_equal(s->s.refused, 1);
+    rig_run(&r, 9);
+    assert_int_equal(s->s.live, 0);
+    /* what leaves the keep box is gone */
+    burst.n = 1;
+    burst.x = px(-r.b->cart.m.margin);
+    sparks_burst(s, &burst);
+    s->vx[0] = -1;
+    s->vy[0] = 0;
+    rig_run(&r, 1);
+    assert_int_equal(s->s.live, 0);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- text ---- */
+
+static void row_is(const struct fix *f, uint32_t row, const char *s)
+{
+    for (uint32_t i = 0; i < f->cols; i++) {
+        char want = i < strlen(s) && s[i] != '.' ? s[i] : 0;
+        assert_int_equal(f->code[row * f->cols + i], want);
+    }
+}
+
+static void test_fix(void **state)
+{
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    m.screen_w = 80;
+    m.screen_h = 76; /* 9 rows and a half */
+    m.field_w = 80;
+    m.field_h = 76;
+    rig_script(&g, &m, "");
+    rig_power(&r, &g, NULL);
+    struct fix *f = &r.b->fix;
+    assert_int_equal(f->cols, 10);
+    assert_int_equal(f->rows, 9);
+    fix_put(f, 2, 1, "abc", 3, 5);
+    row_is(f, 1, "..abc");
+    assert_int_equal(f->bank[12], 5);
+    fix_put(f, -2, 2, "abcd", 4, 1);
+    row_is(f, 2, "cd");
+    fix_put(f, 8, 3, "abcd", 4, 1);
+    row_is(f, 3, "........ab");
+    fix_put(f, 0, -1, "x", 1, 1);
+    fix_put(f, 0, 9, "x", 1, 1);
+    fix_put(f, INT32_MAX, 0, "xyz", 3, 1);
+    fix_put(f, INT32_MIN, 0, "xyz", 3, 1);
+    row_is(f, 0, "");
+    row_is(f, 8, "");
+    fix_clear(f, 3, 1, 1, 1);
+    row_is(f, 1, "..a.c");
+    fix_clear(f, -5, 1, 8, 2);
+    row_is(f, 1, "....c");
+    row_is(f, 2, "");
+    fix_clear(f, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX);
+    row_is(f, 1, "....c");
+    fix_clear(f, -1000, -1000, INT32_MAX, INT32_MAX);
+    row_is(f, 1, "");
+    row_is(f, 3, "");
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- palette ---- */
+
+static void test_pal(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct pal *p = &r.b->pal;
+    const uint8_t *rom = cart_palette(&g.cart, "main");
+    assert_int_equal(p->rgb[7], (uint32_t)rom[21] << 16 | (uint32_t)rom[22] << 8 | rom[23]);
+    pal_set(p, 1, 0xff102030);
+    assert_int_equal(p->rgb[1], 0x102030);
+    pal_set(p, 2, 0x0000ff);
+    pal_fade(p, 2, 0xff0000, 4);
+    static const uint32_t fade[] = { 0x4000bf, 0x80007f, 0xbf0040, 0xff0000, 0xff0000 };
+    for (int i = 0; i < 5; i++) {
+        rig_run(&r, 1);
+        for (int shift = 0; shift < 24; shift += 8) { /* halves may go either way */
+            int got = (int)(p->rgb[2] >> shift & 255), want = (int)(fade[i] >> shift & 255);
+            assert_true(got - want >= -1 && got - want <= 1);
+        }
+    }
+    assert_int_equal(p->rgb[2], 0xff0000);
+    pal_fade(p, 2, 0x123456, 0);
+    assert_int_equal(p->rgb[2], 0x123456);
+    pal_fade(p, 2, 0, 9);
+    pal_set(p, 2, 0x777777); /* ends the fade */
+    rig_run(&r, 3);
+    assert_int_equal(p->rgb[2], 0x777777);
+
+    for (int i = 0; i < 4; i++)
+        pal_set(p, 10 + i, (uint32_t)i);
+    assert_true(pal_cycle(p, 10, 13, 2));
+    rig_run(&r, 1);
+    assert_int_equal(p->rgb[10], 0);
+    rig_run(&r, 1);
+    assert_int_equal(p->rgb[10], 3);
+    assert_int_equal(p->rgb[11], 0);
+    rig_run(&r, 6);
+    assert_int_equal(p->rgb[10], 0);
+    assert_true(pal_cycle(p, 10, 13, 0));
+    rig_run(&r, 4);
+    assert_int_equal(p->rgb[10], 0);
+    for (int i = 0; i < CYCLES; i++)
+        assert_true(pal_cycle(p, (uint8_t)(20 + i), (uint8_t)(30 + i), 1));
+    assert_false(pal_cycle(p, 100, 110, 1));
+    assert_true(pal_cycle(p, 100, 110, 0)); /* nothing to stop */
+    assert_true(pal_cycle(p, 21, 31, 7));   /* the same range again */
+    pal_rest(p);
+    assert_true(pal_cycle(p, 100, 110, 1));
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- nvram ---- */
+
+static void test_nvram(void **state)
+{
+    static uint8_t image[NVRAM_BYTES];
+    struct rig_game g;
+    struct rig r, again;
+    struct nv_value v = { .type = NV_INT, .bits = 42 };
+    char key[NV_KEY + 1], name[NV_NAME + 1];
+    int64_t score;
+    uint32_t changed;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct nvram *nv = &r.b->nvram;
+    assert_int_equal(nvram_get(nv, "k").type, NV_NONE);
+    assert_true(nvram_set(nv, "k", &v));
+    assert_int_equal(nvram_get(nv, "k").bits, 42);
+    v = (struct nv_value){ .type = NV_TEXT, .text = "a\0b", .length = 3 };
+    assert_true(nvram_set(nv, "k", &v));
+    assert_int_equal(nvram_get(nv, "k").length, 3);
+    assert_memory_equal(nvram_get(nv, "k").text, "a\0b", 3);
+    board_nvram(r.b, &changed);
+    assert_int_equal(changed, 2);
+    v = (struct nv_value){ .type = NV_BOOL, .bits = 1 };
+    for (int i = 0; i < NV_SAVES - 1; i++) {
+        snprintf(key, sizeof key, "%031d", i);
+        assert_true(nvram_set(nv, key, &v));
+    }
+    assert_false(nvram_set(nv, "more", &v));
+    assert_true(nvram_set(nv, "k", &v)); /* a key that is there */
+    v.type = NV_NONE;
+    assert_true(nvram_set(nv, "k", &v));
+    assert_int_equal(nvram_get(nv, "k").type, NV_NONE);
+    v.type = NV_INT;
+    assert_true(nvram_set(nv, "more", &v));
+
+    /* tables: best first, equals behind those before, ten rows */
+    static const int64_t scores[] = { 50, 70, 50, -3, 900, 70, 60, 10, 20, 30 };
+    static const int rows[] = { 0, 0, 2, 3, 0, 2, 3, 6, 6, 6 };
+    for (int i = 0; i < NV_ROWS; i++) {
+        snprintf(name, sizeof name, "n%d", i);
+        assert_int_equal(nvram_enter(nv, "t", name, scores[i]), rows[i]);
+    }
+    assert_int_equal(nvram_enter(nv, "t", "low", -3), -1);
+    assert_int_equal(nvram_enter(nv, "t", "fifteen letters", 1), 9);
+    assert_true(nvram_row(nv, "t", 9, name, &score));
+    assert_string_equal(name, "fifteen letters");
+    assert_int_equal(score, 1);
+    assert_true(nvram_row(nv, "t", 0, name, &score));
+    assert_int_equal(score, 900);
+    assert_string_equal(name, "n4");
+    assert_false(nvram_row(nv, "t", 10, name, &score));
+    assert_false(nvram_row(nv, "u", 0, name, &score));
+    for (int i = 1; i < NV_TABLES; i++) {
+        snprintf(key, sizeof key, "t%d", i);
+        assert_int_equal(nvram_enter(nv, key, "a", 1), 0);
+    }
+    assert_int_equal(nvram_enter(nv, "more", "a", 1), -2);
+
+    /* the image is the whole of it; a damaged one is blank */
+    memcpy(image, board_nvram(r.b, &changed), NVRAM_BYTES);
+    struct board_start start = { .difficulty = -1, .nvram = image, .nvram_size = NVRAM_BYTES };
+    rig_power(&again, &g, &start);
+    assert_memory_equal(board_nvram(again.b, &changed), image, NVRAM_BYTES);
+    assert_int_equal(changed, 0);
+    assert_true(nvram_row(&again.b->nvram, "t", 0, name, &score));
+    rig_free(&again);
+    start.nvram_size = NVRAM_BYTES - 1;
+    rig_power(&again, &g, &start);
+    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
+    rig_free(&again);
+    start.nvram_size = NVRAM_BYTES;
+    image[0] ^= 1;
+    rig_power(&again, &g, &start);
+    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
+    rig_free(&again);
+    image[0] ^= 1;
+    image[4 + 31] = 'x'; /* a key without an end */
+    rig_power(&again, &g, &start);
+    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
+    rig_free(&again);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_slots),  cmocka_unit_test(test_input),   cmocka_unit_test(test_bullets),
+        cmocka_unit_test(test_motion), cmocka_unit_test(test_styles),  cmocka_unit_test(test_enemies),
+        cmocka_unit_test(test_player), cmocka_unit_test(test_sparks),  cmocka_unit_test(test_fix),
+        cmocka_unit_test(test_pal),    cmocka_unit_test(test_nvram),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
