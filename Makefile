@@ -112,12 +112,12 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
-# The guards' limits lowered, so that a test of an endless loop ends soon.
-SHORT := board/vm cab/guard
+# The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
+SHORT := board/vm board/board cab/guard
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"
-	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -DRAM_MOST="(64ull << 20)" -MMD -MP -c $< -o $@
 
 $(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHORT:%=$(OUT)/short/%.o) \
 		$(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o

@@ -12,7 +12,7 @@ on.game_over(function() over = true end)
 
 -- A frozen board gives turns to the pause screen alone. The scope is its own: the game's tasks must not run.
 local function pause(p, other)
-  local screen = task.scope()
+  local screen = sys.scope()
   task.own(screen, function()
     quit = menu.pause(p, other) == 2
     sys.freeze()
@@ -39,7 +39,7 @@ local function enter(ships, other)
   sys.wipe()
   over, quit = false, false
   for p, kind in ipairs(ships) do sys.join(p, kind) end
-  local game = task.scope()
+  local game = sys.scope()
   hud.start(game, #ships)
   task.own(game, watch_pause, #ships, other)
   return game

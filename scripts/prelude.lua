@@ -11,6 +11,7 @@ end
 local function wait_until(f, limit)
   local left = sys.check("wait_until", f, limit).limit or forever
   wait(0) -- refuses an event handler even when f() holds at once
+  if sys.skipping() then return true end
   while not f() do
     if left == 0 then return false end
     wait(1)
@@ -28,6 +29,7 @@ local function wait_for(...)
     end
   end
   wait(0)
+  if sys.skipping() then return end
   for _, h in ipairs(list) do
     while h.alive do wait(1) end
   end

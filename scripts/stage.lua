@@ -82,6 +82,7 @@ function stage.mark(name)
   s.marks[#s.marks + 1] = a.name
   if s.skip ~= a.name then return end
   s.skip = nil
+  sys.skip(false)
   sys.wipe() -- what the stage made by its own hands on the way here
   hud.refresh()
 end
@@ -108,6 +109,7 @@ function stage.play(name, owner, mark)
   now = s
   sys.emit("stage", name, "start")
   task.own(s.scope, function()
+    sys.skip(mark ~= nil)
     stages[name]()
     if s.skip then sys.unknown("stage " .. name, "mark", s.skip, s.marks) end
     sys.emit("stage", name, "clear")

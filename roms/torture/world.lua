@@ -96,6 +96,13 @@ end
 
 local function enemies()
   for n = 0, forever do
+    if n % 20 == 19 then -- to the brim; otherwise there is room for the boss
+      local more = {}
+      for i = 1, 26 do more[i] = enemy.spawn { kind = "wall", x = 8 * i, y = 150 } end
+      wait(1)
+      for i = 1, 26 do more[i]:remove() end
+    end
+    wait_until(function() return enemy.count() < 20 end, 30)
     local e = enemy.spawn { kind = n % 3 == 0 and "wall" or "drone", x = 20 + n * 37 % 180, y = 20 + n % 50, tag = "crowd",
       hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
     enemy.spawn { kind = "drone", path = n % 2 == 0 and swoop or across, mirror = n % 3 == 1, dx = n % 7, dy = n % 5 }
@@ -140,7 +147,7 @@ local function pictures()
     if n % 60 == 0 then palette.fade { to = 0x202040, over = 20, first = 16, last = 40 } end
     if n % 60 == 30 then palette.fade { to = "main", over = 10 } end
     if n % 50 == 25 then palette.cycle { first = 32, last = 47, every = n % 100 == 25 and 3 or 0 } end
-    if n % 200 == 199 then palette.load "main" end
+    if n % 40 == 39 then palette.load "main" end
     wait(3)
   end
 end
@@ -148,7 +155,7 @@ end
 local function numbers()
   for n = 0, forever do
     board.note(rng.int(1, 6) + rng.number(0, 1) + rng.dir() + (rng.chance(0.5) and 1 or 0) + rng.pick { 1, 2, 3 })
-    local p = player.nearest(100, 100)
+    local p = n % 2 == 0 and player.nearest(100, 100) or player.get(n % 4 // 2 + 1)
     board.note(angle.to({ x = 1, y = 2 }, p.alive and p or { x = 5, y = 6 }))
     board.note(angle.of(3, n) + angle.difference(10, n) + angle.sin(n) + angle.cos(n))
     player.each(function(q) board.note(q.x + q.y + q.safe) end)
@@ -163,7 +170,7 @@ local function numbers()
     end
     if n % 100 == 50 then board.attract "torture" end
     board.note(rom.has "steps")
-    if n % 8 == 0 then motion.def { { turn = n % 64, over = 4 }, { die = true } } end
+    if n % 4 == 0 then motion.def { { turn = n, over = 4 }, { die = true } } end
     wait(4)
   end
 end
@@ -202,6 +209,7 @@ stage.def("first", function()
   stage.wave { kind = "drone", n = 5, every = 12, path = swoop, mirror = true, dx = 4, dy = 6,
     run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
   stage.at(200)
+  board.note(stage.skipping())
   stage.mark "boss"
   boss.fight "twin"
   stage.clear(120)

@@ -103,8 +103,11 @@ static int call(lua_State *L)
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
         return api_error(L, e->name, "call it with a colon, on a thing");
     api_arguments(L, e, v);
-    if (e->flags & API_CHANGES)
+    if (e->flags & API_CHANGES) {
         fold_arguments(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, e->count);
+        for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
+            api_fold(L, b, i);
+    }
     int results = e->run(L, b, v);
     if (e->flags & API_CHANGES)
         for (int i = -results; i < 0; i++)

@@ -43,6 +43,9 @@ enum api_type {
 /* What was declared under a name. */
 enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAMES };
 
+/* Under a motion's name when there was no room for its program: a bullet that names it flies straight. */
+enum { NO_MOTION = 0x7fffffff };
+
 enum { REQ = 0, OPT = 1 }; /* must it be given? */
 
 struct api_param {

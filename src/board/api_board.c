@@ -96,8 +96,8 @@ static int board_note(lua_State *L, struct board *b, struct api_value *v)
     switch (lua_type(L, v[0].at)) {
     case LUA_TNUMBER:
         memcpy(&bits, &d, sizeof bits);
-        if (isnan(d))
-            return api_error(L, "board.note", "v: not a number");
+        if (!isfinite(d))
+            return api_error(L, "board.note", "v: expected a finite number");
         b->core.notes =
             hash_fold(b->core.notes, lua_isinteger(L, v[0].at) ? (uint64_t)lua_tointeger(L, v[0].at) : bits);
         return 0;

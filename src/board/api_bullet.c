@@ -1,6 +1,7 @@
 /*
  * api_bullet.c - bullet, shot, motion.
  */
+#include <stdio.h>
 #include <string.h>
 #include "../base/trig.h"
 #include "../base/geom.h"
@@ -21,6 +22,15 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
 uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 {
     *a = *b = 0;
+    if (lua_type(L, at) == LUA_TTABLE) {
+        lua_pushnil(L);
+        for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
+            const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
+            if ((strcmp(key, "circle") && strcmp(key, "box")) || keys++)
+                api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got one with \"%s\"",
+                          key);
+        }
+    }
     if (lua_type(L, at) == LUA_TSTRING) {
         if (strcmp(lua_tostring(L, at), "none"))
             api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got \"%s\"",
@@ -211,6 +221,7 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
     bool circle = v[1].given || v[2].given || v[3].given;
     lua_Integer n = 0;
 
+    vm_charge(L, b->bullets.s.live);
     if (circle && !(v[1].given && v[2].given && v[3].given))
         return api_error(L, "bullet.clear", "x, y and radius go together");
     EACH_LIVE (i, &b->bullets.s) {
@@ -538,9 +549,11 @@ static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS]
             unknown_key(L, step, -2);
         lua_replace(L, first + k);
     }
+    char where[40];
+    snprintf(where, sizeof where, "%s: step %d", DEF, step);
     for (int k = 0; k < M_KEYS; k++) {
         v[k] = (struct api_value){ 0 };
-        api_check(L, DEF, &step_keys[k], first + k, &v[k]);
+        api_check(L, where, &step_keys[k], first + k, &v[k]);
     }
 }
 
@@ -654,10 +667,11 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     }
     if (!lua_rawlen(L, 1))
         api_error(L, DEF, "a motion has at least one step");
-    read_steps(L, &r, 1, 0, &timed);
+    if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
+        api_error(L, DEF, "too many steps to run at once");
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n);
-    if (name && m != NO_SLOT && names_find(L, N_MOTION, name) != m)
-        names_declare(L, N_MOTION, DEF, name, m);
+    if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
+        names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);
     lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
     return 1;

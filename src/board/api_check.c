@@ -199,7 +199,7 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
     if (lua_type(L, at) != LUA_TSTRING)
         expected(L, entry, p, at, "a motion or a motion's name");
     check_name(L, entry, p, at, v, N_MOTION, "motion");
-    v->i++;
+    v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)

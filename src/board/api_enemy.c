@@ -2,13 +2,8 @@
  * api_enemy.c - enemy.
  */
 #include "../base/trig.h"
-#include "api.h"
+#include "api_parts.h"
 #include "events_run.h"
-
-/* Shared with api_bullet.c. */
-uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
-             uint32_t tag, int f);
 
 enum { D_NAME, D_SPRITE, D_HIT, D_HP, D_SCORE, D_BANK, D_TOUCH, D_SPARK, D_DROPS, D_RUN, D_ON_HIT, D_ON_DEATH };
 
@@ -161,8 +156,9 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
     uint32_t tag = v[0].given ? api_tag(L, "enemy.count", v[0].at) : 0;
     lua_Integer n = 0;
 
+    vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        n += !tag || b->enemies.tag[i] == tag;
+        n += !(b->enemies.flags[i] & ENEMY_DYING) && (!tag || b->enemies.tag[i] == tag);
     lua_pushinteger(L, n);
     return 1;
 }

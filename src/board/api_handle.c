@@ -21,6 +21,13 @@ static const struct api_prop *prop_named(const struct api_thing *t, const char *
     return NULL;
 }
 
+bool api_property(const struct api_thing *t, const char *name)
+{
+    int unused;
+
+    return prop_named(t, name, &unused) != NULL;
+}
+
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
@@ -39,9 +46,6 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
                         name, found);
     return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
 }
-
-/* Register properties of a player: a name of its kind, which comes after the fixed ones. */
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
 static int get_property(lua_State *L)
 {
@@ -73,7 +77,7 @@ static int get_property(lua_State *L)
     }
     if (!prop)
         return no_property(L, t, (int)handle_kind(h), name);
-    if (!alive && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
+    if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
         return lua_pushnil(L), 1;
     t->get(L, b, handle_slot(h), p);
     return 1;
@@ -133,6 +137,8 @@ void api_open_handles(lua_State *L)
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_property);
     lua_setfield(L, -2, "__newindex");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2); /* of the number type */
     lua_pop(L, 1);
 }

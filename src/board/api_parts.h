@@ -36,6 +36,23 @@ void api_fold(lua_State *L, struct board *b, int at);
 void api_open_handles(lua_State *L);
 void api_push_methods(lua_State *L, int kind);
 
+/* Reads a hit shape at `at`: SHAPE_ and its half extents (a circle: a is the radius). */
+uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
+
+/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order; those that
+ * come meanwhile are not visited. */
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
+             uint32_t tag, int f);
+
+/* Is it a property of that kind of thing? */
+bool api_property(const struct api_thing *t, const char *name);
+
+/* The number of a register of player `slot`'s kind, or -1. */
+int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+
+/* Player i enters with that kind, and the kind's run starts. */
+int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);
 

@@ -2,9 +2,9 @@
  * api_player.c - player, pad, score.
  */
 #include <string.h>
-#include "api.h"
+#include "api_parts.h"
 
-uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
+extern const struct api_thing player_thing;
 
 static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
@@ -47,6 +47,8 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
             api_error(L, "player.def", "registers: expected names with whole numbers");
         api_check(L, "player.def", &p, lua_gettop(L), &v);
         lua_pop(L, 1);
+        if (api_property(&player_thing, lua_tostring(L, -1)))
+            api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
         if (n == REGISTERS)
             api_error(L, "player.def", "registers: at most %d", REGISTERS);
         int i = n++;
@@ -66,8 +68,6 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);
 }
-
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
 int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
 {
@@ -124,8 +124,6 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* sys.join: in C because it starts the kind's task. */
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
-
 int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
@@ -184,7 +182,7 @@ enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "lives", A_INT, REQ, 0, 99, NULL, NULL }, PROP_WRITE, "lives left besides this one" },
+    { { "lives", A_INT, REQ, 0, 99, NULL, NULL }, PROP_WRITE, "lives left besides this one; -1 in on.death: that was the last" },
     { { "safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames nothing can hit it" },
     { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "is it moving slowly?" },
     { { "grazes", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "bullets grazed in this game" },

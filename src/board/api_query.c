@@ -110,8 +110,8 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
     lua_newtable(L);
     int list = lua_gettop(L);
     for (uint32_t i = slots_next(f.s, 0); i < end; i = slots_next(f.s, i + 1)) {
-        if ((f.in && !f.in[i]) || (tag && (!f.tag || f.tag[i] != tag)) ||
-            !geom_circles(f.x[i], f.y[i], v[1].f, v[2].f, v[3].f))
+        if ((f.in && !f.in[i]) || !board_alive(b, board_handle(b, f.kind, (int32_t)i)) ||
+            (tag && (!f.tag || f.tag[i] != tag)) || !geom_circles(f.x[i], f.y[i], v[1].f, v[2].f, v[3].f))
             continue;
         lua_pushinteger(L, i);
         lua_rawseti(L, list, ++n);

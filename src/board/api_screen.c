@@ -1,6 +1,7 @@
 /*
  * api_screen.c - sprite, spark, text, palette.
  */
+#include <math.h>
 #include <string.h>
 #include "../base/bytes.h"
 #include "api.h"
@@ -155,8 +156,6 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .speed = v[B_SPEED].f,
                              .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
 
-    if (v[B_SPREAD].n >= 360)
-        s.spread = 0;
     if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
         sparks_burst(&b->sparks, &s);
     return 0;
@@ -183,6 +182,8 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (lua_type(L, v[2].at) != LUA_TSTRING && lua_type(L, v[2].at) != LUA_TNUMBER)
         return api_error(L, "text.put", "text: expected a string or a number, got a %s", luaL_typename(L, v[2].at));
+    if (lua_type(L, v[2].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[2].at)))
+        return api_error(L, "text.put", "text: expected a finite number");
     const char *s = lualib_tolstring(L, v[2].at, &n);
     n = n > 1024 ? 1024 : n;
     col -= v[4].i == 1 ? (int)n / 2 : v[4].i == 2 ? (int)n : 0;

@@ -63,7 +63,7 @@ static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
 static const struct api_param boss_def[] = { NAME,
                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "kind", A_STR, REQ, 1, 31, NULL, NULL },
+                                             { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
                                              { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
                                              { "phases", A_TABLE, REQ, 0, 0, NULL, NULL } };

@@ -2,10 +2,8 @@
  * api_sys.c - sys, which only the standard library (@std) sees.
  */
 #include <string.h>
-#include "api.h"
+#include "api_parts.h"
 #include "events_run.h"
-
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                          { "message", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -110,9 +108,36 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 {
-    (void)L;
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[0].given ? v[0].i : 0;
     return 0;
+}
+
+/* For what has to outlast the task that makes it. */
+static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, tasks_scope(b, 0));
+    return 1;
+}
+
+static const struct api_param on_only[] = { { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.skip", "only a task can skip");
+    uint8_t *flags = &b->tasks.flags[b->tasks.current];
+    *flags = (uint8_t)(v[0].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    return 0;
+}
+
+static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS);
+    return 1;
 }
 
 static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
@@ -187,6 +212,10 @@ static const struct api_entry entries[] = {
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
     { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
     { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
+    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
+    { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
+      "from now on this task waits for nothing" },
+    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
     { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },

@@ -13,7 +13,7 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     if (!lua_isyieldable(L))
         return api_error(L, "wait",
                          "cannot wait inside a function that C calls (an `each`, a sort, a gsub, a <close>)");
-    if (!v[0].i)
+    if (!v[0].i || b->tasks.flags[b->tasks.current] & TASK_SKIPS)
         return 0;
     b->tasks.wait[b->tasks.current] = v[0].i;
     return lua_yield(L, 0);
@@ -47,7 +47,7 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_scope(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[0].given ? v[0].i : 0));
+    lua_pushinteger(L, tasks_scope(b, v[0].given ? v[0].i : tasks_owner(b)));
     return 1;
 }
 
@@ -108,7 +108,7 @@ static const struct api_entry entries[] = {
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
       "starts f(owner, ...), which stops at the owner's end" },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      "an owner with no body; without an owner of its own it lasts until task.stop" },
+      "an owner with no body, itself owned by owner, or by the owner of the calling task" },
     { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL, "stops a task or scope and all it owns" },
     { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", "is the task still there?" },
     { "on.graze", on_graze, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, bullet): it passed close" },

@@ -37,7 +37,9 @@ const struct part parts[PARTS] = {
 };
 
 enum { RAM_ALIGN = 64 };
-static const uint64_t RAM_MOST = 1ull << 30;
+#ifndef RAM_MOST /* tests lower it */
+#define RAM_MOST (1ull << 30)
+#endif
 
 static void *chip_at(const struct board *b, int i)
 {
@@ -107,7 +109,7 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     uint64_t sum = ram_needed(&cart);
     if (sum > RAM_MOST) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
-                 (unsigned long long)(sum + 0xfffff) >> 20, (unsigned long long)RAM_MOST >> 20);
+                 (unsigned long long)(sum + 0xfffff) >> 20, RAM_MOST >> 20);
         return false;
     }
     *size = (size_t)sum;
@@ -253,13 +255,13 @@ static void reset(struct board *b)
     boot(b);
 }
 
-/* Enemies that leave the keep box go without score. */
+/* Enemies that leave the keep box go without score, once their handlers were told. */
 static void enemy_left(void *context, uint32_t i)
 {
     struct board *b = context;
 
+    b->enemies.flags[i] |= ENEMY_DYING;
     board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
-    enemies_drop(&b->enemies, i);
 }
 
 /* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
@@ -275,6 +277,7 @@ static int move_all(lua_State *L)
     bullets_move(&b->bullets, &w, &b->keep);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
+    vm_charge(L, b->bullets.ran + b->shots.ran);
     hit_run(b);
     return 0;
 }
@@ -300,7 +303,8 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
         fine = fine && vm_call(b, move_all);
     fine = fine && vm_call(b, events_run);
     if (fine) {
-        pal_step(&b->pal);
+        if (!b->core.frozen)
+            pal_step(&b->pal);
         b->core.frame++;
         b->core.clock += !b->core.frozen;
         if (b->reset)
@@ -340,10 +344,15 @@ const char *board_part(const struct board *b, int i)
     return parts[i].chip->name;
 }
 
+uint64_t board_part_hash(const struct board *b, int i)
+{
+    return slots_hash(parts[i].chip, chip_at(b, i));
+}
+
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
 {
     for (int i = 0; i < PARTS; i++)
-        out[i] = slots_hash(parts[i].chip, chip_at(b, i));
+        out[i] = board_part_hash(b, i);
 }
 
 uint64_t board_hash(const struct board *b)
@@ -456,6 +465,9 @@ void board_score(struct board *b, uint32_t i, int64_t points)
     int64_t *score = &b->player.score[i];
     const int64_t most = 999999999999;
 
+    if (!b->player.in[i])
+        return;
+
     *score = points > most - *score ? most : *score + points < 0 ? 0 : *score + points;
     while (b->core.extended[i] < (uint32_t)m->n_extends && *score >= m->extends[b->core.extended[i]]) {
         b->core.extended[i]++;
@@ -488,6 +500,8 @@ int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
 
     if (slot == NO_SLOT)
         return handle_of(kind, 0, 0);
+    if (kind == H_PLAYER)
+        return handle_of(kind, b->player.gen[slot], (uint32_t)slot);
     return handle_of(kind, s ? s->gen[slot] : 1, (uint32_t)slot);
 }
 
@@ -498,17 +512,26 @@ bool board_alive(const struct board *b, int64_t h)
     const struct slots *s = pool(b, kind);
 
     if (kind == H_PLAYER)
-        return gen && slot < PADS && b->player.in[slot];
+        return slot < PADS && b->player.in[slot] && b->player.gen[slot] == gen;
     if (kind == H_TASK)
         return tasks_alive(b, slot, gen);
+    if (kind == H_ENEMY && slots_has(s, slot, gen))
+        return !(b->enemies.flags[slot] & ENEMY_DYING);
     return s ? slots_has(s, slot, gen) : gen != 0;
+}
+
+bool board_there(const struct board *b, int64_t h)
+{
+    if (handle_kind(h) == H_ENEMY)
+        return slots_has(&b->enemies.s, handle_slot(h), handle_gen(h));
+    return board_alive(b, h);
 }
 
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
 {
     uint32_t i = handle_slot(h);
 
-    if (!board_alive(b, h))
+    if (!board_there(b, h))
         return false;
     switch (handle_kind(h)) {
     case H_BULLET:

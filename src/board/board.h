@@ -93,6 +93,7 @@ uint32_t board_frame(const struct board *b);
 uint64_t board_hash(const struct board *b);
 int board_parts(const struct board *b);
 const char *board_part(const struct board *b, int i);
+uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
 /* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts

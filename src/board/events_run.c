@@ -149,10 +149,12 @@ static void enemy_sparks(struct board *b, uint32_t i)
     uint16_t spark = b->enemy_kinds.spark[b->enemies.kind[i]];
 
     if (spark)
-        sparks_burst(
-            &b->sparks,
-            &(struct spark_burst){
-                .x = b->enemies.x[i], .y = b->enemies.y[i], .speed = 2 << 16, .kind = (uint16_t)(spark - 1), .n = 12 });
+        sparks_burst(&b->sparks, &(struct spark_burst){ .x = b->enemies.x[i],
+                                                        .y = b->enemies.y[i],
+                                                        .speed = 2 << 16,
+                                                        .spread = UINT32_MAX,
+                                                        .kind = (uint16_t)(spark - 1),
+                                                        .n = 12 });
 }
 
 void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
@@ -167,15 +169,12 @@ void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
         board_score(b, player - 1, b->enemy_kinds.score[kind]);
     enemy_sparks(b, i);
     board_event(b, EV_KILL, h, p);
-    bool has = push_death(L, i, kind);
     b->enemies.hp[i] = 0;
-    if (has) { /* it can still read where it died */
+    if (push_death(L, i, kind)) { /* it can still read where it died */
         push_thing(L, h);
         push_thing(L, p);
         lua_call(L, 2, 0);
     }
-    if (board_alive(b, h))
-        enemies_drop(&b->enemies, i);
 }
 
 bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
@@ -245,7 +244,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (!board_alive(b, e->a) || b->player.safe[p])
+    if (!board_alive(b, e->a) || b->player.safe[p] || !board_alive(b, e->b)) /* a handler may have removed it */
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
@@ -274,6 +273,14 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     b->player.lives[p] = 0;
     player_leave(&b->player, p);
     game_over(b);
+}
+
+/* The handlers of on.kill and on.leave can read the enemy; then it is gone. */
+static void apply_end(struct board *b, lua_State *L, const struct event *e)
+{
+    tell(L, e);
+    if (board_there(b, e->a))
+        enemies_drop(&b->enemies, handle_slot(e->a));
 }
 
 static void apply_emitted(lua_State *L, const struct event *e)
@@ -309,9 +316,11 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_SCRIPT:
         apply_emitted(L, e);
         break;
-    case EV_GAME_OVER:
     case EV_KILL:
     case EV_LEAVE:
+        apply_end(b, L, e);
+        break;
+    case EV_GAME_OVER:
     case EV_EXTEND:
         tell(L, e);
         break;

@@ -114,7 +114,7 @@ static void enemies_against(struct board *b, uint32_t p, const struct circle *c)
 
     EACH_LIVE (i, &e->s) {
         uint16_t kind = e->kind[i];
-        if (b->enemy_kinds.flags[kind] & ENEMY_TOUCH &&
+        if (b->enemy_kinds.flags[kind] & ENEMY_TOUCH && !(e->flags[i] & ENEMY_DYING) &&
             geom_circle_box(c->x, c->y, c->r, e->x[i], e->y[i], b->enemy_kinds.half_w[kind],
                             b->enemy_kinds.half_h[kind]))
             board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
@@ -139,7 +139,7 @@ static void shots_against_enemies(struct board *b)
         if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
             continue;
         EACH_LIVE (k, &b->enemies.s) {
-            if (!shot_touches(b, i, k))
+            if (b->enemies.flags[k] & ENEMY_DYING || !shot_touches(b, i, k))
                 continue;
             board_event(b, EV_SHOT, board_handle(b, H_SHOT, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)k));
             break;

@@ -146,6 +146,9 @@ int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
 /* Is what the handle names alive? Groups and motions always are. */
 bool board_alive(const struct board *b, int64_t h);
 
+/* Can it still be read? An enemy that died or left can until its handlers have run. */
+bool board_there(const struct board *b, int64_t h);
+
 /* Where a thing is; false: dead, or not a thing that is anywhere. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
 

@@ -65,9 +65,24 @@ void tasks_empty(struct tasks *t)
     t->current = NO_SLOT;
 }
 
+/* Every turn asks all owners, so a chain of them has an end. */
+static void check_depth(struct board *b, int64_t owner)
+{
+    int depth = 0;
+
+    for (int64_t h = owner; h && handle_kind(h) == H_TASK; h = b->tasks.owner[handle_slot(h)]) {
+        if (!slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
+            return;
+        if (++depth > OWNERS_DEEP)
+            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes own each other more than %d deep", OWNERS_DEEP);
+    }
+}
+
 static int32_t take(struct board *b, int64_t owner, uint8_t flags)
 {
     struct tasks *t = &b->tasks;
+
+    check_depth(b, owner);
     int32_t i = slots_take(&t->s);
 
     if (i == NO_SLOT)

@@ -15,7 +15,15 @@
 
 struct board;
 
-enum { TASK_RUNS = 0, TASK_SCOPE = 1, TASK_STOP = 2 /* flags: to be closed at its turn */, TASK_BEGUN = 4 };
+enum {
+    TASK_RUNS = 0,
+    TASK_SCOPE = 1,
+    TASK_STOP = 2 /* flags: to be closed at its turn */,
+    TASK_BEGUN = 4,
+    TASK_SKIPS = 8 /* waits for nothing: on its way to a practice mark */
+};
+
+enum { OWNERS_DEEP = 64 };
 
 struct tasks {
     struct slots s;

@@ -36,7 +36,7 @@ struct vm {
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
-    bool asked; /* for the practice start: somebody will see to it */
+    bool asked;                 /* for the practice start: somebody will see to it */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
 };
 

@@ -1,8 +1,8 @@
 /*
  * demo.c - see demo.h for the format.
  *
- * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, its hashes are in
- * the file one by one. The writer keeps the whole recording in memory as well (80 bytes a second of pads and hashes are
+ * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, its marks and hashes
+ * are in the file one by one. The writer keeps the whole recording in memory as well (half a kilobyte a second is
  * nothing), so going back is cutting it and writing the file anew.
  */
 #include "demo.h"
@@ -24,7 +24,7 @@ enum {
     RECORD_HEAD = 8, /* kind and size */
     RECORD_OVER = 12,
     MAX_HEADER = 64 << 10,
-    MAX_SECOND = 8 + DEMO_SECOND * 6 + MAX_PARTS * 8
+    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * 2 + MAX_PARTS * 8
 };
 
 static const char magic[4] = { 'C', 'D', 'E', 'M' };
@@ -52,7 +52,8 @@ static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
 
 static bool room_for_frames(struct demo *d, uint32_t more)
 {
-    return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]);
+    return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
+           reserve(&d->marks, &d->room_marks, d->frames + more, sizeof d->marks[0]);
 }
 
 static bool room_for_second(struct demo *d)
@@ -63,8 +64,23 @@ static bool room_for_second(struct demo *d)
 void demo_free(struct demo *d)
 {
     free(d->pads);
+    free(d->marks);
     free(d->track);
     memset(d, 0, sizeof *d);
+}
+
+/* The part whose hash the marks are of, or -1. */
+static int script_of(const struct demo *d)
+{
+    for (int i = 0; i < d->parts; i++)
+        if (strcmp(d->part[i], "script") == 0)
+            return i;
+    return -1;
+}
+
+static uint64_t *row_of(const struct demo *d, uint32_t i)
+{
+    return d->track + (size_t)i * (size_t)d->parts;
 }
 
 /* ---- reading ---- */
@@ -207,6 +223,8 @@ static bool read_header(struct parse *p, struct source *s)
     d->start.nvram_size = take32(s);
     if (s->bad || !good_id(d->id))
         return damaged(p, "header");
+    if ((d->script = script_of(d)) < 0)
+        return damaged(p, "no part script");
     if (d->start.nvram_size > NVRAM_BYTES || !take_nvram(s, d->nvram, d->start.nvram_size))
         return damaged(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
@@ -231,6 +249,24 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
     return f == end;
 }
 
+/* The marks, and if there is one the row, of n frames whose pads were taken. */
+static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
+{
+    uint32_t end = d->frames + n;
+
+    for (uint32_t f = d->frames; f + 1 < end; f++)
+        d->marks[f] = take16(s);
+    d->frames = end;
+    d->marked = hashed ? end : end - 1;
+    if (!hashed)
+        return;
+    uint64_t *row = row_of(d, d->seconds++);
+    for (int i = 0; i < d->parts; i++)
+        row[i] = take64(s);
+    if (n > 0)
+        d->marks[end - 1] = (uint16_t)row[d->script];
+}
+
 static bool read_second(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
@@ -248,14 +284,9 @@ static bool read_second(struct parse *p, struct source *s)
         return fail(p, "too large for the memory there is");
     if (!take_runs(s, d, n, runs))
         return damaged(p, "pads");
-    d->frames += n;
+    take_hashes(s, d, n, hashed);
     p->unhashed = !hashed;
     p->last = p->unhashed || (n < DEMO_SECOND && !start);
-    if (!hashed)
-        return true;
-    uint64_t *row = d->track + (size_t)d->seconds++ * (size_t)d->parts;
-    for (int i = 0; i < d->parts; i++)
-        row[i] = take64(s);
     return true;
 }
 
@@ -395,6 +426,11 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
     uint32_t frame = i * DEMO_SECOND;
 
     return frame < d->frames ? frame : d->frames;
+}
+
+bool demo_agrees(const struct demo *d, uint32_t frame, uint64_t script)
+{
+    return frame < 1 || frame > d->marked || d->marks[frame - 1] == (uint16_t)script;
 }
 
 /* The first DIP switch that has no such value as the demo's; -1: none. */
@@ -570,7 +606,7 @@ static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
     return run;
 }
 
-/* Frames [first, first + n) and, unless row is NULL, the hashes after them. */
+/* Frames [first, first + n), their marks and, unless row is NULL, the hashes after them. */
 static void write_second(struct sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
                          uint32_t *crc)
 {
@@ -590,6 +626,8 @@ static void write_second(struct sink *s, const struct demo *d, uint32_t first, u
         write16(s, d->pads[f][0]);
         write16(s, d->pads[f][1]);
     }
+    for (uint32_t f = first; f + 1 < end; f++)
+        write16(s, d->marks[f]);
     for (int i = 0; row && i < d->parts; i++)
         write64(s, row[i]);
     close_record(s, crc);
@@ -600,11 +638,6 @@ static void write_flags(struct sink *s, unsigned flags, uint32_t *crc)
     open_record(s, KIND_FLAGS);
     write32(s, flags);
     close_record(s, crc);
-}
-
-static const uint64_t *row_of(const struct demo *d, uint32_t i)
-{
-    return d->track + (size_t)i * (size_t)d->parts;
 }
 
 static bool out_of_memory(struct demo_writer *w)
@@ -656,7 +689,7 @@ static bool add_row(struct demo *d, const struct board *b)
     if (!room_for_second(d))
         return false;
     board_hashes(b, hashes);
-    memcpy(d->track + (size_t)d->seconds++ * (size_t)d->parts, hashes, sizeof hashes[0] * (size_t)d->parts);
+    memcpy(row_of(d, d->seconds++), hashes, sizeof hashes[0] * (size_t)d->parts);
     return true;
 }
 
@@ -665,6 +698,7 @@ static void take_parts(struct demo *d, const struct board *b)
     d->parts = board_parts(b);
     for (int i = 0; i < d->parts; i++)
         snprintf(d->part[i], sizeof d->part[i], "%s", board_part(b, i));
+    d->script = script_of(d);
 }
 
 static void take_identity(struct demo *d, const struct cart *cart)
@@ -722,6 +756,7 @@ static bool append_second(struct demo_writer *w, bool hashed)
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
 {
     struct demo *d = &w->demo;
+    bool fault = board_last(b)->fault != NULL;
 
     if (!w->on)
         return true;
@@ -732,8 +767,10 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
     }
     if (!room_for_frames(d, 1))
         return out_of_memory(w);
-    memcpy(d->pads[d->frames++], pads, sizeof d->pads[0]);
-    if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
+    memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
+    d->marks[d->frames++] = (uint16_t)board_part_hash(b, d->script);
+    d->marked = fault ? d->marked : d->frames;
+    if (d->frames % DEMO_SECOND != 0 || fault)
         return true;
     return add_row(d, b) ? append_second(w, true) : out_of_memory(w);
 }
@@ -756,6 +793,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     if (!w->on)
         return true;
     d->frames = frame < d->frames ? frame : d->frames;
+    d->marked = d->marked < d->frames ? d->marked : d->frames;
     uint32_t rows = d->frames / DEMO_SECOND + 1;
     d->seconds = rows < d->seconds ? rows : d->seconds;
     d->flags |= DEMO_BRANCHED;

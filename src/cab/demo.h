@@ -7,12 +7,14 @@
  * a lost, swapped or foreign record shows. str is u8 length, bytes.
  *
  *     H  once, first: u32 core version, u64 game hash, u64 ROM hash, str game id, str Lua release, u64 seed,
- *        16 x i32 DIP, i32 difficulty, str practice start, u8 parts, a str for each part's name, u32 nvram bytes, the
- *        nvram image run-length coded up to the payload's end: c < 128: c + 1 bytes follow; else the next byte
- *        c - 125 times
+ *        16 x i32 DIP, i32 difficulty, str practice start, u8 parts, a str for each part's name ("script" among
+ *        them), u32 nvram bytes, the nvram image run-length coded up to the payload's end: c < 128: c + 1 bytes
+ *        follow; else the next byte c - 125 times
  *     S  a second: u32 first frame, u8 frames (60; fewer only in the last; 0 only in the first, which holds the hashes
  *        of the board just powered on), u8 runs, u8 hashed (0 or 1), u8 0; runs x { u16 frames, u16 pad 1, u16 pad 2 };
- *        if hashed, a u64 for each part: its hash when those frames are over. Not hashed: the last, when it faulted
+ *        for each frame but the last, u16: its mark, the low 16 bits of the hash of part script when it is over; if
+ *        hashed, a u64 for each part: its hash when those frames are over (the last frame's mark is in script's). Not
+ *        hashed: the last, when it faulted; a frame that faulted has no mark
  *     F  u32 flags (DEMO_BRANCHED ...), added to those before; anywhere after H
  *     E  last: u32 frames, u32 fault (enum board_fault_kind; FAULT_NONE: the player stopped)
  *
@@ -29,8 +31,8 @@
 #include "../board/cart.h"
 
 enum {
-    DEMO_FORMAT = 1,
-    DEMO_SECOND = 60,           /* frames between two hashes of the track */
+    DEMO_FORMAT = 2,
+    DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* of a file */
     DEMO_PATH = 1024
@@ -52,13 +54,16 @@ struct demo {
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
+    int script;                  /* which of them is part script */
     uint32_t frames;             /* ticks recorded */
     uint16_t (*pads)[PADS];      /* pads[f] made frame f + 1 */
+    uint16_t *marks;             /* marks[f] is of frame f + 1: the low bits of part script's hash */
+    uint32_t marked;             /* frames that have one: all, but for a last one that faulted */
     uint32_t seconds;            /* hash rows; row i is of frame demo_row_frame(d, i) */
     uint64_t *track;             /* seconds x parts */
     bool complete;               /* has its end mark */
     enum board_fault_kind fault; /* the last recorded tick (or, with no frames, power-on) ended in this */
-    uint32_t room_frames, room_seconds;
+    uint32_t room_frames, room_marks, room_seconds;
 };
 
 /* Reads and checks a whole demo; false and one sentence (without the file's name) for anything that is not one. A file
@@ -76,6 +81,11 @@ void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
 
 /* The frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., the last one at the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
+
+/* Can this be the hash of part script after `frame`? False: scripts acted differently in that frame, or in one before. A
+ * difference that its mark does not show (one in 65536) shows in the next frame's. True where nothing was marked: at
+ * power-on, in the frame that faulted, after the end. */
+bool demo_agrees(const struct demo *d, uint32_t frame, uint64_t script);
 
 /* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's
  * manifest allows. */

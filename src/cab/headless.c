@@ -308,12 +308,22 @@ struct check {
     struct demo demo;
     struct guard guard;
     char doubt[160]; /* " (recorded on another build)", or nothing */
+    int script;      /* which part of the board is part script */
     bool trace;
 };
 
 static int differs(const struct check *c, uint32_t frame, const char *what)
 {
     printf("%s: frame %u: %s%s\n", c->path, (unsigned)frame, what, c->doubt);
+    return EXIT_DIFFERS;
+}
+
+/* The same, somewhere in these frames. */
+static int differs_within(const struct check *c, uint32_t first, uint32_t last, const char *what)
+{
+    if (first == last)
+        return differs(c, last, what);
+    printf("%s: frames %u to %u: %s%s\n", c->path, (unsigned)first, (unsigned)last, what, c->doubt);
     return EXIT_DIFFERS;
 }
 
@@ -334,8 +344,8 @@ static int part_of(const struct board *b, const char *name)
     return -1;
 }
 
-/* Compares a row of the track with the board; names what differs. */
-static int compare(const struct check *c, const struct board *b, uint32_t row, uint32_t frame)
+/* Compares a row of the track with the board; names what differs, and since when: it was not so at the row before. */
+static int check_row(const struct check *c, const struct board *b, uint32_t row)
 {
     const struct demo *d = &c->demo;
     uint64_t hashes[MAX_PARTS];
@@ -351,7 +361,19 @@ static int compare(const struct check *c, const struct board *b, uint32_t row, u
     if (n == 0)
         return EXIT_DONE;
     snprintf(what + n, sizeof what - n, " differ");
-    return differs(c, frame, what);
+    return differs_within(c, row ? demo_row_frame(d, row - 1) + 1 : 0, demo_row_frame(d, row), what);
+}
+
+/* A mark is of one frame and one part, so it comes before the row that may be due. */
+static int check_frame(const struct check *c, const struct board *b, uint32_t frame, uint32_t *row)
+{
+    const struct demo *d = &c->demo;
+
+    if (!demo_agrees(d, frame, board_part_hash(b, c->script)))
+        return differs(c, frame, "script differs");
+    if (*row < d->seconds && frame == demo_row_frame(d, *row))
+        return check_row(c, b, (*row)++);
+    return EXIT_DONE;
 }
 
 /* The board has faulted at this frame: was it so when the demo was recorded? */
@@ -378,7 +400,7 @@ static int replay(struct check *c)
         const struct board_fault *fault = board_last(b)->fault;
         if (fault)
             return check_fault(c, fault, f);
-        if (row < d->seconds && f == demo_row_frame(d, row) && compare(c, b, row++, f) != EXIT_DONE)
+        if (check_frame(c, b, f, &row) != EXIT_DONE)
             return EXIT_DIFFERS;
         if (f == d->frames)
             return d->fault ? differs(c, f, "the fault it was recorded with does not happen") : holds(c);
@@ -400,6 +422,7 @@ static int verify_loaded(struct check *c, const struct game *g)
         snprintf(c->doubt, sizeof c->doubt, " (%s)", doubt);
     if (!guard_power(&c->guard, &g->rom, &c->demo.start, err, sizeof err))
         return game_report(EXIT_INPUT, "%s: %s", c->path, err);
+    c->script = part_of(c->guard.board, "script");
     int code = replay(c);
     guard_close(&c->guard);
     return code;

@@ -294,8 +294,8 @@ static bool add_manifest(struct packer *p)
 static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
 {
     char why[256];
-    uint8_t *data;
-    size_t size;
+    uint8_t *data = NULL;
+    size_t size = 0;
 
     if (!load_in(p, file, MAX_FILE, &data, &size))
         return false;

@@ -33,6 +33,7 @@ static const struct column columns[] = {
     COLUMN(bullets, mute),
     COLUMNS(bullets, rounds, MOTION_DEPTH),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
+    DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -91,6 +92,10 @@ void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
     b->speed[i] = fx_hypot(vx, vy);
     if (vx || vy)
         b->dir[i] = trig_atan2(vy, vx);
+    if (b->speed[i] > (fx)MAX_SPEED << 16) {
+        b->speed[i] = (fx)MAX_SPEED << 16;
+        bullets_steer(b, i);
+    }
 }
 
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion)
@@ -220,6 +225,8 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
         uint32_t st = w->motions->first[program] + b->pc[i], n = s->over[st];
         bool begun = b->mute[i] & STEP_BEGUN;
 
+        b->ran++;
+
         if (s->does[st] & (DOES_LOOP | DOES_NEXT)) {
             loop_step(b, s, i, st);
             continue;
@@ -301,6 +308,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     uint8_t out[SLOTS_BLOCK];
 
     b->moved = 0;
+    b->ran = 0;
     for (uint32_t i = 0; i < b->s.top; i += SLOTS_BLOCK) {
         run_programs(b, w, i);
         b->moved += count_bits(b->s.used[i / 64]);

@@ -61,6 +61,7 @@ struct bullets {
     uint8_t *mute;
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
     uint32_t moved;   /* bullets moved this frame */
+    uint64_t ran;     /* motion steps run this frame */
 };
 
 /* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */

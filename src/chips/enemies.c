@@ -114,6 +114,8 @@ void enemies_move(struct enemies *e, const struct box *keep, void (*left)(void *
 {
     EACH_LIVE (i, &e->s) {
         step(e, i);
+        if (e->flags[i] & (ENEMY_HELD | ENEMY_DYING)) /* a boss may come from further away */
+            continue;
         if (e->x[i] < keep->x0 || e->x[i] > keep->x1 || e->y[i] < keep->y0 || e->y[i] > keep->y1)
             left(context, i);
     }

@@ -12,7 +12,7 @@
 enum {
     ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
     ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
-    ENEMY_DYING = 1 << 1, /* its on_death runs: nothing kills it twice */
+    ENEMY_DYING = 1 << 1, /* it died or left, and goes once its handlers have been told */
 
     SAFE_FOREVER = -1
 };
@@ -42,8 +42,8 @@ struct enemies {
     uint32_t *born; /* clock */
     uint32_t *by;
     uint8_t *flags;
-    fx *x0, *y0, *x1, *y1;  /* the move it makes: from, to */
-    uint32_t *made, *over;  /* frames made of it, frames in all; over 0: none */
+    fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */
+    uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
     uint8_t *ease;
 };
 

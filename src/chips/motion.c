@@ -49,8 +49,10 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
         if (i == n)
             return (int32_t)k;
     }
-    if (s->s.cap - s->s.live < n)
+    if (s->s.cap - s->s.live < n) {
+        s->s.refused++;
         return NO_SLOT;
+    }
     int32_t made = slots_append(&m->s);
     if (made == NO_SLOT)
         return NO_SLOT;

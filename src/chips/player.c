@@ -13,6 +13,7 @@ static const struct column kind_columns[] = {
 
 static const struct column columns[] = {
     COLUMN(player, in),
+    COLUMN(player, gen),
     COLUMN(player, kind),
     COLUMN(player, x),
     COLUMN(player, y),
@@ -54,6 +55,7 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
 void player_leave(struct player *p, uint32_t i)
 {
     p->in[i] = 0;
+    p->gen[i] = p->gen[i] >= GENERATIONS ? 1 : p->gen[i] + 1;
     player_place(p, i, PARK, PARK);
 }
 
@@ -72,10 +74,10 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     fx speed = p->focus[i] ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
         speed = fx_mul(speed, DIAGONAL);
-    p->was_x[i] = p->x[i];
-    p->was_y[i] = p->y[i];
-    p->x[i] = clamp(p->x[i] + dx * speed, area->x0, area->x1);
-    p->y[i] = clamp(p->y[i] + dy * speed, area->y0, area->y1);
+    p->was_x[i] = clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
+    p->was_y[i] = clamp(p->y[i], area->y0, area->y1);
+    p->x[i] = clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
+    p->y[i] = clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
 }
 
 void player_count(struct player *p)

@@ -26,7 +26,8 @@ struct player_kinds {
 
 struct player {
     struct slots s;
-    uint8_t *in; /* 1: in the game */
+    uint8_t *in;   /* 1: in the game */
+    uint32_t *gen; /* counts up when it leaves: handles of the game before are dead */
     uint16_t *kind;
     fx *x, *y;
     fx *was_x, *was_y; /* before this frame's move: hits are swept from there */

@@ -28,8 +28,7 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst)
         int32_t i = slots_take(&s->s);
         if (i == NO_SLOT)
             break;
-        ang off =
-            burst->spread ? (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2 : (ang)rng_next(&r);
+        ang off = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
         fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
         s->x[i] = burst->x;
         s->y[i] = burst->y;

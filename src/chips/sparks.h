@@ -30,7 +30,7 @@ struct sparks {
 
 struct spark_burst {
     fx x, y, speed;
-    ang dir, spread; /* thrown within dir +- spread/2; spread 0 means a full turn */
+    ang dir, spread; /* thrown within dir +- spread/2; UINT32_MAX: all round */
     uint16_t kind;
     uint32_t n;
 };

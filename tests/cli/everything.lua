@@ -71,6 +71,7 @@ end)
 
 task.go(function()
   local petals, seen = bullet.group("petal"), save.get("seen", 0)
+  wait(2) -- boot.run wipes what was there before it
   local mark = sprite.put { sprite = "dart", x = 5, y = 5, layer = "front" }
   palette.cycle { first = 17, last = 30, every = 3 }
   for i = 1, forever do

@@ -14,7 +14,7 @@ static void repair(uint8_t *p, size_t n)
 {
     uint32_t crc = 0;
 
-    memcpy(p, "CDEM\x01\0\0\0", 8);
+    memcpy(p, "CDEM\x02\0\0\0", 8);
     for (size_t at = 8; n - at >= 12; at += 12 + get32(p + at + 4)) {
         size_t size = get32(p + at + 4);
         if (size > n - at - 12)
@@ -37,11 +37,14 @@ static void check(const struct demo *d, size_t file_size)
 
     must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
     must(memchr(d->start.stage, 0, sizeof d->start.stage) != NULL && memchr(d->id, 0, sizeof d->id) != NULL);
-    must(d->frames <= file_size * 60 && d->seconds <= file_size);
+    must(d->frames <= file_size && d->seconds <= file_size);
+    must(d->script >= 0 && d->script < d->parts && strcmp(d->part[d->script], "script") == 0);
+    must(d->marked == d->frames || d->marked + 1 == d->frames);
     must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
     for (uint32_t f = 0; f <= d->frames; f++) {
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
+        must(f < 1 || f > d->marked || demo_agrees(d, f, d->marks[f - 1]));
     }
     for (uint32_t i = 0; i < d->seconds * (uint32_t)d->parts; i++)
         h += d->track[i];
@@ -69,7 +72,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else
-        must(err[0] != '\0' && d.pads == NULL && d.track == NULL);
+        must(err[0] != '\0' && d.pads == NULL && d.marks == NULL && d.track == NULL);
     demo_free(&d);
     free(copy);
     return 0;

@@ -41,9 +41,10 @@ fi
 
 targets=("$@")
 [ ${#targets[@]} != 0 ] || for f in tests/fuzz/fuzz_*.c; do targets+=("$(basename "$f" .c)"); done
+mkdir -p $OUT
 make --no-print-directory -s -j2 CC=clang CONFIG=fuzz \
     OPT="-O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" \
-    "${targets[@]/#/$OUT/fuzz/}" || { echo "0 passed, 1 failed"; exit 1; }
+    "${targets[@]/#/$OUT/fuzz/}" >$OUT/said 2>&1 || { cat $OUT/said; echo "0 passed, 1 failed"; exit 1; }
 rm -rf $OUT/log
 printf '%s\n' "${targets[@]}" | xargs -n 1 -P 2 "$0" --one
 # A target without its line was lost with its runner.

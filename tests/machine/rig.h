@@ -159,6 +159,19 @@ static inline void rig_script(struct rig_game *g, const struct manifest *m, cons
     rig_scripts(g, m, &s, 1);
 }
 
+/* The same, and string.sys is what only @std sees. */
+static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, const char *text)
+{
+    static char prelude[1 << 14];
+    const struct rig_script scripts[] = { { m ? m->entry : "main", text }, { "@std/prelude", prelude } };
+
+    for (int i = 0; i < std_script_count; i++)
+        if (!strcmp(std_scripts[i].name, "prelude"))
+            snprintf(prelude, sizeof prelude, "string.sys = ... %.*s", (int)std_scripts[i].size,
+                     (const char *)std_scripts[i].data);
+    rig_scripts(g, m, scripts, 2);
+}
+
 /* Packs roms/NAME. */
 static inline void rig_folder(struct rig_game *g, const char *name)
 {

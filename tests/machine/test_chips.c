@@ -440,7 +440,7 @@ static void test_player(void **state)
 {
     static const char text[] =
         "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
-        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7, y = -2 } })\n"
+        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = -2 } })\n"
         "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
     struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
     const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },

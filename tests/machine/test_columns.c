@@ -179,7 +179,7 @@ static void test_parts(void **state)
     int n, first = 0;
 
     (void)state;
-    assert_true(PARTS <= MAX_PARTS);
+    assert_true((int)PARTS <= (int)MAX_PARTS);
     n = members("src/board/machine.h", "board", names, types, 64);
     while (first < n && strcmp(names[first], "script"))
         first++;

@@ -397,17 +397,12 @@ static const char *told(struct rig *r)
 /* Runs a scene: what the handlers said in so many frames. */
 static void scene(const char *code, int frames, const char *says)
 {
-    static char prelude[1 << 14], main_text[1 << 14];
-    const struct rig_script scripts[] = { { "main", main_text }, { "@std/prelude", prelude } };
+    static char main_text[1 << 14];
     struct rig_game gg;
     struct rig r;
 
-    for (int i = 0; i < std_script_count; i++)
-        if (!strcmp(std_scripts[i].name, "prelude"))
-            snprintf(prelude, sizeof prelude, "string.sys = ... %.*s", (int)std_scripts[i].size,
-                     (const char *)std_scripts[i].data);
     snprintf(main_text, sizeof main_text, "function string.scene()\n%s\nend\n%s", code, game);
-    rig_scripts(&gg, NULL, scripts, 2);
+    rig_with_sys(&gg, NULL, main_text);
     rig_power(&r, &gg, NULL);
     rig_run(&r, frames);
     if (strcmp(told(&r), says))

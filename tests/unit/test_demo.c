@@ -1,6 +1,6 @@
 /*
  * test_demo.c - demo.h: recordings of a small game, written, read, cut, damaged and gone back in. The game faults when
- * select is down.
+ * select is down; its script acts in every frame in which start is.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <setjmp.h>
@@ -38,7 +38,11 @@ static int by_name(const void *a, const void *b)
 static void make_rom(void)
 {
     static const char script[] = "task.go(function()\n"
-                                 "  while true do if pad.down(\"select\") then error(\"select\") end wait(1) end\n"
+                                 "  while true do\n"
+                                 "    if pad.down(\"select\") then error(\"select\") end\n"
+                                 "    if pad.down(\"start\") then board.note(1) end\n"
+                                 "    wait(1)\n"
+                                 "  end\n"
                                  "end)\n";
     static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE];
     static char names[MAX_LUMPS][64];
@@ -141,6 +145,10 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
         assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
+    assert_int_equal(a->script, b->script);
+    assert_int_equal(a->marked, b->marked);
+    if (a->marked)
+        assert_memory_equal(a->marks, b->marks, a->marked * sizeof a->marks[0]);
     assert_int_equal(a->seconds, b->seconds);
     if (a->seconds)
         assert_memory_equal(a->track, b->track, a->seconds * (size_t)a->parts * sizeof a->track[0]);
@@ -192,6 +200,7 @@ static void test_round_trip(void **state)
         same(&d, &w.demo);
         assert_true(d.complete);
         assert_int_equal(d.frames, lengths[i]);
+        assert_int_equal(d.marked, lengths[i]);
         assert_int_equal(d.seconds, 1 + (lengths[i] + 59) / 60);
         assert_int_equal(demo_row_frame(&d, d.seconds - 1), lengths[i]);
         demo_free(&d);
@@ -199,7 +208,7 @@ static void test_round_trip(void **state)
     }
 }
 
-/* The track holds what the board said at those frames. */
+/* The track holds what the board said at those frames, the marks what its part script said at each. */
 static void test_track(void **state)
 {
     struct board_start start = { .seed = 5, .difficulty = -1 };
@@ -218,11 +227,53 @@ static void test_track(void **state)
             assert_memory_equal(hashes, d.track + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
             row++;
         }
+        uint64_t script = board_part_hash(b, d.script);
+        assert_string_equal(board_part(b, d.script), "script");
+        assert_true(f == 0 || d.marks[f - 1] == (uint16_t)script);
+        assert_true(demo_agrees(&d, f, script));
+        assert_int_equal(demo_agrees(&d, f, script ^ 0x8000), f == 0); /* power-on has a row and no mark */
         demo_pads(&d, f, pads);
         board_tick(b, pads);
     }
+    assert_true(demo_agrees(&d, 131, 0) && demo_agrees(&d, UINT32_MAX, 0));
     demo_pads(&d, 130, pads);
     assert_true(pads[0] == 0 && pads[1] == 0);
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* The first frame in which a replay that presses start for that frame only, or does not, disagrees. */
+static uint32_t disagrees(const struct demo *d, uint32_t frame)
+{
+    struct board *b = power(&d->start);
+    uint16_t pads[PADS];
+
+    for (uint32_t f = 0; f <= d->frames; f++) {
+        if (!demo_agrees(d, f, board_part_hash(b, d->script)))
+            return f;
+        demo_pads(d, f, pads);
+        pads[0] ^= f + 1 == frame ? PAD_START : 0;
+        board_tick(b, pads);
+    }
+    return UINT32_MAX;
+}
+
+/* What a script does differently shows in that frame, wherever in its second that is. */
+static void test_divergence(void **state)
+{
+    static const uint32_t at[] = { 1, 2, 59, 60, 61, 75, 119, 120, 121, 180, 181, 199, 200 };
+    struct board_start start = { .seed = 2, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    record(&w, &start, 200);
+    loads(&d);
+    assert_int_equal(disagrees(&d, 0), UINT32_MAX);
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+        assert_int_equal(disagrees(&d, at[i]), at[i]);
+        assert_int_equal(disagrees(&w.demo, at[i]), at[i]);
+    }
     demo_free(&d);
     demo_free(&w.demo);
 }
@@ -369,6 +420,7 @@ static void refused(size_t n, const char *part)
     err[0] = 0;
     assert_false(demo_read(&d, file, n, err, sizeof err));
     assert_null(d.pads);
+    assert_null(d.marks);
     assert_null(d.track);
     if (strstr(err, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
@@ -415,7 +467,7 @@ static void test_nonsense(void **state)
     refused(7, "not a demo");
     refused(8, "cut short in its header");
     refused_with(n, 0, 'X', "not a demo");
-    refused_with(n, 4, 9, "demo format 9, this build reads 1");
+    refused_with(n, 4, 9, "demo format 9, this build reads 2");
     refused_with(n, record_at(0), 'S', "damaged (no header)");
     refused_with(n, record_at(1), 'X', "damaged (kind or size)");
     refused_with(n, record_at(2), 'H', "damaged (a second header)");
@@ -436,6 +488,48 @@ static void test_nonsense(void **state)
     refused_with(n, end, 99, "damaged (end mark)");
     refused_with(n, end + 4, FAULT_INTERRUPTED, "damaged (end mark)");
     refused_with(n, end + 4, FAULT_SCRIPT, "the end does not match the track");
+    demo_free(&w.demo);
+}
+
+static size_t find(const char *what)
+{
+    size_t at = 0;
+
+    while (memcmp(file + at, what, strlen(what)) != 0)
+        at++;
+    return at;
+}
+
+/* Makes the payload of record i longer by that many bytes, which stand at its end, or shorter; returns the file's size. */
+static size_t resize(int i, int by)
+{
+    size_t n = file_bytes(), at = record_at(i), size = get32(file + at + 4), end = at + 8 + size;
+
+    memmove(file + end + by, file + end, n - end);
+    put32(file + at + 4, (uint32_t)((int)size + by));
+    n = (size_t)((long)n + by);
+    repair(n);
+    return n;
+}
+
+/* Marks there are too many or too few of, and none to mark. */
+static void test_mark_lies(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+
+    (void)state;
+    record(&w, &start, 100);
+    for (int i = 1; i <= 3; i++) {
+        for (int by = -2; by <= 2; by++) {
+            size_t n = resize(i, by);
+            if (by != 0)
+                refused(n, "damaged (size)");
+        }
+    }
+    size_t n = file_bytes();
+    refused_with(n, find("script"), 'S', "damaged (no part script)");
+    refused_with(n, find("script") - 1, 5, "damaged");
     demo_free(&w.demo);
 }
 
@@ -534,6 +628,7 @@ static void test_fault(void **state)
         rng_seed(&r, i);
         assert_true(demo_begin(&w, path, &cart, b, &start, 0));
         play(&w, b, &r, at[i]);
+        uint64_t script = board_part_hash(b, w.demo.script);
         board_tick(b, select);
         assert_non_null(board_last(b)->fault);
         assert_true(demo_frame(&w, b, select));
@@ -543,7 +638,11 @@ static void test_fault(void **state)
         assert_true(d.complete);
         assert_int_equal(d.fault, FAULT_SCRIPT);
         assert_int_equal(d.frames, at[i] + 1);
+        assert_int_equal(d.marked, at[i]);
         assert_int_equal(d.seconds, 1 + at[i] / 60);
+        assert_int_equal(demo_agrees(&d, at[i], ~script), at[i] == 0); /* the last good frame has its mark */
+        assert_true(demo_agrees(&d, at[i], script));
+        assert_true(demo_agrees(&d, at[i] + 1, 0) && demo_agrees(&d, at[i] + 1, 1));
         assert_int_equal(d.pads[at[i]][0], PAD_SELECT);
         demo_free(&d);
         demo_free(&w.demo);
@@ -676,7 +775,8 @@ int main(void)
         cmocka_unit_test(test_order),       cmocka_unit_test(test_nonsense),      cmocka_unit_test(test_nvram_lies),
         cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
         cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
-        cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start),
+        cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
+        cmocka_unit_test(test_mark_lies),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

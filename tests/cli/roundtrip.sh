@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# roundtrip.sh - the same in, the same out: packing, unpacking, playing from folder and file, and other compilers.
+#
+# Builds the program once more with clang, with -O0 and with -O3 (build/cross-*), which takes a while the first time.
+. "$(dirname "$0")/../tap.sh"
+glasstide=$repo/roms/glasstide
+
+game g <"$repo/tests/cli/everything.lua"
+mkdir g/texts g/demos
+printf 'one\ntwo\0three' >g/texts/words.txt
+"$curtain" hash g --stage one --frames 30 --record g/demos/start.demo >/dev/null 2>&1
+
+# ---- pack, list, unpack ----
+
+for folder in g "$glasstide" "$repo/roms/testcard"; do
+    name=$(basename "$folder")
+    "$curtain" pack "$folder" -o "$name.1.rom"
+    cp -r "$folder" "copy of $name"
+    find "copy of $name" -exec touch -d 2001-02-03 {} +
+    mkdir -p "elsewhere/$name" && cp -r "$folder/." "elsewhere/$name"
+    "$curtain" pack "elsewhere/$name/" -o "$name.2.rom"
+    holds "$name: packs to the same bytes in another place and time" cmp "$name.1.rom" "$name.2.rom"
+    "$curtain" list "$folder" >one
+    "$curtain" list "$name.1.rom" >two
+    same "$name: a list of the folder is that of the ROM" "$(cat two)" "$(cat one)"
+    holds "$name: the list is sorted" bash -c "head -n -2 one | cut -d' ' -f1 | LC_ALL=C sort -c"
+    "$curtain" unpack "$name.1.rom" "un$name"
+    same "$name: every lump becomes a file" "$(($(wc -l <two) - 2))" "$(find "un$name" -type f | wc -l)"
+    wrong=
+    while read -r lump size crc; do
+        case $lump in
+        script/@std/*) file=un$name/std/${lump#script/@std/} ;;
+        script/*) file=un$name/${lump#script/} ;;
+        data/*) file=un$name/${lump#data/} ;;
+        demo/*) file=un$name/demos/${lump#demo/}.demo ;;
+        *) file=un$name/lumps/$lump ;;
+        esac
+        got=$(python3 -c 'import sys, zlib; d = open(sys.argv[1], "rb").read(); print(len(d), "%08x" % zlib.crc32(d))' "$file" 2>&1)
+        [ "$got" = "$size $crc" ] || wrong+="$lump: $size $crc, $file: $got"$'\n'
+    done < <(head -n -2 two)
+    same "$name: the files have the sizes and CRCs of the list" '' "$wrong"
+    wrong=
+    while read -r file; do
+        cmp -s "$folder/$file" "un$name/$file" || wrong+="$file "
+    done < <(cd "$folder" && find . \( -name '*.lua' -o -name '*.txt' -o -name '*.demo' \) ! -name rom.lua ! -path './tests/*')
+    same "$name: scripts, texts and demos come back as they were" '' "$wrong"
+    "$curtain" hash "$folder" --frames 200 --parts >one 2>&1
+    "$curtain" hash "$name.1.rom" --frames 200 --parts >two 2>&1
+    same "$name: folder and ROM hash alike" "$(cat one)" "$(cat two)"
+done
+
+# ---- the same in other builds ----
+
+# What is compared: hash tracks, pictures, packed bytes.
+tracks() { # PROGRAM FOLDER
+    mkdir -p "$2/frames"
+    "$1" pack g -o "$2/g.rom"
+    "$1" pack "$glasstide" -o "$2/glasstide.rom"
+    "$1" hash g --stage one --frames 1200 --parts >"$2/everything" 2>&1
+    echo "exit $?" >>"$2/everything"
+    "$1" hash "$glasstide" --demo "$glasstide/demos/run.demo" --frames 3000 --every 10 --parts >"$2/demo" 2>&1
+    echo "exit $?" >>"$2/demo"
+    "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 --parts >"$2/boss" 2>&1
+    "$1" render g --stage one --frames 1:1200:117 -o "$2/frames" 2>/dev/null
+    "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" --sheet "$2/sheet.png" 2>/dev/null
+    "$1" render "$repo/roms/testcard" --frames 1,2,100 -o "$2/frames" 2>/dev/null
+}
+tracks "$curtain" here
+same 'the script that uses everything runs to its end' 'exit 0' "$(tail -1 here/everything)"
+holds 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
+same 'the demo runs to its end' 'exit 0' "$(tail -1 here/demo)"
+holds 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
+tracks "$curtain" again
+holds 'twice the same: hashes, pictures, ROMs' diff -r here again
+
+wrong=
+for picture in here/frames/*.png here/sheet.png; do
+    python3 "$repo/tests/cli/png_read.py" "$picture" >/dev/null 2>err || wrong+="$picture: $(tail -1 err)"$'\n'
+done
+same 'another reader reads the pictures' '' "$wrong"
+
+other() { # NAME MAKE-ARGUMENT...
+    local name=$1
+    shift
+    if ! env -u MAKEFLAGS -u MFLAGS make -j2 -s -C "$repo" --no-print-directory CONFIG="cross-$name" "$@" "build/cross-$name/curtain-bare" >make.log 2>&1; then
+        not_ok "builds with $*" "$(tail -5 make.log)"
+        return
+    fi
+    ok "builds with $*"
+    same "$name: without a warning" '' "$(grep -i warning make.log)"
+    tracks "$repo/build/cross-$name/curtain-bare" "$name"
+    for file in everything demo boss g.rom glasstide.rom frames sheet.png; do
+        if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"; else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
+    done
+}
+command -v clang >/dev/null || not_ok 'clang is installed'
+other clang CC=clang
+other o0 CC=gcc OPT=-O0
+other o3 CC=gcc OPT='-O3 -ftree-vectorize'
+other clang-o0 CC=clang OPT=-O0
+finish

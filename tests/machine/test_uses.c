@@ -1,0 +1,451 @@
+/*
+ * test_uses.c - roms/torture under its demo uses all there is: every API function, every property, every key of a motion
+ * step, every pool to the brim, both players. And the demo holds.
+ *
+ * The game is loaded after its board was powered with an empty entry script: in between, each API function gets an entry
+ * that counts, and those written in Lua, as well as the properties of things, a wrapper that does. Uses by @std do not
+ * count. CURTAIN_UPDATE=1 records roms/torture/demos/torture.demo anew, which a change of the game makes necessary.
+ */
+#define _POSIX_C_SOURCE 200809L /* unsetenv */
+#include "rig.h"
+
+enum { MOST = 256, PROPS = 32 };
+
+static struct api_entry copies[MOST];
+static long uses[MOST], reads[HANDLES][PROPS], writes[HANDLES][PROPS];
+static unsigned step_seen, step_timed; /* bits of step_keys */
+
+static const char *const step_keys[] = { "wait", "kind", "bank",  "dir", "aim",  "turn",
+                                         "home", "speed", "accel", "die", "loop", "over" };
+enum { STEP_KEYS = sizeof step_keys / sizeof *step_keys };
+
+/* ---- counting ---- */
+
+/* Is the function at that level of the stack one of @std's? */
+static bool by_std(lua_State *L, int level)
+{
+    lua_Debug ar;
+
+    return lua_getstack(L, level, &ar) && lua_getinfo(L, "S", &ar) && strstr(ar.source, "@std/") != NULL;
+}
+
+static void note_steps(lua_State *L, int at)
+{
+    unsigned here = 0;
+
+    luaL_checkstack(L, 8, NULL);
+    lua_pushnil(L);
+    while (lua_next(L, at)) {
+        if (lua_type(L, -2) == LUA_TSTRING)
+            for (int k = 0; k < STEP_KEYS; k++)
+                if (!strcmp(lua_tostring(L, -2), step_keys[k]))
+                    here |= 1u << k;
+        if (lua_istable(L, -1))
+            note_steps(L, lua_gettop(L));
+        lua_pop(L, 1);
+    }
+    step_seen |= here;
+    if (here >> (STEP_KEYS - 1))
+        step_timed |= here;
+}
+
+static int count_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1));
+    int i = (int)(e - copies);
+
+    if (!by_std(L, 1)) {
+        uses[i]++;
+        if (!strcmp(e->name, "motion.def"))
+            note_steps(L, v[0].at);
+    }
+    return api_entry(i)->run(L, b, v);
+}
+
+/* Upvalue 1: the entry's number. Called by a wrapper. */
+static int count_lua(lua_State *L)
+{
+    if (!by_std(L, 2))
+        uses[lua_tointeger(L, lua_upvalueindex(1))]++;
+    return 0;
+}
+
+/* Upvalue 1: 0 for a read, 1 for a write. */
+static int count_property(lua_State *L)
+{
+    const int64_t h = lua_tointeger(L, 1);
+    const char *name = lua_tostring(L, 2);
+    long(*of)[PROPS] = lua_tointeger(L, lua_upvalueindex(1)) ? writes : reads;
+
+    if (by_std(L, 2) || !handle_is(h) || !name)
+        return 0;
+    const struct api_thing *t = api_things[handle_kind(h)];
+    for (int i = 0; i < t->n && i < PROPS; i++)
+        if (!strcmp(t->props[i].value.name, name))
+            of[handle_kind(h)][i]++;
+    return 0;
+}
+
+/* Replaces the function on top of the stack by one that calls `count` first, with the same arguments. */
+static void wrap(lua_State *L, lua_CFunction count, int upvalue)
+{
+    static const char text[] = "local f, count = ... return function(...) count(...) return f(...) end";
+
+    assert_int_equal(luaL_loadbufferx(L, text, sizeof text - 1, "=count", "t"), LUA_OK);
+    lua_insert(L, -2);
+    lua_pushinteger(L, upvalue);
+    lua_pushcclosure(L, count, 1);
+    lua_call(L, 2, 1);
+}
+
+static int number_of(const struct api_entry *e)
+{
+    int i = 0;
+
+    while (i < api_count() && api_entry(i) != e)
+        i++;
+    assert_true(i < api_count());
+    return i;
+}
+
+/* Gives every API closure that can be reached from the table at `at` its counting entry. */
+static void patch(lua_State *L, int at, lua_CFunction call, int seen)
+{
+    luaL_checkstack(L, 16, NULL);
+    lua_pushvalue(L, at);
+    if (lua_rawget(L, seen) != LUA_TNIL) {
+        lua_pop(L, 1);
+        return;
+    }
+    lua_pop(L, 1);
+    lua_pushvalue(L, at);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, seen);
+    if (lua_getmetatable(L, at)) {
+        patch(L, lua_gettop(L), call, seen);
+        lua_pop(L, 1);
+    }
+    lua_pushnil(L);
+    while (lua_next(L, at)) {
+        if (lua_istable(L, -1))
+            patch(L, lua_gettop(L), call, seen);
+        else if (lua_tocfunction(L, -1) == call) {
+            lua_getupvalue(L, -1, 1); /* the entry's address */
+            lua_pushlightuserdata(L, &copies[number_of(lua_touserdata(L, -1))]);
+            lua_setupvalue(L, -3, 1);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+    }
+}
+
+static void patch_all(lua_State *L)
+{
+    lua_getglobal(L, "wait");
+    lua_CFunction call = lua_tocfunction(L, -1);
+    lua_newtable(L);
+    int seen = lua_gettop(L);
+    lua_pushvalue(L, LUA_REGISTRYINDEX);
+    patch(L, lua_gettop(L), call, seen);
+    lua_settop(L, 0);
+    for (int i = 0; i < api_count(); i++) {
+        const char *name = api_entry(i)->name, *dot = strchr(name, '.');
+        if (!(api_entry(i)->flags & API_LUA) || strchr(name, ' '))
+            continue;
+        lua_pushglobaltable(L);
+        if (dot) {
+            lua_pushlstring(L, name, (size_t)(dot - name));
+            lua_rawget(L, -2);
+        }
+        lua_pushstring(L, dot ? dot + 1 : name);
+        lua_pushvalue(L, -1);
+        lua_rawget(L, -3);
+        wrap(L, count_lua, i);
+        lua_rawset(L, -3);
+        lua_settop(L, 0);
+    }
+    lua_pushinteger(L, 0);
+    lua_getmetatable(L, -1);
+    for (int write = 0; write < 2; write++) {
+        lua_getfield(L, -1, write ? "__newindex" : "__index");
+        wrap(L, count_property, write);
+        lua_setfield(L, -2, write ? "__newindex" : "__index");
+    }
+    lua_settop(L, 0);
+}
+
+static int start(lua_State *L)
+{
+    patch_all(L);
+    vm_load(L, "main");
+    lua_call(L, 0, 0);
+    return 0;
+}
+
+/* The game with an empty entry script. */
+static void without_entry(const struct rig_game *from, struct rig_game *to)
+{
+    static uint8_t manifest[MANIFEST_BYTES];
+    struct manifest m = from->cart.m;
+    struct lump lumps[200];
+    int n = (int)from->image.rom.count;
+
+    assert_true(n < 200);
+    snprintf(m.entry, sizeof m.entry, "empty");
+    manifest_pack(&m, manifest);
+    for (int i = 0; i < n; i++) {
+        rom_lump(&from->image.rom, i, &lumps[i]);
+        if (!strcmp(lumps[i].name, "manifest"))
+            lumps[i].data = manifest;
+    }
+    lumps[n++] = (struct lump){ "script/empty.lua", (const uint8_t *)"\n", 1 };
+    rig_write(to, lumps, n);
+}
+
+/* ---- the demo ---- */
+
+enum { FRAMES = 3600, RESET = FRAMES - 90 };
+
+struct press {
+    int frame, player;
+    uint16_t pad;
+};
+/* Through the menus: two players, a ship for each, a difficulty. */
+static const struct press presses[] = { { 20, 0, PAD_START }, { 40, 0, PAD_DOWN }, { 50, 0, PAD_FIRE }, { 70, 0, PAD_FIRE },
+                                        { 90, 1, PAD_DOWN },  { 100, 1, PAD_FIRE }, { 120, 0, PAD_FIRE } };
+
+static void recipe(int f, struct rng *rng, uint16_t pads[PADS])
+{
+    if (f > 140)
+        rig_pads(rng, pads);
+    for (int p = 0; p < PADS; p++)
+        pads[p] = (uint16_t)(f > 140 ? pads[p] & ~PAD_SELECT : 0);
+    for (size_t i = 0; i < sizeof presses / sizeof *presses; i++)
+        if (f == presses[i].frame)
+            pads[presses[i].player] = presses[i].pad;
+    if (f == RESET)
+        pads[1] |= PAD_SELECT;
+}
+
+static void record(const struct rig_game *g, const char *path)
+{
+    struct board_start at = { .seed = 20, .difficulty = -1 };
+    struct demo_writer w;
+    struct rng rng;
+    struct rig r;
+    uint16_t pads[PADS] = { 0 };
+
+    memset(&w, 0, sizeof w);
+    rig_power(&r, g, &at);
+    rng_seed(&rng, 4);
+    assert_true(demo_begin(&w, path, &g->cart, r.b, &at, 0));
+    for (int f = 0; f < FRAMES; f++) {
+        recipe(f, &rng, pads);
+        rig_tick(&r, pads);
+        assert_true(demo_frame(&w, r.b, pads));
+    }
+    assert_true(demo_end(&w, r.b));
+    demo_free(&w.demo);
+    rig_free(&r);
+}
+
+static struct rig_game g;
+static struct demo d;
+
+static int setup(void **state)
+{
+    const char *update = getenv("CURTAIN_UPDATE");
+
+    (void)state;
+    rig_folder(&g, "torture");
+    if (update && *update == '1') {
+        record(&g, "roms/torture/demos/torture.demo");
+        rig_game_free(&g);
+        rig_folder(&g, "torture");
+    }
+    if (!rig_demo(&g, "torture", &d)) {
+        fprintf(stderr, "roms/torture has no demo: CURTAIN_UPDATE=1 records it\n");
+        return -1;
+    }
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    demo_free(&d);
+    rig_game_free(&g);
+    return 0;
+}
+
+static void test_demo_holds(void **state)
+{
+    char err[512];
+    uint64_t hashes[MAX_PARTS];
+    uint16_t pads[PADS];
+    struct rig r;
+
+    (void)state;
+    assert_true(d.complete && demo_fits(&d, &g.cart, err, sizeof err));
+    const char *doubt = demo_doubt(&d, &g.cart, err, sizeof err);
+    if (doubt)
+        fail_msg("torture.demo: %s (CURTAIN_UPDATE=1 records it anew)", doubt);
+    rig_power(&r, &g, &d.start);
+    for (uint32_t f = 0, row = 0; f <= d.frames; f++) {
+        if (row < d.seconds && demo_row_frame(&d, row) == f) {
+            board_hashes(r.b, hashes);
+            for (int i = 0; i < d.parts; i++)
+                if (hashes[i] != d.track[row * (uint32_t)d.parts + (uint32_t)i])
+                    fail_msg("frame %u: part %s differs (CURTAIN_UPDATE=1 records the demo anew)", f, d.part[i]);
+            row++;
+        }
+        demo_pads(&d, f, pads);
+        if (f < d.frames)
+            rig_tick(&r, pads);
+    }
+    rig_free(&r);
+}
+
+/* ---- what the demo must reach ---- */
+
+struct reached {
+    uint32_t most[PARTS], cap[PARTS];
+    int64_t refused[PARTS];
+    uint32_t does;
+    bool in[PADS], grazed[PADS], scored[PADS], hurt[PADS], focused[PADS];
+};
+
+static void look(const struct board *b, struct reached *at)
+{
+    for (int i = 0; i < PARTS; i++) {
+        const struct slots *s = (const struct slots *)((const uint8_t *)b + parts[i].at);
+        at->most[i] = s->live > at->most[i] ? s->live : at->most[i];
+        at->cap[i] = s->cap;
+        at->refused[i] = s->refused > at->refused[i] ? s->refused : at->refused[i];
+    }
+    for (uint32_t i = 0; i < b->steps.s.live; i++)
+        at->does |= b->steps.does[i];
+    for (int p = 0; p < PADS; p++) {
+        at->in[p] |= b->player.in[p];
+        at->grazed[p] |= b->player.grazes[p] > 0;
+        at->scored[p] |= b->player.score[p] > 0;
+        at->hurt[p] |= b->player.in[p] && b->player.lives[p] < 2;
+        at->focused[p] |= b->player.focus[p];
+    }
+}
+
+static struct reached at;
+
+/* Plays the demo, up to the reset, on a board that counts. */
+static int play(void **state)
+{
+    struct rig_game counted;
+    struct rig r;
+    uint16_t pads[PADS];
+
+    if (setup(state))
+        return -1;
+    assert_true(api_count() <= MOST);
+    for (int i = 0; i < api_count(); i++) {
+        copies[i] = *api_entry(i);
+        if (copies[i].run)
+            copies[i].run = count_run;
+    }
+    without_entry(&g, &counted);
+    rig_power(&r, &counted, &d.start);
+    r.b->vm.loading = true;
+    bool fine = vm_call(r.b, start);
+    r.b->vm.loading = false;
+    if (!fine)
+        fail_msg("%s", rig_fault(&r)->message);
+    for (uint32_t f = 0; f < d.frames && f <= RESET; f++) {
+        demo_pads(&d, f, pads);
+        rig_tick(&r, pads);
+        look(r.b, &at);
+    }
+    rig_free(&r);
+    rig_game_free(&counted);
+    return 0;
+}
+
+static void append(char *to, size_t size, const char *a, const char *b)
+{
+    size_t n = strlen(to);
+
+    snprintf(to + n, size - n, " %s%s", a, b);
+}
+
+static void test_functions(void **state)
+{
+    char missing[4096] = "";
+
+    (void)state;
+    for (int i = 0; i < api_count(); i++)
+        if (!(api_entry(i)->flags & API_SYS) && !uses[i])
+            append(missing, sizeof missing, api_entry(i)->name, "");
+    if (missing[0])
+        fail_msg("roms/torture does not use:%s", missing);
+}
+
+static void test_properties(void **state)
+{
+    char missing[4096] = "", name[80];
+
+    (void)state;
+    for (int k = 1; k < HANDLES; k++)
+        for (int i = 0; i < api_things[k]->n; i++) {
+            const struct api_prop *p = &api_things[k]->props[i];
+            snprintf(name, sizeof name, "%s.%s", api_things[k]->name, p->value.name);
+            if (!reads[k][i] && !(k == H_GROUP && strcmp(p->value.name, "count"))) /* groups are written */
+                append(missing, sizeof missing, name, " (read)");
+            if (!writes[k][i] && p->write == PROP_WRITE)
+                append(missing, sizeof missing, name, " (write)");
+        }
+    if (missing[0])
+        fail_msg("roms/torture does not use:%s", missing);
+}
+
+static void test_steps(void **state)
+{
+    const unsigned all = (1u << STEP_KEYS) - 1, never_timed = 1u << 0 | 1u << 3 | 1u << 9 | 1u << 10;
+
+    (void)state;
+    for (int k = 0; k < STEP_KEYS; k++) {
+        if (!(step_seen >> k & 1))
+            fail_msg("no motion has the key %s", step_keys[k]);
+        if (!((step_timed | never_timed) >> k & 1))
+            fail_msg("no motion has the key %s with over", step_keys[k]);
+    }
+    assert_int_equal(step_seen, all);
+    assert_int_equal(at.does, (DOES_NEXT << 1) - 1); /* all there are */
+}
+
+static void test_pools(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PARTS; i++) {
+        const char *name = parts[i].chip->name;
+        bool kinds = strstr(name, "_kinds") != NULL;
+        if (!at.cap[i] || kinds || !strcmp(name, "steps"))
+            continue;
+        if (10 * at.most[i] < 9 * at.cap[i])
+            fail_msg("%s: at most %u of %u live", name, at.most[i], at.cap[i]);
+        if ((!parts[i].chip->list || !strcmp(name, "motions")) && !at.refused[i])
+            fail_msg("%s: never full", name);
+    }
+    for (int p = 0; p < PADS; p++)
+        if (!at.in[p] || !at.grazed[p] || !at.scored[p] || !at.hurt[p] || !at.focused[p])
+            fail_msg("player %d: in %d, grazed %d, scored %d, hurt %d, focused %d", p + 1, at.in[p], at.grazed[p],
+                     at.scored[p], at.hurt[p], at.focused[p]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest holds[] = { cmocka_unit_test(test_demo_holds) };
+    const struct CMUnitTest counts[] = { cmocka_unit_test(test_functions), cmocka_unit_test(test_properties),
+                                         cmocka_unit_test(test_steps), cmocka_unit_test(test_pools) };
+    int failed = cmocka_run_group_tests_name("the demo holds", holds, setup, teardown);
+
+    unsetenv("CURTAIN_UPDATE");
+    return failed + cmocka_run_group_tests_name("uses", counts, play, teardown);
+}

@@ -1,0 +1,113 @@
+/* test_rng.c - rng.h and hash.h: published values, and what makes them fit for use. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+
+/* xoshiro256** from the state 1, 2, 3, 4 (rand_xoshiro's reference vector). */
+static void test_published(void **state)
+{
+    static const uint64_t want[] = { 11520u,
+                                     0u,
+                                     1509978240u,
+                                     1215971899390074240u,
+                                     1216172134540287360u,
+                                     607988272756665600u,
+                                     16172922978634559625u,
+                                     8476171486693032832u,
+                                     10595114339597558777u,
+                                     2904607092377533576u };
+    struct rng r = { { 1, 2, 3, 4 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof want / sizeof *want; i++)
+        assert_true(rng_next(&r) == want[i]);
+}
+
+/* splitmix64 from 0 and 1234567, its published first values. */
+static void test_seed(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 0);
+    assert_true(r.s[0] == 0xe220a8397b1dcdafu && r.s[1] == 0x6e789e6aa1b965f4u);
+    assert_true(r.s[2] == 0x06c45d188009454fu && r.s[3] == 0xf88bb8a8724c81ecu);
+    rng_seed(&r, 1234567);
+    assert_true(r.s[0] == 6457827717110365317u && r.s[1] == 3203168211198807973u);
+}
+
+static void test_below(void **state)
+{
+    uint32_t count[7] = { 0 };
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 1);
+    for (int i = 0; i < 70000; i++) {
+        uint64_t v = rng_below(&r, 7);
+        assert_true(v < 7);
+        count[v]++;
+    }
+    for (int k = 0; k < 7; k++)
+        assert_in_range(count[k], 9700, 10300); /* 10000 +- 3 sigma */
+    for (int i = 0; i < 100; i++)
+        assert_true(rng_below(&r, 1) == 0);
+}
+
+/* Three quarters of 2^64 do not divide it: without drawing again the first third would come twice as often. */
+static void test_below_is_fair(void **state)
+{
+    const uint64_t n = (uint64_t)3 << 62;
+    uint32_t low = 0;
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 2);
+    for (int i = 0; i < 30000; i++)
+        low += rng_below(&r, n) < n / 3;
+    assert_in_range(low, 9700, 10300);
+}
+
+static void test_crc(void **state)
+{
+    (void)state;
+    assert_int_equal(crc32_of("123456789", 9), 0xcbf43926u);
+    assert_int_equal(crc32_of("", 0), 0);
+    assert_int_equal(crc32_add(crc32_of("1234", 4), "56789", 5), 0xcbf43926u);
+}
+
+/* One bit more, one zero byte more, another start: another hash. */
+static void test_hash(void **state)
+{
+    uint8_t bytes[64] = { 0 };
+    uint64_t seen[64 * 8 + 65];
+    size_t n = 0;
+
+    (void)state;
+    for (size_t size = 0; size <= sizeof bytes; size++)
+        seen[n++] = hash_bytes(HASH_START, bytes, size);
+    for (int bit = 0; bit < 64 * 8; bit++) {
+        bytes[bit / 8] = (uint8_t)(1u << bit % 8);
+        seen[n++] = hash_bytes(HASH_START, bytes, sizeof bytes);
+        bytes[bit / 8] = 0;
+    }
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < i; k++)
+            assert_true(seen[i] != seen[k]);
+    assert_true(hash_bytes(1, bytes, 9) != hash_bytes(2, bytes, 9));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_published),     cmocka_unit_test(test_seed), cmocka_unit_test(test_below),
+        cmocka_unit_test(test_below_is_fair), cmocka_unit_test(test_crc),  cmocka_unit_test(test_hash),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
