@@ -46,6 +46,8 @@ static void help_param(const struct api_param *p, void (*line)(const char *))
     if (ranged)
         snprintf(range, sizeof range, " from %.14g to %.14g%s%s", p->lo, p->hi, p->unit ? " " : "",
                  p->unit ? p->unit : "");
+    if (p->type == A_STR && p->hi > 0)
+        snprintf(range, sizeof range, " of %d to %d bytes", (int)p->lo, (int)p->hi);
     if (p->def)
         snprintf(def, sizeof def, " = %s", p->def);
     else if (!p->optional)
@@ -75,6 +77,23 @@ static void help_signature(const struct api_entry *e, char *out, size_t size)
         snprintf(out + n, size - n, " -> %s", e->returns);
 }
 
+/* Tables inside an entry's arguments have entries of their own: "motion.def step", "path.def point". */
+static void help_parts(const struct api_entry *e, void (*line)(const char *))
+{
+    size_t n = strlen(e->name);
+    char text[160];
+
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *part = api_entry(i);
+        if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
+            continue;
+        snprintf(text, sizeof text, "  each %s:", part->name + n + 1);
+        line(text);
+        for (int k = 0; k < part->count; k++)
+            help_param(&part->params[k], line);
+    }
+}
+
 static void help_entry(const struct api_entry *e, bool whole, void (*line)(const char *))
 {
     char text[400], signature[200];
@@ -92,6 +111,35 @@ static void help_entry(const struct api_entry *e, bool whole, void (*line)(const
         help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
         line("    ...        and every argument of bullet.fire");
+    help_parts(e, line);
+}
+
+/* Names that are no functions of the API. */
+static const struct {
+    const char *name, *help;
+} values[] = {
+    { "forever", "accepted where a count of frames or times is asked" },
+    { "print(...)", "writes to the log, for the author's eyes" },
+    { "require(name)",
+      "runs a script of the game once and returns what it returned: require \"stages/one\"; at load only" },
+    { "rom.title", "the game's title" },
+    { "rom.field", "the playfield: x y w h, px; x and y on the screen" },
+    { "rom.screen", "the screen: w h, px" },
+};
+
+static bool help_values(const char *name, size_t n, void (*line)(const char *))
+{
+    char text[200];
+    bool any = false;
+
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        if (n && strncmp(values[i].name, name, n))
+            continue;
+        snprintf(text, sizeof text, "%-46s %s", values[i].name, values[i].help);
+        line(text);
+        any = true;
+    }
+    return any;
 }
 
 static bool help_thing(int kind, void (*line)(const char *))
@@ -124,6 +172,8 @@ bool api_help(const char *name, void (*line)(const char *))
         help_entry(e, exact, line);
         any = true;
     }
+    if (!exact)
+        any |= help_values(name, n, line);
     for (int k = 1; name && !exact && k < HANDLES; k++)
         if (api_things[k] && !strcmp(api_things[k]->name, name))
             any = help_thing(k, line);

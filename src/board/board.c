@@ -179,8 +179,10 @@ static bool boot(struct board *b)
     if (!vm_open(b, b->vm.heap, (size_t)b->cart.m.lua_kib * 1024))
         return false;
     b->vm.loading = true;
-    vm_call(b, vm_boot);
+    bool fine = vm_call(b, vm_boot);
     b->vm.loading = false;
+    if (fine) /* what happened while loading is told at once: between frames no event waits */
+        vm_call(b, events_run);
     return true;
 }
 

@@ -515,18 +515,15 @@ static size_t resize(int i, int by)
 /* Marks there are too many or too few of, and none to mark. */
 static void test_mark_lies(void **state)
 {
+    static const int by[] = { -2, -1, 1, 2 };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .on = false };
 
     (void)state;
     record(&w, &start, 100);
-    for (int i = 1; i <= 3; i++) {
-        for (int by = -2; by <= 2; by++) {
-            size_t n = resize(i, by);
-            if (by != 0)
-                refused(n, "damaged (size)");
-        }
-    }
+    for (int i = 1; i <= 3; i++)
+        for (size_t k = 0; k < sizeof by / sizeof by[0]; k++)
+            refused(resize(i, by[k]), "damaged (size)");
     size_t n = file_bytes();
     refused_with(n, find("script"), 'S', "damaged (no part script)");
     refused_with(n, find("script") - 1, 5, "damaged");
