@@ -71,7 +71,9 @@ add() { # those of the globs that exist; what make built of a test that is gone 
     done
 }
 case $what in
-all) add "$OUT"/machine/test_* tests/machine/*.sh tests/golden/*.sh tests/cli/*.sh tests/house/*.sh "$OUT"/unit/test_* ;;
+all) # the longest first
+    add tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/house/*.sh "$OUT"/unit/test_*
+    ;;
 torture)
     export CURTAIN_LONG=1
     seconds=3600

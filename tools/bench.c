@@ -118,9 +118,10 @@ int main(int argc, char **argv)
         fail("usage: bench ROM [N...]");
     if (!rom_image_load(argv[1], false, &image, err, sizeof err))
         fail(err);
-    printf("       n    tick us    draw us   frame us     best    worst ns/bullet   frames/s   moved, drawn a frame; "
-           "tested, hit, grazed in all\n                                                                                "
-           "    moved tested hit grazed drawn\n");
+    printf(
+        "       n    tick us    draw us   frame us     best    worst ns/bullet   frames/s   moved, drawn a frame; "
+        "tested, hit, grazed in all\n                                                                                "
+        "    moved tested hit grazed drawn\n");
     if (argc > 2)
         for (int i = 2; i < argc; i++)
             bench(&image.rom, atoi(argv[i]));

@@ -23,9 +23,9 @@
 #include "tally.h"
 
 enum {
-    HOLD = 5,     /* frames a decision lasts */
-    AHEAD = 42,   /* frames it looks ahead */
-    WAYS = 17,    /* standing, eight directions, and those with focus */
+    HOLD = 5,   /* frames a decision lasts */
+    AHEAD = 42, /* frames it looks ahead */
+    WAYS = 17,  /* standing, eight directions, and those with focus */
 };
 
 struct bot {

@@ -36,6 +36,7 @@ for what; do
         have xprop || need x11-utils
         have openbox || need openbox
         have identify || need imagemagick
+        [ -e /usr/share/i18n/locales/de_DE ] || need locales
         ;;
     fuzz)
         have clang || need clang

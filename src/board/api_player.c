@@ -182,7 +182,9 @@ enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "lives", A_INT, REQ, 0, 99, NULL, NULL }, PROP_WRITE, "lives left besides this one; -1 in on.death: that was the last" },
+    { { "lives", A_INT, REQ, 0, 99, NULL, NULL },
+      PROP_WRITE,
+      "lives left besides this one; -1 in on.death: that was the last" },
     { { "safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames nothing can hit it" },
     { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "is it moving slowly?" },
     { { "grazes", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "bullets grazed in this game" },

@@ -153,8 +153,11 @@ static int make_folder(void **state)
 
 static int drop_folder(void **state)
 {
+    char command[64];
+
     (void)state;
-    return rmdir(dir);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command);
 }
 
 int main(void)

@@ -88,8 +88,8 @@ static void test_whole_run(void **state)
                   (unsigned long long)t.fired, t.most, (unsigned long long)t.kills, (unsigned long long)t.grazes,
                   (unsigned long long)t.deaths, phases);
     assert_true(stages);
-    assert_int_equal(phases & 15, 15);  /* all four of the boss */
-    assert_true(phases >> 8);           /* the midboss */
+    assert_int_equal(phases & 15, 15); /* all four of the boss */
+    assert_true(phases >> 8);          /* the midboss */
     assert_true(t.fired >= 5000);
     assert_true(t.most >= 100);
     assert_true(t.kills >= 100);

@@ -571,6 +571,7 @@ static void test_rewind(void **state)
         for (uint32_t f = 0; f < to[i]; f++)
             board_tick(b, w.demo.pads[f]);
         assert_true(demo_rewind(&w, to[i]));
+        assert_int_equal(w.demo.marked, to[i]);
         play(&w, b, &r, 75);
         assert_true(demo_end(&w, b));
         loads(&d);
