@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.." || exit 2
 what=${1:-all}
 export OUT=${OUT:-build/release} CMOCKA_MESSAGE_OUTPUT=TAP LC_ALL=C
 results=$OUT/results
-seconds=600 # longer is a hang
+seconds=300 # longer is a hang
 
 # Reads a program's TAP and exit code; writes "passed failed".
 count() {

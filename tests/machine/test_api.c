@@ -12,14 +12,19 @@ static const char world[] =
     "bullet.def('air', { sprite = 'wink', hit = 'none' })\n"
     "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
     "spark.def('glow', { sprite = 'dot', life = 500 })\n"
-    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50, spark = 'glow', run = function(e) wait(9) end })\n"
-    "enemy.def('brief', { sprite = 'wink', hit = { box = { 0, 0 } }, on_death = function(e) e:kill() e:hurt(1) e:remove() end })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 }, run = function(p) wait(9) end })\n"
+    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50, spark = 'glow', run = function(e) wait(9) "
+    "end })\n"
+    "enemy.def('brief', { sprite = 'wink', hit = { box = { 0, 0 } }, on_death = function(e) e:kill() e:hurt(1) "
+    "e:remove() end })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 }, run = function(p) "
+    "wait(9) end })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
     "local sys = string.sys\n"
     "string.route = path.def { { x = 1, y = 2 }, { x = 100, y = 90, over = 2, ease = 'both' } }\n"
-    "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, stages = { 's' },\n"
-    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } }\n"
+    "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, stages = { "
+    "'s' },\n"
+    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
+    "}\n"
     "stage.def('s', function() wait(forever) end)\n"
     "boss.def('b', { title = 'B', kind = 'foe', x = 50, y = 50, phases = {\n"
     "  { id = 'p', hp = 10, time = 20, run = function(e) e.hp = 0 end } } })\n"
@@ -118,14 +123,14 @@ static void push_word(lua_State *L)
         const char *s;
         size_t n;
     } words[] = {
-        { "", 0 },         { "a", 1 },       { "a\0b", 3 },    { "\0", 1 },       { "main", 4 },   { "other", 5 },
-        { "bullets", 7 },  { "bullet", 6 },  { "enemy", 5 },   { "player", 6 },   { "shot", 4 },   { "coins", 5 },
-        { "words.txt", 9 }, { "dot", 3 },    { "slab", 4 },    { "bolt", 4 },     { "foe", 3 },    { "glow", 4 },
-        { "ship", 4 },     { "m", 1 },       { "t", 1 },       { "normal", 6 },   { "hard", 4 },   { "s", 1 },
-        { "b", 1 },        { "p", 1 },       { "stage", 5 },   { "phase", 5 },    { "graze", 5 },  { "fire", 4 },
-        { "linear", 6 },   { "both", 4 },    { "front", 5 },   { "left", 4 },     { "center", 6 }, { "none", 4 },
-        { "arrow", 5 },    { "wink", 4 },    { "brief", 5 },   { "%s%d%n", 6 },   { "\xff\xfe\x80", 3 },
-        { "tasks", 5 },    { "script", 6 },  { "odd", 3 },
+        { "", 0 },          { "a", 1 },      { "a\0b", 3 },  { "\0", 1 },     { "main", 4 },         { "other", 5 },
+        { "bullets", 7 },   { "bullet", 6 }, { "enemy", 5 }, { "player", 6 }, { "shot", 4 },         { "coins", 5 },
+        { "words.txt", 9 }, { "dot", 3 },    { "slab", 4 },  { "bolt", 4 },   { "foe", 3 },          { "glow", 4 },
+        { "ship", 4 },      { "m", 1 },      { "t", 1 },     { "normal", 6 }, { "hard", 4 },         { "s", 1 },
+        { "b", 1 },         { "p", 1 },      { "stage", 5 }, { "phase", 5 },  { "graze", 5 },        { "fire", 4 },
+        { "linear", 6 },    { "both", 4 },   { "front", 5 }, { "left", 4 },   { "center", 6 },       { "none", 4 },
+        { "arrow", 5 },     { "wink", 4 },   { "brief", 5 }, { "%s%d%n", 6 }, { "\xff\xfe\x80", 3 }, { "tasks", 5 },
+        { "script", 6 },    { "odd", 3 },
     };
     char s[400];
 
@@ -159,9 +164,30 @@ static void push_table(lua_State *L, int depth)
 
 static void push_number(lua_State *L)
 {
-    static const double odd[] = { 0,     -0.0,  0.5,        -1,         1e308,    -1e308,   1e-308,  4.9e-324,
-                                  2.5,   1e15,  16383,      16383.0001, -16384,   8191,     8191.5,  65535,
-                                  65536, 1e9,   2147483647, 2147483648, 4294967296.0, 9007199254740993.0, 180,  -180 };
+    static const double odd[] = { 0,
+                                  -0.0,
+                                  0.5,
+                                  -1,
+                                  1e308,
+                                  -1e308,
+                                  1e-308,
+                                  4.9e-324,
+                                  2.5,
+                                  1e15,
+                                  16383,
+                                  16383.0001,
+                                  -16384,
+                                  8191,
+                                  8191.5,
+                                  65535,
+                                  65536,
+                                  1e9,
+                                  2147483647,
+                                  2147483648,
+                                  4294967296.0,
+                                  9007199254740993.0,
+                                  180,
+                                  -180 };
 
     switch (below(6)) {
     case 0:
@@ -660,10 +686,13 @@ static void test_forged(void **state)
     (void)state;
     said = outcome(FORGED "bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, motion = forged(7, 1, 30000) }", 5);
     assert_non_null(strstr(said, "motion"));
-    said = outcome(FORGED "local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b.motion = forged(7, 1, 65534)", 5);
+    said = outcome(
+        FORGED "local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b.motion = forged(7, 1, 65534)", 5);
     assert_non_null(strstr(said, "motion"));
     assert_string_equal(outcome(FORGED "assert(forged(4, 1, 77).score == nil)", 2), "");
-    assert_string_equal(outcome(FORGED "shot.fire { kind = 'bolt', x = 40, y = 20, speed = 0, by = forged(4, 1, 200) } wait(3)", 9), "");
+    assert_string_equal(
+        outcome(FORGED "shot.fire { kind = 'bolt', x = 40, y = 20, speed = 0, by = forged(4, 1, 200) } wait(3)", 9),
+        "");
     assert_non_null(strstr(outcome("local n = 5 return n.x", 1), "index a number"));
     assert_non_null(strstr(outcome("local n = 5.5 n.x = 1", 1), "index a number"));
 }
@@ -696,14 +725,16 @@ static void test_zeros(void **state)
 static void test_death_once(void **state)
 {
     (void)state;
-    assert_string_equal(outcome("local n = 0\n"
-                                "local e = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x)\n"
-                                "  n = n + 1 x:kill() x:hurt(5) assert(not x.alive and x.hp == 0 and x.y == 9) end }\n"
-                                "e:kill() assert(n == 1 and not e.alive)\n"
-                                "local f = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x) n = n + 1 x:remove() end }\n"
-                                "f:hurt(1000) assert(n == 2 and not f.alive)\n",
-                                3),
-                        "");
+    assert_string_equal(
+        outcome(
+            "local n = 0\n"
+            "local e = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x)\n"
+            "  n = n + 1 x:kill() x:hurt(5) assert(not x.alive and x.hp == 0 and x.y == 9) end }\n"
+            "e:kill() assert(n == 1 and not e.alive)\n"
+            "local f = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x) n = n + 1 x:remove() end }\n"
+            "f:hurt(1000) assert(n == 2 and not f.alive)\n",
+            3),
+        "");
 }
 
 /* Functions of enemies that go without dying do not pile up. */
@@ -808,9 +839,9 @@ static int teardown(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forged),     cmocka_unit_test(test_nobody),  cmocka_unit_test(test_zeros),
-        cmocka_unit_test(test_death_once), cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak), cmocka_unit_test(test_start),
-        cmocka_unit_test(test_entries),    cmocka_unit_test(test_properties),
+        cmocka_unit_test(test_forged),     cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
+        cmocka_unit_test(test_death_once), cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
+        cmocka_unit_test(test_start),      cmocka_unit_test(test_entries),        cmocka_unit_test(test_properties),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -153,7 +153,7 @@ static void test_bullets(void **state)
     const struct {
         fx x, y;
         bool in;
-    } at[] = { { x0, y0, true },     { x1, y1, true },     { x0 - 1, px(9), false },
+    } at[] = { { x0, y0, true },         { x1, y1, true },         { x0 - 1, px(9), false },
                { x1 + 1, px(9), false }, { px(9), y0 - 1, false }, { px(9), y1 + 1, false } };
     s.speed = 0;
     for (int i = 0; i < 6; i++) {
@@ -187,7 +187,7 @@ static void test_bullets(void **state)
 /* ---- motion ---- */
 
 struct flight {
-    const char *steps; /* the program; bullets start at (100, 100) with speed 2 to the right */
+    const char *steps;     /* the program; bullets start at (100, 100) with speed 2 to the right */
     const char *meanwhile; /* run in a task started after the bullet, or NULL */
     double at[10][2];      /* where it is after each frame; x 0: gone or not looked at any more */
 };
@@ -227,31 +227,44 @@ static const struct flight flights[] = {
     { "{ turn = 90, speed = 4, over = 2 }", NULL, { { 100, 103 }, { 96, 103 }, { 92, 103 } } },
     { "{ speed = 4, accel = 1, over = 2 }", NULL, { { 104, 100 }, { 109, 100 }, { 114, 100 } } },
     { "{ home = 90, over = 1 }", NULL, { { 100, 102 }, { 100, 104 } } },
-    { "{ home = 180, over = 5 }, { dir = 0 }", NULL,
+    { "{ home = 180, over = 5 }, { dir = 0 }",
+      NULL,
       { { 100, 102 }, { 100, 104 }, { 100, 106 }, { 100, 108 }, { 100, 110 }, { 102, 110 } } },
-    { "{ aim = true, over = 2 }, { wait = 1 }, { speed = 0 }", NULL,
+    { "{ aim = true, over = 2 }, { wait = 1 }, { speed = 0 }",
+      NULL,
       { { 100, 102 }, { 100, 104 }, { 100, 106 }, { 100, 106 } } },
-    { "{ speed = 3, over = 1 }, { speed = 1, over = 1 }, { dir = 180 }", NULL,
+    { "{ speed = 3, over = 1 }, { speed = 1, over = 1 }, { dir = 180 }",
+      NULL,
       { { 103, 100 }, { 104, 100 }, { 103, 100 } } },
     { "{ bank = 3, over = 2 }, { speed = 0 }", NULL, { { 102, 100 }, { 104, 100 }, { 104, 100 } } },
     /* loops */
     { "{ loop = 2, { turn = 90 }, { wait = 1 } }", NULL, { { 100, 102 }, { 98, 102 }, { 96, 102 } } },
-    { "{ loop = forever, { turn = 90, over = 1 } }", NULL,
+    { "{ loop = forever, { turn = 90, over = 1 } }",
+      NULL,
       { { 100, 102 }, { 98, 102 }, { 98, 100 }, { 100, 100 }, { 100, 102 } } },
     { "{ loop = 0, { turn = 90, over = 1 } }, { speed = 1 }", NULL, { { 101, 100 }, { 102, 100 } } },
     { "{ loop = 3, { accel = 1 } }", NULL, { { 105, 100 }, { 110, 100 } } },
-    { "{ loop = 2, { loop = 2, { accel = 1 }, { wait = 1 } }, { dir = 90 } }", NULL,
+    { "{ loop = 2, { loop = 2, { accel = 1 }, { wait = 1 } }, { dir = 90 } }",
+      NULL,
       { { 103, 100 }, { 107, 100 }, { 107, 105 }, { 107, 111 }, { 107, 117 } } },
-    { "{ loop = 2, { loop = 2, { loop = 2, { loop = 2, { accel = 0.25 } } } } }", NULL, { { 106, 100 }, { 112, 100 } } },
+    { "{ loop = 2, { loop = 2, { loop = 2, { loop = 2, { accel = 0.25 } } } } }",
+      NULL,
+      { { 106, 100 }, { 112, 100 } } },
     /* a script's write wins over the step that drives the same thing; the program goes on */
-    { "{ turn = 90, over = 4 }, { speed = 1 }", "wait(1) b.dir = 0",
+    { "{ turn = 90, over = 4 }, { speed = 1 }",
+      "wait(1) b.dir = 0",
       { { 100, 102 }, { 102, 102 }, { 104, 102 }, { 106, 102 }, { 107, 102 } } },
-    { "{ turn = 90, speed = 4, over = 2 }, { turn = 90 }", "wait(1) b.speed = 8", { { 100, 103 }, { 92, 103 }, { 92, 95 } } },
+    { "{ turn = 90, speed = 4, over = 2 }, { turn = 90 }",
+      "wait(1) b.speed = 8",
+      { { 100, 103 }, { 92, 103 }, { 92, 95 } } },
     { "{ turn = 90, over = 4 }", "wait(1) b.speed = 1", { { 100, 102 }, { 99, 102 }, { 99, 101 }, { 100, 101 } } },
-    { "{ turn = 90, speed = 4, over = 3 }, { turn = 90 }", "wait(1) b.vx = 3 b.vy = 0",
+    { "{ turn = 90, speed = 4, over = 3 }, { turn = 90 }",
+      "wait(1) b.vx = 3 b.vy = 0",
       { { 100, 102 + TWO_THIRDS }, { 103, 102 + TWO_THIRDS }, { 106, 102 + TWO_THIRDS }, { 106, 105 + TWO_THIRDS } } },
     { "{ turn = 90, over = 9 }", "wait(2) b.motion = nil", { { 100, 102 }, { 98, 102 }, { 96, 102 }, { 94, 102 } } },
-    { "{ turn = 90, over = 2 }", "wait(2) b.motion = 'p'", { { 100, 102 }, { 98, 102 }, { 98, 100 }, { 100, 100 }, { 102, 100 } } },
+    { "{ turn = 90, over = 2 }",
+      "wait(2) b.motion = 'p'",
+      { { 100, 102 }, { 98, 102 }, { 98, 100 }, { 100, 100 }, { 102, 100 } } },
     { "{ turn = 90, over = 2 }", "wait(1) b.x, b.y = 50, 60", { { 100, 102 }, { 48, 60 }, { 46, 60 } } },
     { "{ turn = 90, over = 2 }", "wait(1) b:turn(180)", { { 100, 102 }, { 100, 100 }, { 100, 98 } } },
     { "{ turn = 90, over = 2 }", "wait(1) b:aim()", { { 100, 102 }, { 100, 104 }, { 100, 106 } } },
@@ -259,15 +272,16 @@ static const struct flight flights[] = {
 
 static void fly(const struct flight *f)
 {
-    static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
-                               "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
-                               "local p = motion.def { name = 'p', %s }\n"
-                               "stage.def('s', function()\n"
-                               "  local me = player.get(1) me.x, me.y = 100, 230\n"
-                               "  local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = p }\n"
-                               "  task.go(function() %s end) wait(forever)\n"
-                               "end)\n"
-                               "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+    static const char text[] =
+        "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
+        "local p = motion.def { name = 'p', %s }\n"
+        "stage.def('s', function()\n"
+        "  local me = player.get(1) me.x, me.y = 100, 230\n"
+        "  local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = p }\n"
+        "  task.go(function() %s end) wait(forever)\n"
+        "end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' } }\n";
     static char code[4096];
     struct board_start start = { .seed = 1, .difficulty = -1, .stage = "s" };
     struct rig_game g;
@@ -317,31 +331,34 @@ static void holds(const char *text, int frames)
 #define DOTS                                                                                                           \
     "bullet.def('dot', { sprite = 'dot', hit = 'none', bank = 2 })\n"                                                  \
     "bullet.def('red', { sprite = 'dot', hit = 'none', bank = 9 })\n"                                                  \
-    "local function dot(m, s) return bullet.fire { kind = 'dot', x = 100, y = 100, speed = s or 0, dir = 0, motion = m } end\n"
+    "local function dot(m, s) return bullet.fire { kind = 'dot', x = 100, y = 100, speed = s or 0, dir = 0, motion = " \
+    "m } end\n"
 
 static void test_styles(void **state)
 {
     (void)state;
     /* a kind brings its bank, unless the step gives one; with over, at the start */
-    holds(DOTS "task.go(function()\n"
-               "  local b = dot(motion.def { { wait = 1 }, { kind = 'red' }, { wait = 1 }, { bank = 4 }, { wait = 1 },\n"
-               "    { kind = 'dot', bank = 5, over = 2 }, { kind = 'red', over = 2 } })\n"
-               "  assert(b.kind == 'dot' and b.bank == 2)\n"
-               "  wait(1) assert(b.kind == 'dot')\n"
-               "  wait(1) assert(b.kind == 'red' and b.bank == 9)\n"
-               "  wait(1) assert(b.bank == 4)\n"
-               "  wait(1) assert(b.kind == 'dot' and b.bank == 5)\n"
-               "  b.bank = 7 wait(1) assert(b.bank == 7)\n"
-               "  wait(1) assert(b.kind == 'red' and b.bank == 9 and b.motion)\n"
-               "  wait(2) assert(b.motion == nil)\n"
-               "end)",
+    holds(DOTS
+          "task.go(function()\n"
+          "  local b = dot(motion.def { { wait = 1 }, { kind = 'red' }, { wait = 1 }, { bank = 4 }, { wait = 1 },\n"
+          "    { kind = 'dot', bank = 5, over = 2 }, { kind = 'red', over = 2 } })\n"
+          "  assert(b.kind == 'dot' and b.bank == 2)\n"
+          "  wait(1) assert(b.kind == 'dot')\n"
+          "  wait(1) assert(b.kind == 'red' and b.bank == 9)\n"
+          "  wait(1) assert(b.bank == 4)\n"
+          "  wait(1) assert(b.kind == 'dot' and b.bank == 5)\n"
+          "  b.bank = 7 wait(1) assert(b.bank == 7)\n"
+          "  wait(1) assert(b.kind == 'red' and b.bank == 9 and b.motion)\n"
+          "  wait(2) assert(b.motion == nil)\n"
+          "end)",
           12);
     /* aim without anybody: it stays as it is */
     holds(DOTS "task.go(function()\n"
                "  local b = dot(motion.def { { aim = true }, { home = 9, over = 3 } }, 1)\n"
                "  wait(5) assert(b.dir == 0 and b.x == 105)\n"
                "  local a = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, aim = true } assert(a.dir == 90)\n"
-               "  local c = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, aim = true, dir = 10 } assert(math.abs(c.dir - 100) < 1e-6)\n"
+               "  local c = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, aim = true, dir = 10 } "
+               "assert(math.abs(c.dir - 100) < 1e-6)\n"
                "end)",
           8);
     /* equal programs are one; a full store gives a dead motion, and the bullet flies straight */
@@ -352,13 +369,20 @@ static void test_styles(void **state)
                "local dead = motion.def { { wait = 999 } }\n"
                "task.go(function() local x = dot(dead, 1) assert(x.motion == nil) wait(2) assert(x.x == 102) end)",
           4);
+    /* forever is more than the 65535 rounds that are counted */
+    holds(DOTS "dot(motion.def { { loop = forever, { wait = 1 } }, { die = true } })\n"
+               "dot(motion.def { { loop = 65534, { wait = 1 } }, { die = true } })\n"
+               "task.go(function() wait(65534) assert(board.live 'bullets' == 2) wait(9) assert(board.live 'bullets' "
+               "== 1) end)",
+          65550);
     /* speeds end exactly where they should, however odd the steps */
-    holds(DOTS "task.go(function()\n"
-               "  for _, n in ipairs { 1, 3, 7, 11, 59 } do\n"
-               "    local b = dot(motion.def { { speed = 1.7, over = n } }, 0.3) local target = dot(nil, 1.7)\n"
-               "    wait(n) assert(b.speed == target.speed) wait(1) assert(b.speed == target.speed and b.motion == nil)\n"
-               "  end\n"
-               "end)",
+    holds(DOTS
+          "task.go(function()\n"
+          "  for _, n in ipairs { 1, 3, 7, 11, 59 } do\n"
+          "    local b = dot(motion.def { { speed = 1.7, over = n } }, 0.3) local target = dot(nil, 1.7)\n"
+          "    wait(n) assert(b.speed == target.speed) wait(1) assert(b.speed == target.speed and b.motion == nil)\n"
+          "  end\n"
+          "end)",
           90);
 }
 
@@ -494,8 +518,9 @@ static void test_sparks(void **state)
     struct rig r;
 
     (void)state;
-    rig_script(&g, NULL, "spark.def('a', { sprite = 'dot', life = 5, gravity = 0.5, drag = 0.25 })\n"
-                         "spark.def('b', { sprite = 'dot', life = 9 })");
+    rig_script(&g, NULL,
+               "spark.def('a', { sprite = 'dot', life = 5, gravity = 0.5, drag = 0.25 })\n"
+               "spark.def('b', { sprite = 'dot', life = 9 })");
     rig_power(&r, &g, NULL);
     struct sparks *s = &r.b->sparks;
     struct spark_burst burst = { .x = px(50), .y = px(60), .n = 1, .kind = 0 };
@@ -516,8 +541,9 @@ static void test_sparks(void **state)
     assert_int_equal(s->s.live, 0); /* life = 5 frames */
 
     /* directions within the spread, speeds from half to all of it */
-    burst = (struct spark_burst){ .x = px(50), .y = px(60), .n = 60, .kind = 1, .speed = px(4), .dir = 0x40000000,
-                                  .spread = 0x20000000 };
+    burst = (struct spark_burst){
+        .x = px(50), .y = px(60), .n = 60, .kind = 1, .speed = px(4), .dir = 0x40000000, .spread = 0x20000000
+    };
     sparks_burst(s, &burst);
     assert_int_equal(s->s.live, 60);
     int32_t least = INT32_MAX, largest = INT32_MIN;
@@ -749,9 +775,9 @@ static void test_nvram(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slots),  cmocka_unit_test(test_input),   cmocka_unit_test(test_bullets),
-        cmocka_unit_test(test_motion), cmocka_unit_test(test_styles),  cmocka_unit_test(test_enemies),
-        cmocka_unit_test(test_player), cmocka_unit_test(test_sparks),  cmocka_unit_test(test_fix),
+        cmocka_unit_test(test_slots),  cmocka_unit_test(test_input),  cmocka_unit_test(test_bullets),
+        cmocka_unit_test(test_motion), cmocka_unit_test(test_styles), cmocka_unit_test(test_enemies),
+        cmocka_unit_test(test_player), cmocka_unit_test(test_sparks), cmocka_unit_test(test_fix),
         cmocka_unit_test(test_pal),    cmocka_unit_test(test_nvram),
     };
 

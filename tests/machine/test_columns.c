@@ -228,7 +228,7 @@ static uint8_t *bytes_at(struct board *b, int i, const struct column *c)
     uint8_t *at = (uint8_t *)b + parts[i].at + c->at;
 
     if (!c->reg)
-        memcpy(&at, at, sizeof at);
+        memcpy(&at, at, sizeof(uint8_t *));
     return at;
 }
 
@@ -340,7 +340,8 @@ static const char scene[] =
     "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"
     "    e:move { x = 100, y = 100, over = 100 }\n"
     "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"
-    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) end)\n"
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "
+    "end)\n"
     "  end\n"
     "  text.put { col = 1, row = 1, text = 'words' }\n"
     "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"

@@ -289,7 +289,8 @@ static void draw_others(struct board *b, fx scale, fx place)
         int64_t r = b->player_kinds.radius[b->player.kind[p]];
         fx x = within(place), y = within(place);
         if (!one_in(3)) {
-            x = clamped((int64_t)b->player.x[p] + either_way(clamped(r + b->enemy_kinds.half_w[k], edge)) + within(2), edge);
+            x = clamped((int64_t)b->player.x[p] + either_way(clamped(r + b->enemy_kinds.half_w[k], edge)) + within(2),
+                        edge);
             y = clamped((int64_t)b->player.y[p] + within(clamped(b->enemy_kinds.half_h[k] + 2, edge)), edge);
         }
         enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
@@ -420,7 +421,9 @@ static void test_by_hand(void **state)
     scene("bullet.fire { kind = 'ball', x = 60, y = 230, speed = 60, dir = 270 }", 1, "h1 ");
     /* a teleport sweeps nothing */
     scene("local b = bullet.fire { kind = 'ball', x = 60, y = 100, speed = 0 } wait(1) b.y = 240", 3, "");
-    scene("local p = player.get(1) p.y = 100 bullet.fire { kind = 'ball', x = 60, y = 150, speed = 0 } wait(1) p.y = 200", 3, "");
+    scene(
+        "local p = player.get(1) p.y = 100 bullet.fire { kind = 'ball', x = 60, y = 150, speed = 0 } wait(1) p.y = 200",
+        3, "");
     /* edges: 4 + 2 px of a circle; a box of 10 and 2 with round corners */
     scene("bullet.fire { kind = 'meek', x = 66, y = 200, speed = 0 }", 1, "h1 ");
     scene("bullet.fire { kind = 'meek', x = 66 + 1 / 65536, y = 200, speed = 0 }", 1, "");
@@ -436,12 +439,15 @@ static void test_by_hand(void **state)
     scene("bullet.fire { kind = 'air', x = 60, y = 200, speed = 0 }", 9, "");
     scene("for i = 1, 3 do bullet.fire { kind = 'ball', x = 180, y = 210, speed = 0 } end", 9, "g2 g2 g2 ");
     /* who is safe is not hit, and tells nobody */
-    scene("player.get(1).safe = 3 bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } wait(3) bullet.clear()", 9, "");
-    scene("bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } "
+    scene("player.get(1).safe = 3 bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } wait(3) bullet.clear()", 9,
+          "");
+    scene("bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 200, "
+          "speed = 0 } "
           "wait(1) bullet.clear()",
           9, "h1 ");
     /* bodies */
-    scene("enemy.spawn { kind = 'foe', x = 67, y = 200 } wait(1) enemy.each(nil, function(e) e:remove() end)", 3, "h1 ");
+    scene("enemy.spawn { kind = 'foe', x = 67, y = 200 } wait(1) enemy.each(nil, function(e) e:remove() end)", 3,
+          "h1 ");
     scene("enemy.spawn { kind = 'foe', x = 67 + 1 / 65536, y = 200 }", 3, "");
     /* a shot is used up by the first enemy in slot order, and each enemy takes it once */
     scene("enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 3 } enemy.spawn { kind = 'foe', x = 100, y = 50, hp = 3 } "
@@ -458,7 +464,8 @@ static void test_by_hand(void **state)
           "assert(enemy.count() == 0 and board.live 'shots' == 1)",
           3, "k0 ");
     /* players in their order, bullets by slot, then enemies */
-    scene("bullet.fire { kind = 'ball', x = 180, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 215, speed = 0 } "
+    scene("bullet.fire { kind = 'ball', x = 180, y = 200, speed = 0 } bullet.fire { kind = 'ball', x = 60, y = 215, "
+          "speed = 0 } "
           "bullet.fire { kind = 'ball', x = 60, y = 200, speed = 0 } wait(1) bullet.clear()",
           2, "g1 h1 h2 ");
 }

@@ -15,7 +15,8 @@ static const char game[] =
     "local function say(s) log[#log + 1] = s end\n"
     "function string.told() return table.concat(log, ' ') end\n"
     "local function join(i, x) sys.join(i, 'ship') local p = player.get(i) p.x, p.y, p.safe = x, 200, 0 return p end\n"
-    "local function foe(x, t) local a = { kind = 'foe', x = x or 50, y = 50 } for k, v in pairs(t or {}) do a[k] = v end return enemy.spawn(a) end\n"
+    "local function foe(x, t) local a = { kind = 'foe', x = x or 50, y = 50 } for k, v in pairs(t or {}) do a[k] = v "
+    "end return enemy.spawn(a) end\n"
     "local function each_frame(f) task.go(function() while true do f() wait(1) end end) end\n"
     "local function closing(name) return setmetatable({}, { __close = function() say(name) end }) end\n";
 
@@ -38,7 +39,8 @@ static const struct order orders[] = {
       "local b, c, s, e\n"
       "on.kill(function()\n"
       "  b = bullet.fire { kind = 'air', x = 50, y = 50, dir = 0, speed = 2 }\n"
-      "  c = bullet.fire { kind = 'air', x = 50, y = 50, dir = 0, speed = 2, motion = motion.def { { speed = 4, over = 2 } } }\n"
+      "  c = bullet.fire { kind = 'air', x = 50, y = 50, dir = 0, speed = 2, motion = motion.def { { speed = 4, over = "
+      "2 } } }\n"
       "  s = shot.fire { kind = 'bolt', x = 50, y = 150, dir = 0, speed = 3 }\n"
       "  e = foe(50) e:move { x = 90, y = 50, over = 4 }\n"
       "end)\n"
@@ -56,14 +58,16 @@ static const struct order orders[] = {
     { "on_death called by a task belongs to that task's time",
       "task.go(function()\n"
       "  local b\n"
-      "  foe(50, { on_death = function() b = bullet.fire { kind = 'air', x = 50, y = 50, dir = 0, speed = 2 } end }):kill()\n"
+      "  foe(50, { on_death = function() b = bullet.fire { kind = 'air', x = 50, y = 50, dir = 0, speed = 2 } end "
+      "}):kill()\n"
       "  say(b.x) wait(1) say(b.x)\n"
       "end)",
       2, "50.0 / 52.0 /", NULL },
 
     /* ---- tasks ---- */
     { "turns in the order of starting; those started meanwhile come last",
-      "task.go(function() say('a') task.go(function() say('c') task.go(say, 'd') wait(1) say('g') end) wait(1) say('e') end)\n"
+      "task.go(function() say('a') task.go(function() say('c') task.go(say, 'd') wait(1) say('g') end) wait(1) "
+      "say('e') end)\n"
       "task.go(function() say('b') wait(1) say('f') end)",
       2, "a b c d / e f g /", NULL },
     { "a handler's task has its first turn in the next frame, after all before it",
@@ -93,11 +97,13 @@ static const struct order orders[] = {
       5, "/ / removed / end / both at once /", NULL },
     { "arguments and results",
       "task.go(function(...) say(select('#', ...)) say((...)) end, 'x', nil, nil)\n"
-      "task.go(function() local e = foe() task.own(e, function(o, n) say(o == e and n or 'no') end, 7) end)", 1, "3 x 7 /", NULL },
+      "task.go(function() local e = foe() task.own(e, function(o, n) say(o == e and n or 'no') end, 7) end)",
+      1, "3 x 7 /", NULL },
     { "a thing's end closes what it owns, at its turn",
       "task.go(function()\n"
       "  local e = foe()\n"
-      "  local t = task.own(e, function() local k <close> = closing('closed') while true do say('turn') wait(1) end end)\n"
+      "  local t = task.own(e, function() local k <close> = closing('closed') while true do say('turn') wait(1) end "
+      "end)\n"
       "  wait(1) e:remove() say(t.alive and 'alive' or 'dead') wait(1) say('next')\n"
       "end)",
       3, "turn / dead closed / next /", NULL },
@@ -111,7 +117,8 @@ static const struct order orders[] = {
       "local a = task.own(s, function() local k <close> = closing('a') wait(forever) end)\n"
       "local b = task.own(a, function() local k <close> = closing('b') wait(forever) end)\n"
       "local c = task.own(b, function() local k <close> = closing('c') wait(forever) end)\n"
-      "task.go(function() wait(1) task.stop(s) say('stop') for _, t in ipairs { s, a, b, c } do say(t.alive and 1 or 0) end end)",
+      "task.go(function() wait(1) task.stop(s) say('stop') for _, t in ipairs { s, a, b, c } do say(t.alive and 1 or "
+      "0) end end)",
       4, "/ stop 0 0 0 0 / a b c / /", NULL },
     { "task.go has the caller's owner",
       "task.go(function()\n"
@@ -122,7 +129,8 @@ static const struct order orders[] = {
       3, "/ inner / /", NULL },
     { "task.stop of itself: nothing after it runs, closings do",
       "local me\n"
-      "me = task.go(function() local k <close> = closing('closed') wait(1) say('stop') task.stop(me) say('never') end)\n"
+      "me = task.go(function() local k <close> = closing('closed') wait(1) say('stop') task.stop(me) say('never') "
+      "end)\n"
       "each_frame(function() say(me.alive and 'alive' or 'dead') end)",
       3, "alive / stop closed dead / dead /", NULL },
     { "task.stop from deep inside",
@@ -137,28 +145,34 @@ static const struct order orders[] = {
       "young = task.go(function() local k <close> = closing('young') while true do say('y') wait(1) end end)",
       4, "o y / o stop young / old / /", NULL },
     { "stopped before its first turn it never runs",
-      "task.go(function() local t = task.go(say, 'never') task.stop(t) task.stop(t) say(t.alive and 1 or 0) end)", 2, "0 / /", NULL },
+      "task.go(function() local t = task.go(say, 'never') task.stop(t) task.stop(t) say(t.alive and 1 or 0) end)", 2,
+      "0 / /", NULL },
     { "a task owned by the dead is dead",
-      "task.go(function() local e = foe() e:remove() local t = task.own(e, say, 'never') say(t.alive and 1 or 0) task.stop(t) end)",
+      "task.go(function() local e = foe() e:remove() local t = task.own(e, say, 'never') say(t.alive and 1 or 0) "
+      "task.stop(t) end)",
       2, "0 / /", NULL },
     { "closings may raise and be caught, and start tasks",
       "local function careful() local k <close> = setmetatable({}, { __close = function() error('x') end }) end\n"
       "task.go(function() say(pcall(careful) and 1 or 0) end)\n"
-      "local t = task.go(function() local k <close> = setmetatable({}, { __close = function() task.go(say, 'after') end }) wait(forever) end)\n"
+      "local t = task.go(function() local k <close> = setmetatable({}, { __close = function() task.go(say, 'after') "
+      "end }) wait(forever) end)\n"
       "task.go(function() wait(1) task.stop(t) end)",
       4, "0 / / after / /", NULL },
 
     /* ---- where waiting is not possible ---- */
     { "wait in a handler", "on.kill(function() wait(1) end) task.go(function() foe():kill() end)", 2, NULL, "task.go" },
-    { "wait_until in a handler", "on.kill(function() wait_until(function() return true end) end) task.go(function() foe():kill() end)",
-      2, NULL, "task.go" },
+    { "wait_until in a handler",
+      "on.kill(function() wait_until(function() return true end) end) task.go(function() foe():kill() end)", 2, NULL,
+      "task.go" },
     { "wait in an each", "task.go(function() foe() enemy.each(nil, function() wait(1) end) end)", 2, NULL, "C calls" },
     { "wait in a closing of a stopped task",
-      "local t = task.go(function() local k <close> = setmetatable({}, { __close = function() wait(1) end }) wait(9) end)\n"
+      "local t = task.go(function() local k <close> = setmetatable({}, { __close = function() wait(1) end }) wait(9) "
+      "end)\n"
       "task.go(function() wait(1) task.stop(t) end)",
       3, NULL, "only a task can wait" },
-    { "a faulty closing", "task.go(function() local me <close> = setmetatable({}, { __close = function() error('x') end }) end)", 2,
-      NULL, "x" },
+    { "a faulty closing",
+      "task.go(function() local me <close> = setmetatable({}, { __close = function() error('x') end }) end)", 2, NULL,
+      "x" },
     { "half a frame", "task.go(function() wait(2.5) end)", 1, NULL, "whole number" },
 
     /* ---- freezing ---- */
@@ -175,7 +189,8 @@ static const struct order orders[] = {
       6, "50.0 / 52.0 menu / menu / on / 54.0 / three 56.0 /", NULL },
     { "a frozen board goes on counting frames, not game time",
       "local s = task.scope()\n"
-      "task.own(s, function() local f, c = board.frame(), sys.clock() wait(3) say(board.frame() - f) say(sys.clock() - c) end)\n"
+      "task.own(s, function() local f, c = board.frame(), sys.clock() wait(3) say(board.frame() - f) say(sys.clock() - "
+      "c) end)\n"
       "task.go(function() sys.freeze(s) end)",
       5, "/ / / 3 0 / /", NULL },
     { "tasks whose owner died are closed on a frozen board too",
@@ -186,14 +201,15 @@ static const struct order orders[] = {
       4, "/ / closed / /", NULL },
 
     /* ---- events ---- */
-    { "handlers in the order they were given", "for i = 1, 3 do on.kill(function() say(i) end) end task.go(function() foe():kill() end)",
-      1, "1 2 3 /", NULL },
+    { "handlers in the order they were given",
+      "for i = 1, 3 do on.kill(function() say(i) end) end task.go(function() foe():kill() end)", 1, "1 2 3 /", NULL },
     { "what tasks raised comes before what hits raise, and what those raise after them, in its order",
       "on.graze(function(p) say('graze' .. p.index) end) on.hit(function(p) say('hit' .. p.index) end)\n"
       "on.death(function(p) say('death' .. p.index .. (p.alive and p.x == 60 * p.index and 'here' or '')) end)\n"
       "on.game_over(function() say('over') end) on.kill(function(_, p) say('kill' .. (p and p.index or 0)) end)\n"
       "on.extend(function(p) say('extend' .. p.index) end) on.leave(function() say('leave') end)\n"
-      "on.phase(function(e, id, won) say('phase' .. id .. (won and 1 or 0)) end) on.stage(function(n, s) say(n .. s) end)\n"
+      "on.phase(function(e, id, won) say('phase' .. id .. (won and 1 or 0)) end) on.stage(function(n, s) say(n .. s) "
+      "end)\n"
       "local one, two = join(1, 60), join(2, 120)\n"
       "one.x, one.y = 60, 200\n" /* it stood aside for the other */
       "task.go(function()\n"
@@ -211,24 +227,29 @@ static const struct order orders[] = {
     { "an extend in the frame of its score",
       "on.extend(function(p) say('extend' .. p.lives) end)\n"
       "local p = join(1, 60)\n"
-      "task.go(function() score.add(999, p) wait(1) score.add(1, p) say(p.lives) wait(1) score.add(100000, p) say(p.lives) wait(1) say(p.lives) end)",
+      "task.go(function() score.add(999, p) wait(1) score.add(1, p) say(p.lives) wait(1) score.add(100000, p) "
+      "say(p.lives) wait(1) say(p.lives) end)",
       4, "/ 1 extend1 / 2 extend2 / 2 /", NULL },
     { "on.hit may save; on.death sees the lives that are left and may bring one back",
       "local p = join(1, 60) p.lives = 1\n"
       "on.hit(function(q) say('hit') if not string.saved then string.saved = true q.safe = 1 end end)\n"
       "on.death(function(q) say('death' .. q.lives) if q.lives < 0 then q.lives = 1 end end)\n"
-      "task.go(function() for i = 1, 6 do local b = bullet.fire { kind = 'dot', x = p.x, y = p.y, speed = 0 } wait(1) b:remove() end end)",
+      "task.go(function() for i = 1, 6 do local b = bullet.fire { kind = 'dot', x = p.x, y = p.y, speed = 0 } wait(1) "
+      "b:remove() end end)",
       6, "hit / hit death0 / hit death-1 / hit death0 / hit death-1 / hit death0 /", NULL },
     { "what a handler raises is told in the same frame, after the rest",
       "local a, b = foe(10), foe(20)\n"
-      "on.kill(function(e) say(e == a and 'a' or 'b') if e == a then b:kill() end end) on.stage(function() say('s') end)\n"
+      "on.kill(function(e) say(e == a and 'a' or 'b') if e == a then b:kill() end end) on.stage(function() say('s') "
+      "end)\n"
       "task.go(function() a:kill() sys.emit('stage', 1, 2) end)",
       1, "a s b /", NULL },
     { "the killed can be read in on_death and in on.kill",
       "on.kill(function(e) say(e.x or 'gone') end)\n"
-      "task.go(function() foe(30, { on_death = function(e) say(e.x) end }):kill() end)", 1, "30.0 30.0 /", NULL },
+      "task.go(function() foe(30, { on_death = function(e) say(e.x) end }):kill() end)",
+      1, "30.0 30.0 /", NULL },
     { "on_hit when it lives on, on_death when not",
-      "enemy.def('wall', { sprite = 'dot', hit = { box = { 8, 8 } }, hp = 2, on_hit = function(e, p, n) say('hit' .. n .. e.hp) end,\n"
+      "enemy.def('wall', { sprite = 'dot', hit = { box = { 8, 8 } }, hp = 2, on_hit = function(e, p, n) say('hit' .. n "
+      ".. e.hp) end,\n"
       "  on_death = function(e, p) say('death' .. (p and p.index or 0)) end })\n"
       "local p = join(1, 60)\n"
       "task.go(function() enemy.spawn { kind = 'wall', x = 50, y = 50 }\n"
@@ -294,12 +315,9 @@ static void test_load(void **state)
     static const struct {
         const char *code, *fault;
     } cases[] = {
-        { "wait(1)", "task.go" },
-        { "wait_until(function() return true end)", "task.go" },
-        { "undeclared = 1", "undeclared" },
-        { "require 'main'", "itself" },
-        { "error 'plain'", "plain" },
-        { "by_difficulty { normal = 1 }", "where the game runs" },
+        { "wait(1)", "task.go" },           { "wait_until(function() return true end)", "task.go" },
+        { "undeclared = 1", "undeclared" }, { "require 'main'", "itself" },
+        { "error 'plain'", "plain" },       { "by_difficulty { normal = 1 }", "where the game runs" },
     };
 
     (void)state;
@@ -318,9 +336,10 @@ static void test_load(void **state)
 /* board.reset: as after power-on, but frames and nvram go on, and so does what the frame said. */
 static void test_reset(void **state)
 {
-    static const char text[] = "print('load')\n"
-                               "local n = save.get('n', 0) save.set('n', n + 1)\n"
-                               "task.go(function() wait(3) if n == 0 then board.reset() print('last') end wait(forever) end)\n";
+    static const char text[] =
+        "print('load')\n"
+        "local n = save.get('n', 0) save.set('n', n + 1)\n"
+        "task.go(function() wait(3) if n == 0 then board.reset() print('last') end wait(forever) end)\n";
     const uint16_t none[PADS] = { 0 };
     struct rig_game g;
     struct rig r;

@@ -126,7 +126,7 @@ static void test_torture(void **state)
     const char *const demos[] = { "torture", NULL };
 
     (void)state;
-    folder("torture", demos, 1500, 20000);
+    folder("torture", demos, 1000, 20000);
 }
 
 static void test_glasstide(void **state)
@@ -134,7 +134,7 @@ static void test_glasstide(void **state)
     const char *const demos[] = { "attract", "run", "whole", NULL };
 
     (void)state;
-    folder("glasstide", demos, 1200, 30000);
+    folder("glasstide", demos, 1000, 30000);
 }
 
 static void test_lua_only(void **state)
@@ -253,13 +253,13 @@ static void go_back_in(const char *name, uint32_t brief, uint32_t full)
 static void test_back_torture(void **state)
 {
     (void)state;
-    go_back_in("torture", 12, 1000);
+    go_back_in("torture", 8, 1000);
 }
 
 static void test_back_glasstide(void **state)
 {
     (void)state;
-    go_back_in("glasstide", 8, 1000);
+    go_back_in("glasstide", 5, 1000);
 }
 
 /* A snapshot of a board that grew smaller since, and one of a board that grew larger. */

@@ -15,7 +15,7 @@ static struct api_entry copies[MOST];
 static long uses[MOST], reads[HANDLES][PROPS], writes[HANDLES][PROPS];
 static unsigned step_seen, step_timed; /* bits of step_keys */
 
-static const char *const step_keys[] = { "wait", "kind", "bank",  "dir", "aim",  "turn",
+static const char *const step_keys[] = { "wait", "kind",  "bank",  "dir", "aim",  "turn",
                                          "home", "speed", "accel", "die", "loop", "over" };
 enum { STEP_KEYS = sizeof step_keys / sizeof *step_keys };
 
@@ -211,8 +211,9 @@ struct press {
     uint16_t pad;
 };
 /* Through the menus: two players, a ship for each, a difficulty. */
-static const struct press presses[] = { { 20, 0, PAD_START }, { 40, 0, PAD_DOWN }, { 50, 0, PAD_FIRE }, { 70, 0, PAD_FIRE },
-                                        { 90, 1, PAD_DOWN },  { 100, 1, PAD_FIRE }, { 120, 0, PAD_FIRE } };
+static const struct press presses[] = { { 20, 0, PAD_START }, { 40, 0, PAD_DOWN }, { 50, 0, PAD_FIRE },
+                                        { 70, 0, PAD_FIRE },  { 90, 1, PAD_DOWN }, { 100, 1, PAD_FIRE },
+                                        { 120, 0, PAD_FIRE } };
 
 static void recipe(int f, struct rng *rng, uint16_t pads[PADS])
 {
