@@ -2,7 +2,7 @@
  * null.c - the port with no window: for servers, tests, and hosts where only headless commands are wanted.
  * floor: platform    used by: linking
  *
- * The clock is the host's, so play runs at its true speed, unseen, until the process is stopped.
+ * It cannot be played in: plat_open says so, and `curtain play` ends with exit code 3.
  */
 #if defined(__unix__) || defined(__APPLE__)
 #define _XOPEN_SOURCE 700
@@ -15,7 +15,7 @@
 bool plat_open(const struct plat_want *want)
 {
     (void)want;
-    return true;
+    return false;
 }
 
 void plat_close(void)

@@ -8,8 +8,8 @@
 # a test fails without any fault (MUTANTS_ANYWAY=1: goes on with the others). MUTANTS_KEEP=1 keeps the copies.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-export LC_ALL=C CMOCKA_MESSAGE_OUTPUT=TAP
-CONFIG=mutant OUT=build/mutant
+CONFIG=mutant
+export LC_ALL=C CMOCKA_MESSAGE_OUTPUT=TAP OUT=build/mutant
 seconds=200 # a test that takes longer has been made endless
 
 # plant TREE NUMBER: prints "FILE: OLD -> NEW"; the programs named go to $TREE/programs
@@ -37,7 +37,7 @@ run() {
     (
         cd "$1" || exit 2
         case $2 in
-        *.sh) OUT=$OUT timeout -k 5 $seconds "tests/$2" ;;
+        *.sh) timeout -k 5 $seconds "tests/$2" ;;
         *) timeout -k 5 $seconds "$OUT/$2" ;;
         esac
     ) >"$1/said" 2>&1 </dev/null

@@ -18,14 +18,17 @@ render() {
     shift 3
     mkdir -p "$scratch/one" "$scratch/new"
     "$curtain" render "$rom" --frames "$frames" "$@" -o "$scratch/one" || return 1
-    local png frame last=0
+    local png frame last=0 every=0 n
     for png in "$scratch"/one/*.png; do
         frame=$(basename "$png" .png)
         mv "$png" "$scratch/new/$name-$frame.png"
         echo "$((10#$frame))" >>"$scratch/wanted"
         last=$((10#$frame))
+        for ((n = last; n > 0; )); do # the greatest step that meets all frames: hashing each frame takes long
+            ((frame = every % n, every = n, n = frame))
+        done
     done
-    "$curtain" hash "$rom" --frames "$last" "$@" |
+    "$curtain" hash "$rom" --frames "$last" --every "$((every ? every : 1))" "$@" |
         awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' "$scratch/wanted" - \
             >>"$scratch/hashes"
     rm -r "$scratch/one" "$scratch/wanted"
