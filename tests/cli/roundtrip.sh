@@ -60,6 +60,8 @@ tracks() { # PROGRAM FOLDER
     echo "exit $?" >>"$2/everything"
     "$1" hash "$glasstide" --demo "$glasstide/demos/run.demo" --frames 3000 --every 10 --parts >"$2/demo" 2>&1
     echo "exit $?" >>"$2/demo"
+    "$1" verify "$glasstide" "$glasstide"/demos/*.demo >"$2/verify" 2>&1
+    echo "exit $?" >>"$2/verify"
     "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 --parts >"$2/boss" 2>&1
     "$1" render g --stage one --frames 1:1200:117 -o "$2/frames" 2>/dev/null
     "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" --sheet "$2/sheet.png" 2>/dev/null
@@ -72,6 +74,15 @@ same 'the demo runs to its end' 'exit 0' "$(tail -1 here/demo)"
 holds 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
 tracks "$curtain" again
 holds 'twice the same: hashes, pictures, ROMs' diff -r here again
+
+same 'both demos hold' 'exit 0' "$(tail -1 here/verify)"
+for i in $(seq 20); do
+    "$curtain" hash "$glasstide" --demo "$glasstide/demos/run.demo" --every 60 --parts | cksum
+    "$curtain" hash "$glasstide" --demo "$glasstide/demos/attract.demo" --every 60 --parts | cksum
+done | sort -u >distinct
+same 'hash tracks of both demos are alike in 20 processes' 2 "$(wc -l <distinct)"
+tracks "$OUT/curtain" window
+holds 'the same in the program with a window' diff -r here window
 
 wrong=
 for picture in here/frames/*.png here/sheet.png; do
@@ -89,7 +100,7 @@ other() { # NAME MAKE-ARGUMENT...
     ok "builds with $*"
     same "$name: without a warning" '' "$(grep -i warning make.log)"
     tracks "$repo/build/cross-$name/curtain-bare" "$name"
-    for file in everything demo boss g.rom glasstide.rom frames sheet.png; do
+    for file in everything demo verify boss g.rom glasstide.rom frames sheet.png; do
         if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"; else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
     done
 }
