@@ -44,13 +44,18 @@ export DISPLAY
 
 # start TITLE COMMAND...: sets child, title and win (SDL may replace its window by another)
 start() {
+    local try
     title=$1
     shift
-    "$@" >"$scratch/out" 2>"$scratch/err" &
-    child=$!
-    if ! soon found; then
-        check "a window for: $*" cat "$scratch/err" /none
+    # A window that is mapped while a window manager takes over can get lost: that is between those two, not the port's.
+    for try in 1 2 3; do
+        "$@" >"$scratch/out" 2>"$scratch/err" &
+        child=$!
+        soon found && break
         leave
+    done
+    if [ -z "$child" ]; then
+        check "a window for: $*" cat "$scratch/err" /none
         return 1
     fi
     timeout 5 xdotool windowfocus --sync "$win"
@@ -107,6 +112,7 @@ managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window i
 openbox --sm-disable >/dev/null 2>&1 &
 wm=$!
 check "a window manager" soon managed
+sleep 1 # it says so before it looks after windows
 if start "port probe" "$probe" show 240 160 2; then
     check "pixels before fullscreen" same_pixels 240 160 480 320
     xdotool key --delay 100 f
