@@ -70,6 +70,7 @@ leave() {
 stop() {
     xdotool key Escape
     check "ends on Escape" soon gone
+    gone || kill -KILL "$child"
     wait "$child"
     check "with exit code 0" [ $? = 0 ]
     leave
