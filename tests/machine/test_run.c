@@ -132,6 +132,32 @@ static void test_standing_still(void **state)
     drop(&g);
 }
 
+/* Each round of a practice start is like the first: what the round before started has ended. */
+static void test_practice_rounds(void **state)
+{
+    struct game g;
+    struct board_start start = { .difficulty = -1, .stage = "one" };
+    const uint16_t pads[PADS] = { PAD_FIRE, 0 };
+    uint32_t tasks[3], shots[3], rounds = 0, since = 0;
+
+    (void)state;
+    power(&g, &start);
+    for (uint32_t f = 0; f < 6000 && rounds < 3; f++) {
+        assert_null(board_tick(g.b, pads)->fault);
+        since = g.b->player.in[0] ? since + 1 : 0;
+        if (since == 60) {
+            tasks[rounds] = g.b->tasks.s.live;
+            shots[rounds++] = g.b->shots.s.live;
+        }
+    }
+    assert_int_equal(rounds, 3);
+    for (int i = 1; i < 3; i++) {
+        assert_int_equal(tasks[i], tasks[0]);
+        assert_int_equal(shots[i], shots[0]);
+    }
+    drop(&g);
+}
+
 static void test_never_shooting(void **state)
 {
     struct game g;
@@ -157,7 +183,8 @@ static void test_never_shooting(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_attract), cmocka_unit_test(test_whole_run),
-                                        cmocka_unit_test(test_standing_still), cmocka_unit_test(test_never_shooting) };
+                                        cmocka_unit_test(test_standing_still), cmocka_unit_test(test_never_shooting),
+                                        cmocka_unit_test(test_practice_rounds) };
 
     return cmocka_run_group_tests_name("run", tests, NULL, NULL);
 }
