@@ -6,7 +6,11 @@
  * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and
  * their bits depend on no compiler and no processor: where a double makes the first guess, integers decide.
  *
- * Relied upon: IEEE 754 doubles in the default rounding mode, -fwrapv, arithmetic right shifts.
+ * Each such guess has a twin made of integers alone. With FX_INTEGER defined the twins are used throughout, for targets
+ * whose doubles are made by software; results are the same. What comes from or goes to Lua is a double in any case.
+ *
+ * Relied upon: IEEE 754 doubles in the default rounding mode, arithmetic right shifts, conversions to signed types that
+ * wrap (gcc and clang promise both).
  */
 #ifndef BASE_FX_H
 #define BASE_FX_H
@@ -65,13 +69,34 @@ static inline double fx_root_guess(uint64_t n)
     return sqrt((double)(int64_t)(n - (n >> 63)));
 }
 
+/* The greatest whole number that is not above sqrt(n), a bit a step: the twin. */
+static inline uint64_t fx_root_bits(uint64_t n)
+{
+    uint64_t r = 0;
+
+    for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
+        uint64_t with = r + bit;
+
+        r >>= 1;
+        if (n >= with) {
+            n -= with;
+            r += bit;
+        }
+    }
+    return r;
+}
+
 /*
  * The whole number nearest to sqrt(n), n <= 2^63. (r + 1/2)^2 is never whole, so there are no ties: r is right when
  * r*r - r < n <= r*r + r. The guess is off by less than 2^-20; cut to a whole number it is r or r - 1.
  */
 static inline uint64_t fx_root(uint64_t n)
 {
+#ifdef FX_INTEGER
+    uint64_t r = fx_root_bits(n);
+#else
     uint64_t r = (uint64_t)(int64_t)fx_root_guess(n);
+#endif
 
     return r + (n > r * r + r);
 }
@@ -134,15 +159,26 @@ static inline fx fx_rsqrt(fx x)
     if (x <= 0)
         return x < 0 ? 0 : FX_MAX;
 
-    uint64_t r = (uint64_t)(int64_t)(16777216.0 / sqrt((double)x)), m = 2 * r + 1;
+#ifdef FX_INTEGER
+    uint64_t r = fx_root_bits(((uint64_t)1 << 48) / (uint32_t)x); /* the root of what is cut is the root, cut */
+#else
+    uint64_t r = (uint64_t)(int64_t)(16777216.0 / sqrt((double)x));
+#endif
+    uint64_t m = 2 * r + 1;
 
     return (fx)(r + (m * m * (uint64_t)x < (uint64_t)1 << 50));
+}
+
+/* x*x + y*y in square units, exact: at most 2^63. */
+static inline uint64_t fx_square(fx x, fx y)
+{
+    return (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
 }
 
 /* The length of (x, y); clamped, for it can reach 46341. */
 static inline fx fx_hypot(fx x, fx y)
 {
-    return fx_sat((int64_t)fx_root((uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y)));
+    return fx_sat((int64_t)fx_root(fx_square(x, y)));
 }
 
 /* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */

@@ -101,28 +101,6 @@ fx trig_cos(ang a)
     return trig_sin(a + 0x40000000);
 }
 
-/* speed * q, q in Q64; the other way if `back`. */
-static fx scaled(fx speed, uint64_t q, bool back)
-{
-    uint64_t m = magnitude(speed);
-    int64_t v = (int64_t)(fx_mul_high(q, m) + (q * m >> 63));
-
-    return fx_sat(negate_if(back != (speed < 0), v));
-}
-
-void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
-{
-    uint32_t u = dir & 0x3fffffff;
-    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
-    uint32_t v = past ? 0x40000000 - u : u;
-    bool swap = past != (dir >> 30 & 1);
-    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
-    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
-
-    *vx = scaled(speed, c ^ change, (dir + 0x40000000) >> 31);
-    *vy = scaled(speed, s ^ change, dir >> 31);
-}
-
 /* A fraction of 128 bits. */
 struct wide {
     uint64_t hi, lo;
@@ -160,23 +138,33 @@ static struct wide wide_div(struct wide a, uint32_t n)
     return (struct wide){ a.hi / n, (high / n << 32) + low / n };
 }
 
-/*
- * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Sine and cosine by Taylor's series, to 2^-120. The nearest of
- * 2^62 vectors to one of 2^29 rays has to be expected 2^-60 units off it, 2^-91 of its length.
- */
-static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+/* Cosine and sine of u > 0 half angs, u <= 2^30: an eighth of a turn. By Taylor's series, to 2^-120. */
+static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 {
     static const struct wide EIGHTH_TURN = { 0xc90fdaa22168c234, 0xc4c6628b80dc1cd1 }; /* pi / 4 */
-    struct wide x = wide_scale(EIGHTH_TURN, (uint64_t)(2 * k + 1) << 34);
-    struct wide part[2] = { { 0, 0 }, x }, term = x; /* cosine, less one; sine */
+    struct wide x = u >> 30 ? EIGHTH_TURN : wide_scale(EIGHTH_TURN, (uint64_t)u << 34);
+    struct wide sum[2] = { { 0, 0 }, x }, term = x;
 
     for (uint32_t i = 2; term.hi | term.lo; i++) {
         term = wide_div(wide_mul(term, x), i);
-        part[i & 1] = i & 2 ? wide_sub(part[i & 1], term) : wide_add(part[i & 1], term);
+        sum[i & 1] = i & 2 ? wide_sub(sum[i & 1], term) : wide_add(sum[i & 1], term);
     }
-    part[0] = wide_scale(part[0], (uint64_t)n << 32);
-    part[1] = wide_scale(part[1], (uint64_t)d << 32);
-    return part[0].hi > part[1].hi || (part[0].hi == part[1].hi && part[0].lo > part[1].lo);
+    *cosine = sum[0];
+    *sine = sum[1];
+}
+
+/*
+ * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
+ * ray than 2^-NN of its length (make prove), so the 120 bits decide.
+ */
+static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+{
+    struct wide c, s;
+
+    wide_circle(2 * k + 1, &c, &s);
+    c = wide_scale(c, (uint64_t)n << 32);
+    s = wide_scale(s, (uint64_t)d << 32);
+    return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
 }
 
 /* atan(i / 32) in 2^-64 turns. */
@@ -194,6 +182,28 @@ static const uint64_t ATAN[33] = {
  * atan(n / d) in 2^-64 turns, give or take 20 of them; n <= d <= 2^31, d > 0.
  * atan(n/d) = atan(i/32) + atan(q), q = (32n - id) / (32d + in), |q| <= 1/64: five terms of the series do.
  */
+#ifdef FX_INTEGER
+static uint64_t atan_guess(uint32_t n, uint32_t d)
+{
+    uint64_t i = ((uint64_t)n * 64 + d) / ((uint64_t)d * 2), low = i * d, high = (uint64_t)n * 32;
+    uint64_t over = high < low ? low - high : high - low, under = (uint64_t)d * 32 + i * n, q = 0;
+
+    for (int k = 0; k < 4; k++) { /* over < 2^31, under < 2^38: 16 bits of the quotient at a time */
+        over <<= 16;
+        q = q << 16 | over / under;
+        over %= under;
+    }
+
+    uint64_t z = fx_mul_high(q, q), series;
+
+    series = 0x2492492492492492 - fx_mul_high(z, 0x1c71c71c71c71c72); /* 1/7, 1/9 */
+    series = 0x3333333333333333 - fx_mul_high(z, series);
+    series = 0x5555555555555555 - fx_mul_high(z, series);
+    q -= fx_mul_high(q, fx_mul_high(z, series));
+    q = fx_mul_high(q, 0x28be60db9391054a); /* 1 / (2 pi) */
+    return high < low ? ATAN[i] - q : ATAN[i] + q;
+}
+#else
 static uint64_t atan_guess(uint32_t n, uint32_t d)
 {
     double fn = n, fd = d;
@@ -204,6 +214,7 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
 
     return ATAN[i] + (uint64_t)(int64_t)(turns * (q + q * series));
 }
+#endif
 
 /* atan(n / d), correctly rounded. */
 static ang atan_eighth(uint32_t n, uint32_t d)
@@ -236,11 +247,72 @@ ang trig_atan2(fx y, fx x)
 }
 
 /*
+ * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
+ * such product is nearer to a half than 2^-NN (make prove); the series is off by 2^31 * 2^-120 at most.
+ */
+static bool above_half(uint32_t v, bool cosine, uint32_t m)
+{
+    struct wide c, s;
+
+    wide_circle(2 * v, &c, &s);
+    if (!cosine)
+        c = s;
+    return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
+}
+
+/* speed times the sine or cosine of v, which is about q in Q64; the other way if `back`. */
+static fx scaled(fx speed, uint64_t q, uint32_t v, bool cosine, bool back)
+{
+    const uint64_t doubt = (uint64_t)1 << 36, half = (uint64_t)1 << 63; /* q is off by less than 2^4 */
+    uint32_t m = magnitude(speed);
+    uint64_t whole = fx_mul_high(q, m), rest = q * m;
+
+    whole += rest - (half - doubt) < 2 * doubt ? above_half(v, cosine, m) : rest >= half;
+    return fx_sat(negate_if(back != (speed < 0), (int64_t)whole));
+}
+
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    uint32_t u = dir & 0x3fffffff;
+    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
+    uint32_t v = past ? 0x40000000 - u : u;
+    bool swap = past != (dir >> 30 & 1);
+    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
+    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
+
+    *vx = scaled(speed, c ^ change, v, !swap, (dir + 0x40000000) >> 31);
+    *vy = scaled(speed, s ^ change, v, swap, dir >> 31);
+}
+
+#ifdef FX_INTEGER
+/* x / sqrt(square): t^2 <= 2^34 x^2 / square, the greatest t, is twice that, cut. */
+static fx unit_part(fx x, uint64_t square)
+{
+    uint64_t xx = (uint64_t)((int64_t)x * x), high = xx >> 30, low = xx << 34, t = 0;
+
+    for (uint64_t bit = square ? FX_ONE * 2 : 0; bit; bit >>= 1) {
+        uint64_t tt = (t + bit) * (t + bit), most = fx_mul_high(tt, square);
+
+        if (most < high || (most == high && tt * square <= low))
+            t += bit;
+    }
+    return (fx)negate_if(x < 0, (int64_t)(t + 1) >> 1);
+}
+
+void trig_normalise(fx x, fx y, fx *ux, fx *uy)
+{
+    uint64_t square = fx_square(x, y);
+
+    *ux = unit_part(x, square);
+    *uy = unit_part(y, square);
+}
+#else
+/*
  * |x| / sqrt(square) is within 2^-20 units of r + 1/2: is it above? That is x^2 * 2^34 > (2r + 1)^2 * square, and being
  * so near they differ by less than square * (2r + 1) * 2^-18 < 2^62: 64 bits of the difference suffice. There are no
  * ties: that would take two odd squares that add up to 2^34 squares.
  */
-static bool above_half(int32_t r, fx x, uint64_t square)
+static bool above_middle(int32_t r, fx x, uint64_t square)
 {
     uint64_t xx = (uint64_t)((int64_t)x * x), odd = (uint64_t)(2 * r + 1);
 
@@ -254,18 +326,19 @@ static fx unit_part(fx x, uint64_t square, double scale)
     int32_t r = (int32_t)guess;
     double rest = guess - r;
 
-    r += fabs(rest - 0.5) < 5e-7 ? above_half(r, x, square) : rest > 0.5;
+    r += fabs(rest - 0.5) < 5e-7 ? above_middle(r, x, square) : rest > 0.5;
     return (fx)negate_if(x < 0, r);
 }
 
 void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 {
-    uint64_t square = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
+    uint64_t square = fx_square(x, y);
     double scale = square ? FX_ONE / fx_root_guess(square) : 0;
 
     *ux = unit_part(x, square, scale);
     *uy = unit_part(y, square, scale);
 }
+#endif
 
 /*
  * The quotient by 45 is rounded to 53 bits before it is rounded to a whole number, which is harmless: a numerator whose

@@ -22,11 +22,7 @@ fx trig_cos(ang a);
 /* The direction of (x, y); 0 for (0, 0). Mind the order. */
 ang trig_atan2(fx y, fx x);
 
-/*
- * *vx = speed * cos(dir), *vy = speed * sin(dir), rounded once. The products are formed to 2^-31 of a unit, so a result
- * is the correctly rounded one unless the exact product lies that near to halfway between two. A negative speed goes
- * backwards.
- */
+/* *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards. */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
 /* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). */
