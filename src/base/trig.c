@@ -248,9 +248,9 @@ ang trig_atan2(fx y, fx x)
 
 /*
  * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
- * such product is nearer to a half than 2^-NN (make prove); the series is off by 2^31 * 2^-120 at most.
+ * such product of m <= 2^31 is nearer to a half than 2^-NN (make prove); the series is off by 2^-89 of a unit at most.
  */
-static bool above_half(uint32_t v, bool cosine, uint32_t m)
+static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
     struct wide c, s;
 
@@ -260,18 +260,18 @@ static bool above_half(uint32_t v, bool cosine, uint32_t m)
     return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
 }
 
-/* speed times the sine or cosine of v, which is about q in Q64; the other way if `back`. */
-static fx scaled(fx speed, uint64_t q, uint32_t v, bool cosine, bool back)
+/* length times the sine or cosine of v, which is about q in Q64; the other way if `back`. */
+static int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
 {
-    const uint64_t doubt = (uint64_t)1 << 36, half = (uint64_t)1 << 63; /* q is off by less than 2^4 */
-    uint32_t m = magnitude(speed);
+    const uint64_t half = (uint64_t)1 << 63;
+    uint64_t m = (uint64_t)negate_if(length < 0, length), doubt = m << 4; /* q is off by less than 2^4 */
     uint64_t whole = fx_mul_high(q, m), rest = q * m;
 
     whole += rest - (half - doubt) < 2 * doubt ? above_half(v, cosine, m) : rest >= half;
-    return fx_sat(negate_if(back != (speed < 0), (int64_t)whole));
+    return negate_if(back != (length < 0), (int64_t)whole);
 }
 
-void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+void trig_project(int64_t length, ang dir, int64_t *x, int64_t *y)
 {
     uint32_t u = dir & 0x3fffffff;
     bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
@@ -280,8 +280,17 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
     uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
     uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
 
-    *vx = scaled(speed, c ^ change, v, !swap, (dir + 0x40000000) >> 31);
-    *vy = scaled(speed, s ^ change, v, swap, dir >> 31);
+    *x = scaled(length, c ^ change, v, !swap, (dir + 0x40000000) >> 31);
+    *y = scaled(length, s ^ change, v, swap, dir >> 31);
+}
+
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    int64_t x, y;
+
+    trig_project(speed, dir, &x, &y);
+    *vx = fx_sat(x);
+    *vy = fx_sat(y);
 }
 
 #ifdef FX_INTEGER

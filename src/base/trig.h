@@ -25,6 +25,12 @@ ang trig_atan2(fx y, fx x);
 /* *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards. */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
+/*
+ * The same in whatever unit, for |length| <= 2^48: rounded once to a whole number of units, and surely the nearest one
+ * unless the exact product is within 2^-70 of halfway.
+ */
+void trig_project(int64_t length, ang dir, int64_t *x, int64_t *y);
+
 /* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). */
 void trig_normalise(fx x, fx y, fx *ux, fx *uy);
 

@@ -8,6 +8,17 @@
 #include "../chips/sparks.h"
 #include "api_parts.h"
 
+/* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
+static int64_t q32(double v)
+{
+    return fx_nearest(v * 4294967296.0);
+}
+
+static bool motion_fine(const struct board *b, uint16_t motion)
+{
+    return motion && b->motions.fine[motion - 1];
+}
+
 /* ---- hit shapes ---- */
 
 static fx extent(lua_State *L, const char *entry, const char *name, int at)
@@ -127,6 +138,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
                               .kind = (uint16_t)v[F_KIND].i,
                               .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : kinds->bank[v[F_KIND].i],
                               .motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0,
+                              .fine = v[F_MOTION].given && motion_fine(b, (uint16_t)v[F_MOTION].i),
                               .player = player,
                               .by = tasks_serial(b) };
 
@@ -140,7 +152,10 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
     }
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
-    lua_pushinteger(L, board_handle(b, h, bullets_fire(pool, &s, b->core.clock)));
+    int32_t i = bullets_fire(pool, &s, b->core.clock);
+    if (i != NO_SLOT && s.fine)
+        bullets_pace(pool, (uint32_t)i, q32(v[F_SPEED].n));
+    lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
 
@@ -268,26 +283,29 @@ static const struct api_prop shot_props[] = {
     { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
 };
 
-static void push_fx(lua_State *L, fx v)
+/* Q32 as a number: exact, for a place or a speed has 48 bits. */
+static void push_q32(lua_State *L, int64_t v)
 {
-    lua_pushnumber(L, fx_to_double(v));
+    lua_pushnumber(L, (double)v / 4294967296.0);
 }
 
 static void get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
 {
+    int64_t x, y;
+
     switch (p) {
     case P_X:
-        return push_fx(L, s->x[i]);
     case P_Y:
-        return push_fx(L, s->y[i]);
+        bullets_place(s, i, &x, &y);
+        return push_q32(L, p == P_X ? x : y);
     case P_DIR:
         return lua_pushnumber(L, trig_to_degrees(s->dir[i]));
     case P_SPEED:
-        return push_fx(L, s->speed[i]);
+        return push_q32(L, bullets_speed(s, i));
     case P_VX:
-        return push_fx(L, s->vx[i]);
     case P_VY:
-        return push_fx(L, s->vy[i]);
+        bullets_going(s, i, &x, &y);
+        return push_q32(L, p == P_VX ? x : y);
     case P_KIND:
         return names_push(L, names, s->kind[i]);
     case P_BANK:
@@ -314,15 +332,25 @@ static void mute(struct bullets *s, uint32_t i, unsigned what)
         s->mute[i] |= (uint8_t)what;
 }
 
-static void set_flight(lua_State *L, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i, int p,
-                       const struct api_value *v)
+static void set_velocity(struct bullets *s, uint32_t i, int p, fx v)
+{
+    int64_t vx, vy;
+
+    bullets_going(s, i, &vx, &vy);
+    bullets_velocity(s, i, p == P_VX ? v : (fx)(vx >> PACE_BITS), p == P_VY ? v : (fx)(vy >> PACE_BITS));
+}
+
+static void set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                       int p, const struct api_value *v)
 {
     switch (p) {
     case P_X:
         s->x[i] = v->f;
+        s->x_more[i] = 0;
         break;
     case P_Y:
         s->y[i] = v->f;
+        s->y_more[i] = 0;
         break;
     case P_DIR:
         s->dir[i] = v->a;
@@ -330,14 +358,13 @@ static void set_flight(lua_State *L, struct bullets *s, const struct bullet_kind
         bullets_steer(s, i);
         break;
     case P_SPEED:
-        s->speed[i] = v->f;
         mute(s, i, MUTE_SPEED);
-        bullets_steer(s, i);
+        bullets_pace(s, i, q32(v->n));
         break;
     case P_VX:
     case P_VY:
         mute(s, i, MUTE_DIR | MUTE_SPEED);
-        bullets_velocity(s, i, p == P_VX ? v->f : s->vx[i], p == P_VY ? v->f : s->vy[i]);
+        set_velocity(s, i, p, v->f);
         break;
     case P_KIND:
         s->kind[i] = (uint16_t)v->i;
@@ -350,7 +377,7 @@ static void set_flight(lua_State *L, struct bullets *s, const struct bullet_kind
         s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
     case P_MOTION:
-        bullets_program(s, i, v->given ? (uint16_t)v->i : 0);
+        bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && motion_fine(b, (uint16_t)v->i));
         break;
     default:
         break;
@@ -364,7 +391,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    set_flight(L, &b->bullets, &b->bullet_kinds, i, p, v);
+    set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
 
 static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
@@ -374,7 +401,7 @@ static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
 
 static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    set_flight(L, &b->shots, &b->shot_kinds, i, p, v);
+    set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
 }
 
 static const struct api_prop group_props[] = {
@@ -496,6 +523,7 @@ enum { MOST_STEPS = 1024, MOST_ROUNDS = 4096 };
 struct reader {
     struct motion_step steps[MOST_STEPS];
     uint32_t n;
+    bool fine;
 };
 
 static const char DEF[] = "motion.def";
@@ -557,7 +585,7 @@ static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS]
     }
 }
 
-static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step)
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
 {
     static const uint16_t does[M_KEYS] = { DOES_WAIT, DOES_KIND,  DOES_BANK,  DOES_DIR, DOES_AIM, DOES_TURN,
                                            DOES_HOME, DOES_SPEED, DOES_ACCEL, DOES_DIE, 0,        0 };
@@ -582,8 +610,8 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->dir = v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
     trig_from_degrees(v[M_HOME].n, &s->home);
-    s->speed = v[M_SPEED].f;
-    s->accel = v[M_ACCEL].f;
+    s->speed = fine ? q32(v[M_SPEED].n) : (int64_t)v[M_SPEED].f * (1 << PACE_BITS);
+    s->accel = fine ? q32(v[M_ACCEL].n) : (int64_t)v[M_ACCEL].f * (1 << PACE_BITS);
 }
 
 /* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */
@@ -616,7 +644,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
             if (lua_rawlen(L, top + 1))
                 step_error(L, i, "steps inside a step need loop = n");
             struct motion_step *s = add_step(L, r);
-            fill_step(L, s, v, i);
+            fill_step(L, s, v, i, r->fine);
             *timed |= s->over > 0;
         } else {
             bool inner;
@@ -643,33 +671,42 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
+/* What stands beside the steps: name and fine. Returns the name or NULL. */
+static const char *read_head(lua_State *L, struct reader *r)
+{
+    static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
+                                             { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
+    struct api_value v[2] = { { 0 } };
+
+    lua_pushnil(L);
+    while (lua_next(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
+        if (key && strcmp(key, head[0].name) && strcmp(key, head[1].name))
+            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+        lua_pop(L, 1);
+    }
+    for (int i = 0; i < 2; i++) {
+        lua_getfield(L, 1, head[i].name);
+        api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
+    }
+    r->n = 0;
+    r->fine = v[1].i;
+    return v[0].given ? lua_tostring(L, v[0].at) : NULL;
+}
+
 static int motion_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct reader r;
     bool timed;
-    const char *name = NULL;
 
     (void)v;
-    r.n = 0;
     luaL_checktype(L, 1, LUA_TTABLE);
-    lua_pushnil(L);
-    while (lua_next(L, 1)) {
-        if (lua_type(L, -2) == LUA_TSTRING && strcmp(lua_tostring(L, -2), "name"))
-            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", lua_tostring(L, -2),
-                      lua_tostring(L, -2));
-        lua_pop(L, 1);
-    }
-    if (lua_getfield(L, 1, "name") != LUA_TNIL) {
-        struct api_param p = { "name", A_STR, OPT, 0, 0, NULL, NULL };
-        struct api_value nv = { 0 };
-        api_check(L, DEF, &p, 2, &nv);
-        name = lua_tostring(L, 2);
-    }
-    if (!lua_rawlen(L, 1))
+    const char *name = read_head(L, &r);
+    if (!lua_rawlen(L, 1) && !r.fine)
         api_error(L, DEF, "a motion has at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
-    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n);
+    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
         names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);

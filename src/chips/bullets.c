@@ -31,6 +31,10 @@ static const struct column columns[] = {
     COLUMN(bullets, end),
     COLUMN(bullets, from),
     COLUMN(bullets, mute),
+    COLUMN(bullets, pace),
+    COLUMN(bullets, way),
+    COLUMN(bullets, x_more),
+    COLUMN(bullets, y_more),
     COLUMNS(bullets, rounds, MOTION_DEPTH),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
@@ -47,6 +51,7 @@ static void park(struct bullets *b, uint32_t i)
     b->x[i] = b->y[i] = PARK;
     b->vx[i] = b->vy[i] = 0;
     b->motion[i] = 0;
+    b->flags[i] = 0;
 }
 
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
@@ -61,6 +66,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->x[i] = shape->x;
     b->y[i] = shape->y;
     b->dir[i] = shape->dir;
+    b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
     b->kind[i] = shape->kind;
     b->bank[i] = shape->bank;
@@ -69,7 +75,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->born[i] = clock;
     b->by[i] = shape->by;
     b->player[i] = shape->player;
-    bullets_program(b, (uint32_t)i, shape->motion);
+    b->pace[i] = b->way[i] = 0;
+    b->x_more[i] = b->y_more[i] = 0;
+    bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     bullets_steer(b, (uint32_t)i);
     return i;
 }
@@ -82,24 +90,76 @@ void bullets_drop(struct bullets *b, uint32_t i)
 
 void bullets_steer(struct bullets *b, uint32_t i)
 {
-    trig_polar(b->speed[i], b->dir[i], &b->vx[i], &b->vy[i]);
+    if (!(b->flags[i] & BULLET_FINE)) /* those, `fly` steers */
+        trig_polar(b->speed[i], b->dir[i], &b->vx[i], &b->vy[i]);
+}
+
+static int64_t clamp_pace(int64_t v)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 32;
+
+    return v > most ? most : v < -most ? -most : v;
+}
+
+/* The fx nearest to a clamped pace, ties to even. */
+static fx pace_fx(int64_t pace)
+{
+    return (fx)((pace + 0x7fff + (pace >> PACE_BITS & 1)) >> PACE_BITS);
+}
+
+int64_t bullets_speed(const struct bullets *b, uint32_t i)
+{
+    return b->flags[i] & BULLET_FINE ? b->pace[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
+}
+
+void bullets_pace(struct bullets *b, uint32_t i, int64_t pace)
+{
+    b->speed[i] = pace_fx(pace);
+    if (b->flags[i] & BULLET_FINE)
+        b->pace[i] = pace;
+    bullets_steer(b, i);
 }
 
 void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
-    b->vx[i] = vx;
-    b->vy[i] = vy;
-    b->speed[i] = fx_hypot(vx, vy);
+    const fx most = (fx)MAX_SPEED << 16, speed = fx_hypot(vx, vy);
+
     if (vx || vy)
         b->dir[i] = trig_atan2(vy, vx);
-    if (b->speed[i] > (fx)MAX_SPEED << 16) {
-        b->speed[i] = (fx)MAX_SPEED << 16;
-        bullets_steer(b, i);
+    bullets_pace(b, i, (int64_t)(speed > most ? most : speed) << PACE_BITS);
+    if (speed <= most) {
+        b->vx[i] = vx;
+        b->vy[i] = vy;
     }
 }
 
-void bullets_program(struct bullets *b, uint32_t i, uint16_t motion)
+void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
 {
+    *x = (int64_t)b->x[i] * (1 << PACE_BITS) + b->x_more[i];
+    *y = (int64_t)b->y[i] * (1 << PACE_BITS) + b->y_more[i];
+}
+
+void bullets_going(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
+{
+    if (b->flags[i] & BULLET_FINE) {
+        trig_project(b->pace[i], b->dir[i], vx, vy);
+    } else {
+        *vx = (int64_t)b->vx[i] * (1 << PACE_BITS);
+        *vy = (int64_t)b->vy[i] * (1 << PACE_BITS);
+    }
+}
+
+void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
+{
+    if (fine && !(b->flags[i] & BULLET_FINE)) {
+        b->pace[i] = bullets_speed(b, i);
+        b->flags[i] |= BULLET_FINE;
+    } else if (!fine && b->flags[i] & BULLET_FINE) {
+        b->flags[i] &= (uint8_t)~BULLET_FINE;
+        b->pace[i] = b->way[i] = 0;
+        b->x_more[i] = b->y_more[i] = 0;
+        bullets_steer(b, i);
+    }
     b->motion[i] = motion;
     b->pc[i] = 0;
     b->end[i] = 0;
@@ -136,22 +196,18 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
     return trig_atan2(fx_sub(t->y[i], y), fx_sub(t->x[i], x));
 }
 
-/* from + (to - from) * k / n, nearest, ties to even: exactly `to` at k == n. Speeds: the product fits 63 bits. */
-static fx part_way(fx from, fx to, uint32_t k, uint32_t n)
+/*
+ * from + (to - from) * k / n, nearest, ties to even; exactly `to` at k == n <= 2^32. What is rounded off in frame k comes
+ * back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as well: a
+ * change of speed ends where the closed form says.
+ */
+static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 {
-    int64_t p = ((int64_t)to - from) * k, q = p / n, r = p % n;
-    uint64_t twice = 2 * (uint64_t)(r < 0 ? -r : r);
+    uint64_t d = (uint64_t)(to < from ? from - to : to - from), part = d % n * k;
+    uint64_t q = d / n * k + part / n, twice = part % n * 2;
 
-    if (twice > n || (twice == n && (q & 1)))
-        q += p < 0 ? -1 : 1;
-    return (fx)(from + q);
-}
-
-static fx clamp_speed(fx v)
-{
-    const fx most = (fx)MAX_SPEED << 16;
-
-    return v > most ? most : v < -most ? -most : v;
+    q += (twice > n) | ((twice == n) & (q & 1));
+    return to < from ? from - (int64_t)q : from + (int64_t)q;
 }
 
 static ang toward(ang dir, ang goal, ang most)
@@ -192,14 +248,34 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         if (does & DOES_HOME)
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
-    if (!(b->mute[i] & MUTE_SPEED)) {
+    if (does & (DOES_SPEED | DOES_ACCEL) && !(b->mute[i] & MUTE_SPEED)) {
+        int shift = b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* steps are rounded to units of the bullet's own */
+        int64_t v = bullets_speed(b, i) >> shift;
+
         if (does & DOES_SPEED)
-            b->speed[i] = part_way(b->from[i], s->speed[st], k, n);
+            v = part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
         if (does & DOES_ACCEL)
-            b->speed[i] = clamp_speed(fx_add(b->speed[i], s->accel[st]));
-    }
-    if (does & (DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME | DOES_SPEED | DOES_ACCEL))
+            v += s->accel[st] >> shift;
+        bullets_pace(b, i, clamp_pace(v * ((int64_t)1 << shift)));
+    } else if (does & (DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME))
         bullets_steer(b, i);
+}
+
+/* Takes a fine bullet on along its way: what it moves is the difference of two places, each rounded once. */
+static void fly(struct bullets *b, uint32_t i)
+{
+    int64_t x0, y0, x1, y1, x, y, to = b->way[i] + b->pace[i];
+
+    trig_project(b->way[i], b->dir[i], &x0, &y0);
+    trig_project(to, b->dir[i], &x1, &y1);
+    bullets_place(b, i, &x, &y);
+    x += x1 - x0;
+    y += y1 - y0;
+    b->vx[i] = fx_sub((fx)(x >> PACE_BITS), b->x[i]);
+    b->vy[i] = fx_sub((fx)(y >> PACE_BITS), b->y[i]);
+    b->x_more[i] = (uint16_t)x;
+    b->y_more[i] = (uint16_t)y;
+    b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
 }
 
 static void loop_step(struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
@@ -232,7 +308,7 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
             continue;
         }
         if (!begun) {
-            b->from[i] = b->speed[i];
+            b->from[i] = bullets_speed(b, i);
             b->end[i] = w->clock + n;
             restyle(b, w, i, st);
         }
@@ -250,7 +326,8 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
         b->mute[i] = 0;
         b->pc[i]++;
     }
-    b->motion[i] = 0;
+    if (!(b->flags[i] & BULLET_FINE))
+        b->motion[i] = 0;
 }
 
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t first)
@@ -265,6 +342,8 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
         uint32_t i = first + lowest_bit(m);
         if (b->motion[i])
             run_program(b, w, i);
+        if (b->flags[i] & BULLET_FINE)
+            fly(b, i);
     }
 }
 

@@ -5,6 +5,10 @@
  * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
  * program also runs it (motion.h). Dead slots below top are parked: far outside, standing still, so that loops need not
  * test them.
+ *
+ * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more, of its speed in pace.
+ * Each frame it goes on by pace along dir, and vx, vy are what that comes to in whole units of fx, so that the common
+ * loop moves it and hits see it as any other.
  */
 #ifndef CHIPS_BULLETS_H
 #define CHIPS_BULLETS_H
@@ -22,7 +26,10 @@ enum {
     KIND_GRAZE = 1 << 0, /* passing close counts */
     KIND_TURNS = 1 << 1, /* the picture points along dir */
 
+    KIND_SWEPT = 1 << 2, /* hits look at the whole way of a frame, not at its end alone */
+
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
+    BULLET_FINE = 1 << 2,
 
     MUTE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
     MUTE_SPEED = 1 << 1,
@@ -57,11 +64,14 @@ struct bullets {
     uint16_t *motion; /* program + 1, 0: none */
     uint16_t *pc;     /* the step it is at */
     uint32_t *end;    /* clock at which a timed step is over */
-    fx *from;         /* speed when the step began */
+    int64_t *from;    /* speed when the step began, as pace */
     uint8_t *mute;
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
-    uint32_t moved;   /* bullets moved this frame */
-    uint64_t ran;     /* motion steps run this frame */
+    int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
+    int64_t *way;     /* of a fine bullet: how far it flew in Q32, modulo 2^48, since it became one */
+    uint16_t *x_more, *y_more;
+    uint32_t moved; /* bullets moved this frame */
+    uint64_t ran;   /* motion steps run this frame */
 };
 
 /* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */
@@ -85,6 +95,7 @@ struct bullet_shape {
     ang dir;
     uint16_t kind, tag, motion;
     uint8_t bank, player;
+    bool fine; /* the motion is */
     uint32_t by;
 };
 
@@ -103,8 +114,16 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
 void bullets_steer(struct bullets *b, uint32_t i);
 void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy);
 
-/* Gives bullet i a program (motion: index + 1, 0: none) from its first step. */
-void bullets_program(struct bullets *b, uint32_t i, uint16_t motion);
+/* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
+void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
+
+/* Sets the speed, in Q32; an ordinary bullet takes the nearest fx. */
+void bullets_pace(struct bullets *b, uint32_t i, int64_t pace);
+
+/* Speed, place and velocity in Q32, as scripts read them. */
+int64_t bullets_speed(const struct bullets *b, uint32_t i);
+void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y);
+void bullets_going(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
 
 /* The direction from (x, y) to the nearest target; `none` when there is no target or it is right there. */
 ang targets_aim(const struct targets *t, fx x, fx y, ang none);

@@ -9,7 +9,7 @@ static const struct column step_columns[] = {
     COLUMN(steps, accel), COLUMN(steps, count), COLUMN(steps, jump), COLUMN(steps, depth),
 };
 
-static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length) };
+static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length), COLUMN(motions, fine) };
 
 const struct chip steps_chip = { "steps", step_columns, sizeof step_columns / sizeof *step_columns, true, false };
 const struct chip motions_chip = { "motions", motion_columns, sizeof motion_columns / sizeof *motion_columns, true,
@@ -38,11 +38,11 @@ static void store(struct steps *s, uint32_t i, const struct motion_step *p)
     s->depth[i] = p->depth;
 }
 
-int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n)
+int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine)
 {
     for (uint32_t k = 0; k < m->s.live; k++) {
         uint32_t i = 0;
-        if (m->length[k] != n)
+        if (m->length[k] != n || m->fine[k] != fine)
             continue;
         while (i < n && same(s, m->first[k] + i, &steps[i]))
             i++;
@@ -58,6 +58,7 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
         return NO_SLOT;
     m->first[made] = s->s.live;
     m->length[made] = (uint16_t)n;
+    m->fine[made] = fine;
     for (uint32_t i = 0; i < n; i++)
         store(s, (uint32_t)slots_append(&s->s), &steps[i]);
     return made;

@@ -15,7 +15,8 @@
 enum {
     PARK = -(16384 << 16), /* one pixel past the end of the world */
     WORLD = 16383,         /* positions reach from -WORLD to WORLD px */
-    MAX_SPEED = 8191       /* px/frame; radii too */
+    MAX_SPEED = 8191,      /* px/frame; radii too */
+    PACE_BITS = 16         /* Q32 has so many fraction bits more than fx */
 };
 
 /* A rectangle of field positions, ends included. */
@@ -51,8 +52,8 @@ struct steps {
     ang *dir;
     int32_t *turn; /* ang a frame, or once */
     ang *home;     /* at most so much a frame */
-    fx *speed;
-    fx *accel;       /* px/frame, a frame or once */
+    int64_t *speed;  /* px/frame in Q32; whole fx unless the program is fine */
+    int64_t *accel;  /* px/frame in Q32, a frame or once */
     uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
     uint16_t *jump;  /* counted from the program's first step */
     uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
@@ -62,6 +63,7 @@ struct motions {
     struct slots s;
     uint32_t *first; /* index into steps */
     uint16_t *length;
+    uint8_t *fine; /* its bullets keep 32 fraction bits */
 };
 
 struct motion_step {
@@ -70,12 +72,12 @@ struct motion_step {
     uint8_t bank, depth;
     ang dir, home;
     int32_t turn;
-    fx speed, accel;
+    int64_t speed, accel;
 };
 
 extern const struct chip steps_chip, motions_chip;
 
 /* The program equal to these steps, made if there is none; NO_SLOT when there is no room for it. */
-int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n);
+int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine);
 
 #endif
