@@ -43,9 +43,25 @@ bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh);
 bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r);
 
 /*
- * The same against a box of half extents hw and hh grown by r, its corners round: a moving circle of radius r against
- * a box. Exact for |dx|, |dy| <= 2^61, |wx|, |wy| <= 2^31, r, hw, hh <= 2^30.
+ * The same against a box of half extents hw and hh. For two moving boxes: hw and hh are the sums of theirs. Exact for
+ * |dx|, |dy| <= 2^61, |wx|, |wy| <= 2^31, hw, hh <= 2^30.
+ */
+bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh);
+
+/*
+ * The same against a box grown by r, its corners round: a moving circle of radius r against a box. Exact for |dx|,
+ * |dy| <= 2^61, |wx|, |wy| <= 2^31, r, hw, hh <= 2^30.
  */
 bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh);
+
+/*
+ * A capsule, which is all within r of the way from (x1, y1) to (x2, y2), and a circle. Exact for coordinates in +-2^30
+ * and radii <= 2^29: 16384 and 8192 pixels.
+ */
+static inline bool geom_capsule_circle(fx x1, fx y1, fx x2, fx y2, fx r, fx cx, fx cy, fx cr)
+{
+    return (r | cr) >= 0 &&
+           geom_swept_circles((int64_t)x1 - cx, (int64_t)y1 - cy, (int64_t)x2 - x1, (int64_t)y2 - y1, (int64_t)r + cr);
+}
 
 #endif

@@ -1,0 +1,203 @@
+/*
+ * shapes_oracle.h - what shapes.c compares with: do two shapes touch, in 256-bit integers. Slow, plain, nothing of the
+ * engine in it, and by other ways than the engine's: times of entry and quadratic equations instead of normals, unions of
+ * boxes and discs instead of nearest points.
+ *
+ * Largest number: the square of a product of two 2^62 (points that start at the domain's far end), below 2^190.
+ */
+#ifndef SHAPES_ORACLE_H
+#define SHAPES_ORACLE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { LIMBS = 8 };
+
+/* Two's complement, modulo 2^256. */
+struct wide {
+    uint32_t limb[LIMBS]; /* the least significant first */
+};
+
+static inline struct wide wide_int(int64_t v)
+{
+    uint32_t fill = v < 0 ? 0xffffffffu : 0;
+    struct wide n = { { (uint32_t)v, (uint32_t)((uint64_t)v >> 32), fill, fill, fill, fill, fill, fill } };
+
+    return n;
+}
+
+static inline struct wide wide_add(struct wide a, struct wide b)
+{
+    uint64_t carry = 0;
+
+    for (int i = 0; i < LIMBS; i++) {
+        carry += (uint64_t)a.limb[i] + b.limb[i];
+        a.limb[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    return a;
+}
+
+static inline struct wide wide_sub(struct wide a, struct wide b)
+{
+    uint64_t carry = 1;
+
+    for (int i = 0; i < LIMBS; i++) {
+        carry += (uint64_t)a.limb[i] + (uint32_t)~b.limb[i];
+        a.limb[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    return a;
+}
+
+static inline struct wide wide_mul(struct wide a, struct wide b)
+{
+    struct wide n = { { 0 } };
+
+    for (int i = 0; i < LIMBS; i++) {
+        uint64_t carry = 0;
+
+        for (int k = 0; i + k < LIMBS; k++) {
+            carry += (uint64_t)a.limb[i] * b.limb[k] + n.limb[i + k];
+            n.limb[i + k] = (uint32_t)carry;
+            carry >>= 32;
+        }
+    }
+    return n;
+}
+
+/* -1, 0 or 1. */
+static inline int wide_sign(struct wide a)
+{
+    uint32_t any = 0;
+
+    for (int i = 0; i < LIMBS; i++)
+        any |= a.limb[i];
+    return a.limb[LIMBS - 1] >> 31 ? -1 : any != 0;
+}
+
+static inline bool wide_at_most(struct wide a, struct wide b)
+{
+    return wide_sign(wide_sub(a, b)) <= 0;
+}
+
+/* a * b for numbers of 64 bits: as wide_mul, with fewer steps. */
+static inline struct wide wide_product(int64_t a, int64_t b)
+{
+    uint64_t ua = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, ub = b < 0 ? 0 - (uint64_t)b : (uint64_t)b;
+    uint64_t al = (uint32_t)ua, ah = ua >> 32, bl = (uint32_t)ub, bh = ub >> 32;
+    uint64_t low = al * bl, mid = ah * bl + (low >> 32), mid2 = al * bh + (uint32_t)mid;
+    uint64_t high = ah * bh + (mid >> 32) + (mid2 >> 32);
+    struct wide n = { { (uint32_t)low, (uint32_t)mid2, (uint32_t)high, (uint32_t)(high >> 32) } };
+
+    return (a < 0) != (b < 0) ? wide_sub(wide_int(0), n) : n;
+}
+
+/* x^2 + y^2 */
+static inline struct wide wide_squares(int64_t x, int64_t y)
+{
+    return wide_add(wide_product(x, x), wide_product(y, y));
+}
+
+static inline bool oracle_disc(int64_t x, int64_t y, int64_t r)
+{
+    return r >= 0 && wide_at_most(wide_squares(x, y), wide_product(r, r));
+}
+
+/* A point and a box. */
+static inline bool oracle_box(int64_t x, int64_t y, int64_t hw, int64_t hh)
+{
+    return -hw <= x && x <= hw && -hh <= y && y <= hh;
+}
+
+/* Two boxes, by their edges. */
+static inline bool oracle_boxes(const int64_t a[4], const int64_t b[4])
+{
+    if (a[2] < 0 || a[3] < 0 || b[2] < 0 || b[3] < 0)
+        return false;
+    return a[0] - a[2] <= b[0] + b[2] && b[0] - b[2] <= a[0] + a[2] && a[1] - a[3] <= b[1] + b[3] &&
+           b[1] - b[3] <= a[1] + a[3];
+}
+
+/* A box with round corners is a wider box, a higher box and four discs. */
+static inline bool oracle_round_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
+{
+    if (r < 0 || hw < 0 || hh < 0)
+        return false;
+    return oracle_box(x, y, hw + r, hh) || oracle_box(x, y, hw, hh + r) || oracle_disc(x - hw, y - hh, r) ||
+           oracle_disc(x - hw, y + hh, r) || oracle_disc(x + hw, y - hh, r) || oracle_disc(x + hw, y + hh, r);
+}
+
+/*
+ * |d + s w|^2 - r^2 = a s^2 + 2 b s + c is <= 0 somewhere in 0 <= s <= 1: at an end, or at its lowest point, if that is
+ * inside, where it is c - b^2 / a.
+ */
+static inline bool oracle_swept_disc(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r)
+{
+    if (r < 0)
+        return false;
+
+    struct wide c = wide_sub(wide_squares(dx, dy), wide_product(r, r));
+
+    if (wide_sign(c) <= 0)
+        return true;
+
+    struct wide b = wide_add(wide_product(dx, wx), wide_product(dy, wy));
+
+    if (wide_sign(b) >= 0)
+        return false; /* it moves away */
+
+    struct wide a = wide_squares(wx, wy), end = wide_add(wide_add(a, b), wide_add(b, c));
+
+    if (wide_sign(end) <= 0)
+        return true;
+    if (wide_sign(wide_add(a, b)) <= 0)
+        return false; /* it comes nearer to the last */
+    return wide_at_most(wide_mul(a, c), wide_mul(b, b));
+}
+
+/* A time, n / d with d > 0. */
+struct moment {
+    int64_t n, d;
+};
+
+static inline bool moment_at_most(struct moment a, struct moment b)
+{
+    return wide_at_most(wide_product(a.n, b.d), wide_product(b.n, a.d));
+}
+
+/* When is d + s w in -h..h? False: never. */
+static inline bool oracle_slab(int64_t d, int64_t w, int64_t h, struct moment *from, struct moment *to)
+{
+    struct moment in = { w > 0 ? -h - d : d - h, w > 0 ? w : -w }, out = { w > 0 ? h - d : d + h, in.d };
+
+    if (w == 0)
+        return -h <= d && d <= h;
+    if (!moment_at_most(in, *from))
+        *from = in;
+    if (!moment_at_most(*to, out))
+        *to = out;
+    return true;
+}
+
+/* The path is in the columns of the box and in its rows at one time. */
+static inline bool oracle_swept_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh)
+{
+    struct moment from = { 0, 1 }, to = { 1, 1 };
+
+    if (hw < 0 || hh < 0)
+        return false;
+    return oracle_slab(dx, wx, hw, &from, &to) && oracle_slab(dy, wy, hh, &from, &to) && moment_at_most(from, to);
+}
+
+static inline bool oracle_swept_round_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw,
+                                          int64_t hh)
+{
+    if (r < 0 || hw < 0 || hh < 0)
+        return false;
+    return oracle_swept_box(dx, dy, wx, wy, hw + r, hh) || oracle_swept_box(dx, dy, wx, wy, hw, hh + r) ||
+           oracle_swept_disc(dx - hw, dy - hh, wx, wy, r) || oracle_swept_disc(dx - hw, dy + hh, wx, wy, r) ||
+           oracle_swept_disc(dx + hw, dy - hh, wx, wy, r) || oracle_swept_disc(dx + hw, dy + hh, wx, wy, r);
+}
+
+#endif
