@@ -7,8 +7,11 @@ bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
 bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
 
+bullet.def("late", { sprite = "steps", hit = { circle = 2.5 }, bank = 6, swept = false })
+
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
-shot.def("ball", { sprite = "steps", hit = { circle = 4 }, bank = 5 })
+shot.def("ball", { sprite = "steps", hit = { circle = 4 }, bank = 5, swept = false })
+shot.def("flash", { sprite = "letter", hit = "none" })
 
 motion.def { name = "all",
   { wait = 3 },
@@ -22,3 +25,5 @@ motion.def { name = "all",
 motion.def { name = "spin", { loop = forever, { turn = 3, over = 10 }, { bank = 9 }, { turn = -3, over = 10 }, { bank = 1 } } }
 motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { wait = 1 }, { accel = 0.02 } } } } }, { wait = forever } }
 motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = true, turn = 5, speed = 3 } }
+motion.def { name = "drift", fine = true, { kind = "late", speed = 0.4, over = 40 }, { turn = 0.001, over = 30 },
+  { accel = 0.00001, over = 50 }, { aim = true } }

@@ -3,6 +3,7 @@ local function shoot(p, kind)
   if pad.down("fire", p) then
     for i = -1, 1 do shot.fire { kind = kind, from = p, dx = 6 * i, dir = 270 + 8 * i, speed = 6, tag = "volley" } end
   end
+  if pad.pressed("fire", p) then shot.fire { kind = "flash", from = p, dy = -8, speed = 4 } end
   if pad.released("fire", p) then shot.fire { kind = kind, x = p.x, y = p.y, aim = true, speed = 2, by = p, motion = "spin" } end
 end
 

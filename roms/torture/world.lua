@@ -11,10 +11,13 @@ local function ringer(e)
   end
 end
 
+local function brief(e) wait(40) e:remove() end
 enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer,
   on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
   on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
 enemy.def("wall", { sprite = "arrow", hit = { box = { 30, 20 } }, hp = 100, touch = false })
+enemy.def("globe", { sprite = "steps", hit = { circle = 7 }, hp = 3, score = 40, swept = false, run = brief })
+enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
 
 boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
   { id = "one", hp = 60, time = 240, bonus = 500, run = function(e)
@@ -37,6 +40,7 @@ local function bullets()
     n = n + 1
     local b = bullet.fire { kind = "dot", x = 112, y = 20, dir = 7 * n, speed = 1.5, motion = "all", bank = n % 16, tag = "b" .. n % 5 }
     local c = bullet.fire { kind = "ghost", from = b, dx = 3, dy = -2, aim = true, dir = 10, speed = -0.5, motion = "nested" }
+    bullet.fire { kind = "late", x = 190, y = 90, aim = true, dir = n % 9, speed = 1.3, motion = n % 3 == 0 and "drift" or nil }
     pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
       each = function(a, i) a.n, a.speed_to = 2, 1 + i / 4 pattern.stack(a) end }
     pattern.line { from = b, kind = "crate", n = 3, width = 40, dir = 90, speed = 1 }
@@ -103,6 +107,7 @@ local function enemies()
       for i = 1, 26 do more[i]:remove() end
     end
     wait_until(function() return enemy.count() < 20 end, 30)
+    enemy.spawn { kind = n % 6 == 0 and "shade" or "globe", x = 40 + n * 29 % 150, y = 200 }
     local e = enemy.spawn { kind = n % 3 == 0 and "wall" or "drone", x = 20 + n * 37 % 180, y = 20 + n % 50, tag = "crowd",
       hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
     enemy.spawn { kind = "drone", path = n % 2 == 0 and swoop or across, mirror = n % 3 == 1, dx = n % 7, dy = n % 5 }

@@ -14,6 +14,12 @@ static int64_t q32(double v)
     return fx_nearest(v * 4294967296.0);
 }
 
+/* A speed for what is or is not fine: the number to 32 fraction bits, or rounded to fx. */
+static int64_t pace(bool fine, const struct api_value *v)
+{
+    return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
+}
+
 static bool motion_fine(const struct board *b, uint16_t motion)
 {
     return motion && b->motions.fine[motion - 1];
@@ -68,12 +74,14 @@ static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "graze", A_BOOL, OPT, 0, 0, NULL, "true" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
 static const struct api_param shot_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },         { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "damage", A_INT, OPT, 0, 1000000, "hp", "1" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
 /* Declares a kind of bullets or shots; extra is graze or damage. */
@@ -91,7 +99,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     k->a[i] = a;
     k->b[i] = b;
     k->bank[i] = (uint8_t)v[3].i;
-    k->flags[i] = v[5].i ? KIND_TURNS : 0;
+    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0));
     return i;
 }
 
@@ -154,7 +162,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.tag = api_tag(L, entry, v[F_TAG].at);
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i != NO_SLOT && s.fine)
-        bullets_pace(pool, (uint32_t)i, q32(v[F_SPEED].n));
+        bullets_pace(pool, (uint32_t)i, pace(true, &v[F_SPEED]));
     lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
@@ -359,7 +367,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         break;
     case P_SPEED:
         mute(s, i, MUTE_SPEED);
-        bullets_pace(s, i, q32(v->n));
+        bullets_pace(s, i, pace(s->flags[i] & BULLET_FINE, v));
         break;
     case P_VX:
     case P_VY:
@@ -610,8 +618,8 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->dir = v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
     trig_from_degrees(v[M_HOME].n, &s->home);
-    s->speed = fine ? q32(v[M_SPEED].n) : (int64_t)v[M_SPEED].f * (1 << PACE_BITS);
-    s->accel = fine ? q32(v[M_ACCEL].n) : (int64_t)v[M_ACCEL].f * (1 << PACE_BITS);
+    s->speed = pace(fine, &v[M_SPEED]);
+    s->accel = pace(fine, &v[M_ACCEL]);
 }
 
 /* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */

@@ -5,7 +5,21 @@
 #include "api_parts.h"
 #include "events_run.h"
 
-enum { D_NAME, D_SPRITE, D_HIT, D_HP, D_SCORE, D_BANK, D_TOUCH, D_SPARK, D_DROPS, D_RUN, D_ON_HIT, D_ON_DEATH };
+enum {
+    D_NAME,
+    D_SPRITE,
+    D_HIT,
+    D_HP,
+    D_SCORE,
+    D_BANK,
+    D_TOUCH,
+    D_SPARK,
+    D_DROPS,
+    D_RUN,
+    D_ON_HIT,
+    D_ON_DEATH,
+    D_SWEPT
+};
 
 static const struct api_param def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
@@ -14,6 +28,7 @@ static const struct api_param def[] = {
     { "touch", A_BOOL, OPT, 0, 0, NULL, "true" },    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },     { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
 static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
@@ -27,24 +42,24 @@ static void keep_function(lua_State *L, const struct api_value *v, int32_t kind,
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
-    fx w, h;
+    fx x, y;
 
     if (v[D_DROPS].given)
         return api_error(L, "enemy.def", "drops: this board has no items yet");
-    if (api_hit(L, "enemy.def", v[D_HIT].at, &w, &h) != SHAPE_BOX)
-        return api_error(L, "enemy.def", "hit: expected { box = { w, h } }");
+    uint8_t shape = api_hit(L, "enemy.def", v[D_HIT].at, &x, &y);
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "enemy.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
                          MAX_KINDS);
     names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->half_w[i] = w;
-    k->half_h[i] = h;
+    k->shape[i] = shape;
+    k->a[i] = x;
+    k->b[i] = y;
     k->hp[i] = (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] = v[D_TOUCH].i ? ENEMY_TOUCH : 0;
+    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0));
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     keep_function(L, &v[D_RUN], i, "run");
     keep_function(L, &v[D_ON_HIT], i, "on_hit");

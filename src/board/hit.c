@@ -1,10 +1,12 @@
 /*
  * hit.c - see hit.h.
  *
- * Bullets and player move within the frame, so the test is swept: relative to the player a bullet travels from d to d +
- * w, and the exact shape test (geom.h) looks at that whole way. Before it stands a reject in 32-bit modular arithmetic
- * over blocks of 64: (u32)(x - (px - reach)) > 2 * reach never drops a bullet that is near for reach <= 2^30, because
- * such a distance cannot wrap. `reach` covers the largest radius, the graze ring, and both movements.
+ * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
+ * exact shape test (geom.h) looks at that whole way. A kind with swept = false is tested where it stands.
+ *
+ * Before the test of bullets stands a reject in 32-bit modular arithmetic over blocks of 64: (u32)(x - (px - reach)) > 2
+ * * reach never drops a bullet that is near for reach <= 2^30, because such a distance cannot wrap. `reach` covers the
+ * largest radius, the graze ring, and both movements.
  */
 #include "hit.h"
 #include <string.h>
@@ -12,12 +14,46 @@
 
 enum { MOST_REACH = 1 << 30 };
 
-/* One player's circle this frame. */
-struct circle {
-    fx x, y;   /* now */
-    fx mx, my; /* its move of this frame */
-    fx r, graze;
+/* A thing this frame: its shape, where it is now, and its move of the frame. */
+struct body {
+    uint8_t shape;
+    fx a, b;
+    fx x, y, mx, my;
 };
+
+/* Do they touch on their ways or, not swept, where they are now? Growing a circle is its caller's part. */
+static bool touch(const struct body *p, const struct body *q, bool swept)
+{
+    int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
+    int64_t dx = (int64_t)p->x - q->x - wx, dy = (int64_t)p->y - q->y - wy;
+
+    if (p->shape == SHAPE_NONE || q->shape == SHAPE_NONE)
+        return false;
+    if (p->shape == SHAPE_BOX && q->shape == SHAPE_BOX)
+        return geom_swept_boxes(dx, dy, wx, wy, (int64_t)p->a + q->a, (int64_t)p->b + q->b);
+    if (p->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, q->a, p->a, p->b);
+    if (q->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, p->a, q->a, q->b);
+    return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
+}
+
+static struct body flying(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    uint16_t kind = s->kind[i];
+
+    return (struct body){ k->shape[kind], k->a[kind], k->b[kind], s->x[i], s->y[i], s->vx[i], s->vy[i] };
+}
+
+static struct body enemy(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    uint16_t kind = e->kind[i];
+
+    return (struct body){ k->shape[kind],        k->a[kind],           k->b[kind], e->x[i], e->y[i],
+                          e->x[i] - e->was_x[i], e->y[i] - e->was_y[i] };
+}
 
 static fx larger(fx a, fx b)
 {
@@ -30,14 +66,14 @@ static fx size(fx v)
 }
 
 /* The largest half extent and the fastest bullet bound how far from the player a bullet can matter. */
-static fx reach_of(const struct board *b, const struct circle *c)
+static fx reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
     fx most = 0;
 
     for (uint32_t i = 0; i < k->s.live; i++)
         most = larger(most, k->shape[i] == SHAPE_BOX ? larger(k->a[i], k->b[i]) : k->a[i]);
-    return fx_add(fx_add(most, larger(c->r, c->graze)), larger(size(c->mx), size(c->my)));
+    return fx_add(fx_add(most, larger(c->a, graze)), larger(size(c->mx), size(c->my)));
 }
 
 /* near[i] is 1 where bullet i's way of this frame may come within reach of (px, py). */
@@ -58,45 +94,31 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, const fx *
     return any;
 }
 
-/* Does the circle, grown by `grow`, touch bullet i on its way? */
-static bool touches(const struct board *b, const struct circle *c, uint32_t i, fx grow)
+static void bullet_against(struct board *b, uint32_t p, const struct body *c, const struct body *ring, uint32_t i)
 {
-    const struct bullets *s = &b->bullets;
-    uint16_t kind = s->kind[i];
-    fx a = b->bullet_kinds.a[kind], h = b->bullet_kinds.b[kind];
-    int64_t ex = (int64_t)s->x[i] - c->x, ey = (int64_t)s->y[i] - c->y;
-    int64_t wx = (int64_t)s->vx[i] - c->mx, wy = (int64_t)s->vy[i] - c->my;
-
-    if (b->bullet_kinds.shape[kind] == SHAPE_CIRCLE)
-        return geom_swept_circles(ex - wx, ey - wy, wx, wy, (int64_t)a + grow);
-    return geom_swept_circle_box(ex - wx, ey - wy, wx, wy, grow, a, h);
-}
-
-static void bullet_against(struct board *b, uint32_t p, const struct circle *c, uint32_t i)
-{
-    struct bullets *s = &b->bullets;
-    uint16_t kind = s->kind[i];
+    struct body bullet = flying(&b->bullets, &b->bullet_kinds, i);
+    uint8_t flags = b->bullet_kinds.flags[b->bullets.kind[i]];
     int64_t who = board_handle(b, H_PLAYER, (int32_t)p);
 
     b->counts.tested++;
-    if (b->bullet_kinds.shape[kind] == SHAPE_NONE)
-        return;
-    if (touches(b, c, i, c->r)) {
+    if (touch(&bullet, c, flags & KIND_SWEPT)) {
         b->counts.hit++;
         board_event(b, EV_HIT, who, board_handle(b, H_BULLET, (int32_t)i));
-    } else if (b->bullet_kinds.flags[kind] & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED) &&
-               touches(b, c, i, c->graze)) {
+    } else if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
+               touch(&bullet, ring, flags & KIND_SWEPT)) {
         b->counts.grazed++;
         board_event(b, EV_GRAZE, who, board_handle(b, H_BULLET, (int32_t)i));
     }
 }
 
-static void bullets_against(struct board *b, uint32_t p, const struct circle *c)
+static void bullets_against(struct board *b, uint32_t p, const struct body *c, fx graze)
 {
     const struct bullets *s = &b->bullets;
-    fx reach = reach_of(b, c);
+    struct body ring = *c;
+    fx reach = reach_of(b, c, graze);
     uint8_t near[SLOTS_BLOCK];
 
+    ring.a = graze;
     for (uint32_t i = 0; i < s->s.top; i += SLOTS_BLOCK) {
         if (reach > MOST_REACH)
             memset(near, 1, sizeof near);
@@ -104,42 +126,28 @@ static void bullets_against(struct board *b, uint32_t p, const struct circle *c)
             continue;
         for (uint32_t k = 0; k < SLOTS_BLOCK; k++)
             if (near[k] && s->s.used[i / 64] >> k & 1)
-                bullet_against(b, p, c, i + k);
+                bullet_against(b, p, c, &ring, i + k);
     }
 }
 
-static void enemies_against(struct board *b, uint32_t p, const struct circle *c)
+static void enemies_against(struct board *b, uint32_t p, const struct body *c)
 {
-    const struct enemies *e = &b->enemies;
-
-    EACH_LIVE (i, &e->s) {
-        uint16_t kind = e->kind[i];
-        if (b->enemy_kinds.flags[kind] & ENEMY_TOUCH && !(e->flags[i] & ENEMY_DYING) &&
-            geom_circle_box(c->x, c->y, c->r, e->x[i], e->y[i], b->enemy_kinds.half_w[kind],
-                            b->enemy_kinds.half_h[kind]))
+    EACH_LIVE (i, &b->enemies.s) {
+        struct body e = enemy(b, i);
+        uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
+        if (flags & ENEMY_TOUCH && !(b->enemies.flags[i] & ENEMY_DYING) && touch(&e, c, flags & ENEMY_SWEPT))
             board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
     }
-}
-
-static bool shot_touches(const struct board *b, uint32_t shot, uint32_t enemy)
-{
-    const struct bullet_kinds *k = &b->shot_kinds;
-    const struct enemy_kinds *ek = &b->enemy_kinds;
-    uint16_t sk = b->shots.kind[shot], kind = b->enemies.kind[enemy];
-    fx x = b->shots.x[shot], y = b->shots.y[shot], ex = b->enemies.x[enemy], ey = b->enemies.y[enemy];
-
-    if (k->shape[sk] == SHAPE_CIRCLE)
-        return geom_circle_box(x, y, k->a[sk], ex, ey, ek->half_w[kind], ek->half_h[kind]);
-    return geom_boxes(x, y, k->a[sk], k->b[sk], ex, ey, ek->half_w[kind], ek->half_h[kind]);
 }
 
 static void shots_against_enemies(struct board *b)
 {
     EACH_LIVE (i, &b->shots.s) {
-        if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
-            continue;
+        struct body shot = flying(&b->shots, &b->shot_kinds, i);
+        bool swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
         EACH_LIVE (k, &b->enemies.s) {
-            if (b->enemies.flags[k] & ENEMY_DYING || !shot_touches(b, i, k))
+            struct body e = enemy(b, k);
+            if (b->enemies.flags[k] & ENEMY_DYING || !touch(&shot, &e, swept))
                 continue;
             board_event(b, EV_SHOT, board_handle(b, H_SHOT, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)k));
             break;
@@ -150,17 +158,17 @@ static void shots_against_enemies(struct board *b)
 void hit_run(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        uint16_t kind = b->player.kind[p];
-        if (!b->player.in[p])
+        const struct player *pl = &b->player;
+        uint16_t kind = pl->kind[p];
+        if (!pl->in[p])
             continue;
-        fx x = b->player.x[p], y = b->player.y[p];
-        struct circle c = { x,
-                            y,
-                            x - b->player.was_x[p],
-                            y - b->player.was_y[p],
-                            b->player_kinds.radius[kind],
-                            b->player_kinds.graze[kind] };
-        bullets_against(b, p, &c);
+        struct body c = { .shape = SHAPE_CIRCLE,
+                          .a = b->player_kinds.radius[kind],
+                          .x = pl->x[p],
+                          .y = pl->y[p],
+                          .mx = pl->x[p] - pl->was_x[p],
+                          .my = pl->y[p] - pl->was_y[p] };
+        bullets_against(b, p, &c, b->player_kinds.graze[kind]);
         enemies_against(b, p, &c);
     }
     shots_against_enemies(b);

@@ -19,10 +19,6 @@
 #include "slots.h"
 
 enum {
-    SHAPE_NONE,
-    SHAPE_CIRCLE, /* a: radius */
-    SHAPE_BOX,    /* a, b: half width and half height */
-
     KIND_GRAZE = 1 << 0, /* passing close counts */
     KIND_TURNS = 1 << 1, /* the picture points along dir */
 

@@ -4,15 +4,31 @@
 #include "enemies.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, half_w), COLUMN(enemy_kinds, half_h), COLUMN(enemy_kinds, hp),
-    COLUMN(enemy_kinds, score),  COLUMN(enemy_kinds, bank),   COLUMN(enemy_kinds, flags),  COLUMN(enemy_kinds, spark),
+    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, shape), COLUMN(enemy_kinds, a),
+    COLUMN(enemy_kinds, b),      COLUMN(enemy_kinds, hp),    COLUMN(enemy_kinds, score),
+    COLUMN(enemy_kinds, bank),   COLUMN(enemy_kinds, flags), COLUMN(enemy_kinds, spark),
 };
 
 static const struct column columns[] = {
-    COLUMN(enemies, x),    COLUMN(enemies, y),    COLUMN(enemies, hp),   COLUMN(enemies, kind), COLUMN(enemies, bank),
-    COLUMN(enemies, tag),  COLUMN(enemies, safe), COLUMN(enemies, born), COLUMN(enemies, by),   COLUMN(enemies, flags),
-    COLUMN(enemies, x0),   COLUMN(enemies, y0),   COLUMN(enemies, x1),   COLUMN(enemies, y1),   COLUMN(enemies, made),
-    COLUMN(enemies, over), COLUMN(enemies, ease),
+    COLUMN(enemies, x),
+    COLUMN(enemies, y),
+    DERIVED(enemies, was_x, "written by every move before hits read it"),
+    DERIVED(enemies, was_y, "written by every move before hits read it"),
+    COLUMN(enemies, hp),
+    COLUMN(enemies, kind),
+    COLUMN(enemies, bank),
+    COLUMN(enemies, tag),
+    COLUMN(enemies, safe),
+    COLUMN(enemies, born),
+    COLUMN(enemies, by),
+    COLUMN(enemies, flags),
+    COLUMN(enemies, x0),
+    COLUMN(enemies, y0),
+    COLUMN(enemies, x1),
+    COLUMN(enemies, y1),
+    COLUMN(enemies, made),
+    COLUMN(enemies, over),
+    COLUMN(enemies, ease),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -34,8 +50,8 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
         return i;
     for (uint32_t k = top; k < e->s.top; k++)
         park(e, k);
-    e->x[i] = e->x0[i] = e->x1[i] = x;
-    e->y[i] = e->y0[i] = e->y1[i] = y;
+    e->x[i] = e->was_x[i] = e->x0[i] = e->x1[i] = x;
+    e->y[i] = e->was_y[i] = e->y0[i] = e->y1[i] = y;
     e->hp[i] = kinds->hp[kind];
     e->kind[i] = kind;
     e->bank[i] = kinds->bank[kind];
@@ -92,8 +108,17 @@ static fx between(fx a, fx b, int64_t t)
     return (fx)(a + ((p + (1 << 29)) >> 30));
 }
 
+static bool far(fx a, fx b)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 16;
+
+    return (int64_t)a - b > most || (int64_t)b - a > most;
+}
+
 static void step(struct enemies *e, uint32_t i)
 {
+    e->was_x[i] = e->x[i];
+    e->was_y[i] = e->y[i];
     if (!e->over[i])
         return;
     int64_t t = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
@@ -101,6 +126,10 @@ static void step(struct enemies *e, uint32_t i)
     e->y[i] = between(e->y0[i], e->y1[i], t);
     if (e->made[i] == e->over[i])
         e->over[i] = 0;
+    if (far(e->x[i], e->was_x[i]) || far(e->y[i], e->was_y[i])) {
+        e->was_x[i] = e->x[i];
+        e->was_y[i] = e->y[i];
+    }
 }
 
 void enemies_count(struct enemies *e)

@@ -11,6 +11,8 @@
 
 enum {
     ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
+    ENEMY_SWEPT = 1 << 1, /* of a kind: a player meets the whole way of its frame, not its end alone */
+
     ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1, /* it died or left, and goes once its handlers have been told */
 
@@ -23,7 +25,8 @@ enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
 struct enemy_kinds {
     struct slots s;
     uint16_t *sprite;
-    fx *half_w, *half_h; /* the hit box */
+    uint8_t *shape;
+    fx *a, *b; /* of the shape */
     int32_t *hp;
     int64_t *score;
     uint8_t *bank;
@@ -34,6 +37,7 @@ struct enemy_kinds {
 struct enemies {
     struct slots s;
     fx *x, *y;
+    fx *was_x, *was_y; /* before this frame's move; where it is now when it jumped, faster than MAX_SPEED */
     int32_t *hp;
     uint16_t *kind;
     uint8_t *bank;

@@ -9,7 +9,8 @@ static const struct column step_columns[] = {
     COLUMN(steps, accel), COLUMN(steps, count), COLUMN(steps, jump), COLUMN(steps, depth),
 };
 
-static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length), COLUMN(motions, fine) };
+static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length),
+                                                COLUMN(motions, fine) };
 
 const struct chip steps_chip = { "steps", step_columns, sizeof step_columns / sizeof *step_columns, true, false };
 const struct chip motions_chip = { "motions", motion_columns, sizeof motion_columns / sizeof *motion_columns, true,

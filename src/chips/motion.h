@@ -19,6 +19,13 @@ enum {
     PACE_BITS = 16         /* Q32 has so many fraction bits more than fx */
 };
 
+/* The hit shape of a kind. */
+enum {
+    SHAPE_NONE,
+    SHAPE_CIRCLE, /* a: radius */
+    SHAPE_BOX     /* a, b: half width and half height */
+};
+
 /* A rectangle of field positions, ends included. */
 struct box {
     fx x0, y0, x1, y1;
@@ -50,8 +57,8 @@ struct steps {
     uint16_t *kind;
     uint8_t *bank;
     ang *dir;
-    int32_t *turn; /* ang a frame, or once */
-    ang *home;     /* at most so much a frame */
+    int32_t *turn;   /* ang a frame, or once */
+    ang *home;       /* at most so much a frame */
     int64_t *speed;  /* px/frame in Q32; whole fx unless the program is fine */
     int64_t *accel;  /* px/frame in Q32, a frame or once */
     uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */

@@ -13,7 +13,7 @@ static struct rig_game g;
 static struct rig rig;
 static struct rng rng;
 static struct {
-    long hits, grazes, bullet_misses, box_hits, touches, touch_misses, shots, shot_misses;
+    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses;
 } seen;
 
 /* ---- the reference ---- */
@@ -78,28 +78,50 @@ static bool segment_near_box(wide x, wide y, wide wx, wide wy, wide hw, wide hh,
     return false;
 }
 
-static bool bullet_touches(const struct board *b, uint32_t p, uint32_t i, wide grow)
-{
-    const struct bullets *s = &b->bullets;
-    const struct player *pl = &b->player;
-    uint16_t k = s->kind[i];
-    wide mx = (wide)pl->x[p] - pl->was_x[p], my = (wide)pl->y[p] - pl->was_y[p];
-    wide x = (wide)s->x[i] - s->vx[i] - pl->was_x[p], y = (wide)s->y[i] - s->vy[i] - pl->was_y[p];
+/* A thing: its shape, where it is and where it was. */
+struct thing {
+    int shape;
+    wide a, b, x, y, was_x, was_y;
+};
 
-    if (b->bullet_kinds.shape[k] == SHAPE_CIRCLE)
-        return near_segment(0, 0, x, y, s->vx[i] - mx, s->vy[i] - my, b->bullet_kinds.a[k] + grow);
-    return segment_near_box(x, y, s->vx[i] - mx, s->vy[i] - my, b->bullet_kinds.a[k], b->bullet_kinds.b[k], grow);
+static struct thing flier(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    uint16_t kind = s->kind[i];
+    wide x = s->x[i], y = s->y[i];
+
+    return (struct thing){ k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i] };
 }
 
-static bool shot_touches(const struct board *b, uint32_t i, uint32_t e)
+static struct thing foe(const struct board *b, uint32_t i)
 {
-    uint16_t k = b->shots.kind[i], ek = b->enemies.kind[e];
-    wide dx = (wide)b->shots.x[i] - b->enemies.x[e], dy = (wide)b->shots.y[i] - b->enemies.y[e];
-    wide hw = b->enemy_kinds.half_w[ek], hh = b->enemy_kinds.half_h[ek];
+    const struct enemies *e = &b->enemies;
+    uint16_t k = e->kind[i];
 
-    if (b->shot_kinds.shape[k] == SHAPE_CIRCLE)
-        return near_box(dx, dy, hw, hh, b->shot_kinds.a[k]);
-    return magnitude(dx) <= hw + b->shot_kinds.a[k] && magnitude(dy) <= hh + b->shot_kinds.b[k];
+    return (struct thing){
+        b->enemy_kinds.shape[k], b->enemy_kinds.a[k], b->enemy_kinds.b[k], e->x[i], e->y[i], e->was_x[i], e->was_y[i]
+    };
+}
+
+static struct thing pilot(const struct board *b, uint32_t p, wide r)
+{
+    const struct player *pl = &b->player;
+
+    return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p] };
+}
+
+/* The sum of the two shapes as a box with round corners, around the origin; the difference of their places moves. */
+static bool meets(struct thing p, struct thing q, bool swept)
+{
+    wide hw = (p.shape == SHAPE_BOX ? p.a : 0) + (q.shape == SHAPE_BOX ? q.a : 0);
+    wide hh = (p.shape == SHAPE_BOX ? p.b : 0) + (q.shape == SHAPE_BOX ? q.b : 0);
+    wide r = (p.shape == SHAPE_CIRCLE ? p.a : 0) + (q.shape == SHAPE_CIRCLE ? q.a : 0);
+    wide x = p.was_x - q.was_x, y = p.was_y - q.was_y, ex = p.x - q.x, ey = p.y - q.y;
+
+    if (p.shape == SHAPE_NONE || q.shape == SHAPE_NONE)
+        return false;
+    if (!swept)
+        return near_box(ex, ey, hw, hh, r);
+    return segment_near_box(x, y, ex - x, ey - y, hw, hh, r);
 }
 
 static int expected_n;
@@ -124,12 +146,15 @@ static void player_reference(const struct board *b, uint32_t p)
         k = b->bullets.kind[i];
         if (b->bullet_kinds.shape[k] == SHAPE_NONE)
             continue;
-        if (bullet_touches(b, p, i, b->player_kinds.radius[kind])) {
+        bool swept = b->bullet_kinds.flags[k] & KIND_SWEPT;
+        struct thing bullet = flier(&b->bullets, &b->bullet_kinds, i);
+        if (meets(bullet, pilot(b, p, b->player_kinds.radius[kind]), swept)) {
             expect(EV_HIT, H_PLAYER, p, H_BULLET, i);
             seen.hits++;
             seen.box_hits += b->bullet_kinds.shape[k] == SHAPE_BOX;
+            seen.standing += !swept;
         } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
-                   bullet_touches(b, p, i, b->player_kinds.graze[kind])) {
+                   meets(bullet, pilot(b, p, b->player_kinds.graze[kind]), swept)) {
             expect(EV_GRAZE, H_PLAYER, p, H_BULLET, i);
             seen.grazes++;
         } else
@@ -139,8 +164,7 @@ static void player_reference(const struct board *b, uint32_t p)
         if (!(b->enemies.s.used[e / 64] >> (e & 63) & 1) || !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_TOUCH))
             continue;
         k = b->enemies.kind[e];
-        if (near_box((wide)b->player.x[p] - b->enemies.x[e], (wide)b->player.y[p] - b->enemies.y[e],
-                     b->enemy_kinds.half_w[k], b->enemy_kinds.half_h[k], b->player_kinds.radius[kind])) {
+        if (meets(foe(b, e), pilot(b, p, b->player_kinds.radius[kind]), b->enemy_kinds.flags[k] & ENEMY_SWEPT)) {
             expect(EV_HIT, H_PLAYER, p, H_ENEMY, e);
             seen.touches++;
         } else
@@ -158,7 +182,8 @@ static void reference(const struct board *b)
         EACH_LIVE (e, &b->enemies.s) {
             if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
                 break;
-            if (!shot_touches(b, i, e)) {
+            bool swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
+            if (!meets(flier(&b->shots, &b->shot_kinds, i), foe(b, e), swept)) {
                 seen.shot_misses++;
                 continue;
             }
@@ -207,13 +232,14 @@ static void draw_kinds(struct board *b, fx scale)
             of[i]->shape[k] = (uint8_t)(one_in(8) ? SHAPE_NONE : 1 + rng_below(&rng, 2));
             of[i]->a[k] = length(scale);
             of[i]->b[k] = of[i]->shape[k] == SHAPE_BOX ? length(scale) : 0;
-            of[i]->flags[k] = one_in(5) ? 0 : KIND_GRAZE;
+            of[i]->flags[k] = (uint8_t)((one_in(5) ? 0 : KIND_GRAZE) | (one_in(4) ? 0 : KIND_SWEPT));
             if (of[i]->shape[k] == SHAPE_NONE)
                 of[i]->a[k] = of[i]->b[k] = 0;
         }
-        b->enemy_kinds.half_w[k] = length(scale);
-        b->enemy_kinds.half_h[k] = length(scale);
-        b->enemy_kinds.flags[k] = one_in(4) ? 0 : ENEMY_TOUCH;
+        b->enemy_kinds.shape[k] = (uint8_t)(one_in(9) ? SHAPE_NONE : one_in(3) ? SHAPE_CIRCLE : SHAPE_BOX);
+        b->enemy_kinds.a[k] = length(scale);
+        b->enemy_kinds.b[k] = length(scale);
+        b->enemy_kinds.flags[k] = (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? 0 : ENEMY_SWEPT));
     }
     b->player_kinds.s.live = 2;
     for (int k = 0; k < 2; k++) {
@@ -289,11 +315,15 @@ static void draw_others(struct board *b, fx scale, fx place)
         int64_t r = b->player_kinds.radius[b->player.kind[p]];
         fx x = within(place), y = within(place);
         if (!one_in(3)) {
-            x = clamped((int64_t)b->player.x[p] + either_way(clamped(r + b->enemy_kinds.half_w[k], edge)) + within(2),
-                        edge);
-            y = clamped((int64_t)b->player.y[p] + within(clamped(b->enemy_kinds.half_h[k] + 2, edge)), edge);
+            x = clamped((int64_t)b->player.x[p] + either_way(clamped(r + b->enemy_kinds.a[k], edge)) + within(2), edge);
+            y = clamped((int64_t)b->player.y[p] + within(clamped(b->enemy_kinds.b[k] + 2, edge)), edge);
         }
-        enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
+        int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
+        if (one_in(2)) { /* it moved, and ends a little aside or was a little aside */
+            fx mx = either_way(length(clamped(scale, fastest))), my = either_way(length(clamped(scale, fastest)));
+            b->enemies.was_x[i] = clamped((int64_t)x + mx, edge);
+            b->enemies.was_y[i] = clamped((int64_t)y + my, edge);
+        }
     }
     for (uint64_t n = rng_below(&rng, SHOTS + 1); n--;) {
         shape.kind = (uint16_t)rng_below(&rng, KINDS);
@@ -303,9 +333,9 @@ static void draw_others(struct board *b, fx scale, fx place)
         if (b->enemies.s.live && !one_in(4)) {
             uint32_t e = (uint32_t)rng_below(&rng, b->enemies.s.live);
             uint16_t k = b->enemies.kind[e];
-            int64_t dx = (int64_t)b->enemy_kinds.half_w[k] + b->shot_kinds.a[shape.kind] + within(2);
+            int64_t dx = (int64_t)b->enemy_kinds.a[k] + b->shot_kinds.a[shape.kind] + within(2);
             shape.x = clamped(b->enemies.x[e] + (one_in(2) ? dx : -dx), edge);
-            shape.y = clamped((int64_t)b->enemies.y[e] + within(b->enemy_kinds.half_h[k]), edge);
+            shape.y = clamped((int64_t)b->enemies.y[e] + within(b->enemy_kinds.b[k]), edge);
         }
         bullets_fire(&b->shots, &shape, 0);
     }
@@ -358,6 +388,7 @@ static void test_random(void **state)
     empty(b);
     const long least = 10000;
     if (seen.hits < least || seen.bullet_misses < least || seen.grazes < least || seen.box_hits < least ||
+        seen.standing < least / 4 ||
         seen.touches < least / 2 || seen.touch_misses < least / 2 || seen.shots < least || seen.shot_misses < least)
         fail_msg("too few: hits %ld (boxes %ld) grazes %ld misses %ld, touches %ld misses %ld, shots %ld misses %ld",
                  seen.hits, seen.box_hits, seen.grazes, seen.bullet_misses, seen.touches, seen.touch_misses, seen.shots,

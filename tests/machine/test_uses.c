@@ -316,7 +316,24 @@ struct reached {
     int64_t refused[PARTS];
     uint32_t does;
     bool in[PADS], grazed[PADS], scored[PADS], hurt[PADS], focused[PADS];
+    unsigned shapes[3],
+        flags[3]; /* of the kinds of what lived: bits of SHAPE_, and of flags that were and were not set */
+    bool fine;
 };
+
+static void look_at_kind(struct reached *at, int pool, uint8_t shape, uint8_t flags)
+{
+    at->shapes[pool] |= 1u << shape;
+    at->flags[pool] |= flags | (unsigned)(uint8_t)~flags << 8;
+}
+
+static void look_at_bullets(struct reached *at, int pool, const struct bullets *s, const struct bullet_kinds *k)
+{
+    EACH_LIVE (i, &s->s) {
+        look_at_kind(at, pool, k->shape[s->kind[i]], k->flags[s->kind[i]]);
+        at->fine |= s->flags[i] & BULLET_FINE;
+    }
+}
 
 static void look(const struct board *b, struct reached *at)
 {
@@ -325,6 +342,12 @@ static void look(const struct board *b, struct reached *at)
         at->most[i] = s->live > at->most[i] ? s->live : at->most[i];
         at->cap[i] = s->cap;
         at->refused[i] = s->refused > at->refused[i] ? s->refused : at->refused[i];
+    }
+    look_at_bullets(at, 0, &b->bullets, &b->bullet_kinds);
+    look_at_bullets(at, 1, &b->shots, &b->shot_kinds);
+    EACH_LIVE (i, &b->enemies.s) {
+        uint16_t kind = b->enemies.kind[i];
+        look_at_kind(at, 2, b->enemy_kinds.shape[kind], b->enemy_kinds.flags[kind]);
     }
     for (uint32_t i = 0; i < b->steps.s.live; i++)
         at->does |= b->steps.does[i];
@@ -442,11 +465,26 @@ static void test_pools(void **state)
                      at.scored[p], at.hurt[p], at.focused[p]);
 }
 
+/* Every model a scene can choose: hit shapes, grazed or not, swept or not, fine. */
+static void test_models(void **state)
+{
+    static const unsigned choices[] = { KIND_GRAZE | KIND_SWEPT, KIND_SWEPT, ENEMY_TOUCH | ENEMY_SWEPT };
+
+    (void)state;
+    for (int pool = 0; pool < 3; pool++) {
+        assert_int_equal(at.shapes[pool], 1u << SHAPE_NONE | 1u << SHAPE_CIRCLE | 1u << SHAPE_BOX);
+        assert_int_equal(at.flags[pool] & choices[pool], choices[pool]);
+        assert_int_equal(at.flags[pool] >> 8 & choices[pool], choices[pool]);
+    }
+    assert_true(at.fine);
+}
+
 int main(void)
 {
     const struct CMUnitTest holds[] = { cmocka_unit_test(test_demo_holds) };
     const struct CMUnitTest counts[] = { cmocka_unit_test(test_functions), cmocka_unit_test(test_properties),
-                                         cmocka_unit_test(test_steps), cmocka_unit_test(test_pools) };
+                                         cmocka_unit_test(test_steps), cmocka_unit_test(test_pools),
+                                         cmocka_unit_test(test_models) };
     int failed = cmocka_run_group_tests_name("the demo holds", holds, setup, teardown);
 
     unsetenv("CURTAIN_UPDATE");
