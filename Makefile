@@ -35,7 +35,7 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench demos
+.PHONY: all null play test check golden asan ubsan ubsan-extremes torture mutants fuzz format deps install clean help programs bench demos
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -175,9 +175,14 @@ asan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan OPT="-O1 -fsanitize=address -fno-omit-frame-pointer" programs
 	@OUT=build/asan tests/run.sh sanitizer
 
+# Without -fwrapv, so that an overflow is a finding.
+UBSAN := CONFIG=ubsan SEMANTIC="-std=c11 -ffp-contract=off" \
+	OPT="-O1 -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow"
 ubsan: deps-play-test
-	@$(MAKE) --no-print-directory -j2 CONFIG=ubsan OPT="-O1 -fsanitize=undefined -fno-sanitize-recover=undefined" programs
+	@$(MAKE) --no-print-directory -j2 $(UBSAN) programs
 	@OUT=build/ubsan tests/run.sh sanitizer
+ubsan-extremes:
+	@$(MAKE) --no-print-directory -j2 $(UBSAN) build/ubsan/machine/test_extremes
 
 fuzz: deps-play-fuzz
 	@tests/fuzz/run.sh

@@ -750,7 +750,9 @@ static const struct api_entry entries[] = {
     { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
     { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
-      "a motion program: a list of steps, shared by all bullets that name it" },
+      "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
+      "it a "
+      "name and fine = true keeps places and speeds to 32 fraction bits" },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
     { "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES, "shot",

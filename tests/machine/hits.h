@@ -1,0 +1,204 @@
+/*
+ * hits.h - every collision of a frame by a plain reference in 128 bits: which events, and in which order.
+ * floor: tests    used by: tests/machine/
+ */
+#ifndef TESTS_HITS_H
+#define TESTS_HITS_H
+
+#include "../../src/board/hit.h"
+#include "rig.h"
+
+__extension__ typedef __int128 wide;
+
+/* What the reference has come across. */
+static struct {
+    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses;
+} seen;
+
+static wide square(wide v)
+{
+    return v * v;
+}
+
+static wide magnitude(wide v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* Is the point (px, py) within r of the segment from (x, y) to (x + wx, y + wy)? */
+static bool near_segment(wide px, wide py, wide x, wide y, wide wx, wide wy, wide r)
+{
+    wide dx = px - x, dy = py - y, along = dx * wx + dy * wy, ww = square(wx) + square(wy);
+
+    if (along <= 0)
+        return square(dx) + square(dy) <= square(r);
+    if (along >= ww)
+        return square(dx - wx) + square(dy - wy) <= square(r);
+    wide cross = magnitude(dx * wy - dy * wx);
+    return cross < (wide)1 << 63 && square(cross) <= square(r) * ww;
+}
+
+/* How far v is outside of [-half, half]. */
+static wide outside(wide v, wide half)
+{
+    return magnitude(v) > half ? magnitude(v) - half : 0;
+}
+
+static bool near_box(wide x, wide y, wide hw, wide hh, wide r)
+{
+    return square(outside(x, hw)) + square(outside(y, hh)) <= square(r);
+}
+
+/* Do the segment and the box around the origin share a point? Separating axes. */
+static bool crosses(wide x, wide y, wide wx, wide wy, wide hw, wide hh)
+{
+    bool left = false, right = false;
+
+    if ((x > hw && x + wx > hw) || (x < -hw && x + wx < -hw) || (y > hh && y + wy > hh) || (y < -hh && y + wy < -hh))
+        return false;
+    for (int i = 0; i < 4; i++) {
+        wide side = ((i & 1 ? hw : -hw) - x) * wy - ((i & 2 ? hh : -hh) - y) * wx;
+        left |= side <= 0;
+        right |= side >= 0;
+    }
+    return left && right;
+}
+
+/* Two convex shapes that do not meet are nearest at a corner of one of them. */
+static bool segment_near_box(wide x, wide y, wide wx, wide wy, wide hw, wide hh, wide r)
+{
+    if (crosses(x, y, wx, wy, hw, hh) || near_box(x, y, hw, hh, r) || near_box(x + wx, y + wy, hw, hh, r))
+        return true;
+    for (int i = 0; i < 4; i++)
+        if (near_segment(i & 1 ? hw : -hw, i & 2 ? hh : -hh, x, y, wx, wy, r))
+            return true;
+    return false;
+}
+
+/* A thing: its shape, where it is and where it was. */
+struct thing {
+    int shape;
+    wide a, b, x, y, was_x, was_y;
+};
+
+static struct thing flier(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    uint16_t kind = s->kind[i];
+    wide x = s->x[i], y = s->y[i];
+
+    return (struct thing){ k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i] };
+}
+
+static struct thing foe(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    uint16_t k = e->kind[i];
+
+    return (struct thing){
+        b->enemy_kinds.shape[k], b->enemy_kinds.a[k], b->enemy_kinds.b[k], e->x[i], e->y[i], e->was_x[i], e->was_y[i]
+    };
+}
+
+static struct thing pilot(const struct board *b, uint32_t p, wide r)
+{
+    const struct player *pl = &b->player;
+
+    return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p] };
+}
+
+/* The sum of the two shapes as a box with round corners, around the origin; the difference of their places moves. */
+static bool meets(struct thing p, struct thing q, bool swept)
+{
+    wide hw = (p.shape == SHAPE_BOX ? p.a : 0) + (q.shape == SHAPE_BOX ? q.a : 0);
+    wide hh = (p.shape == SHAPE_BOX ? p.b : 0) + (q.shape == SHAPE_BOX ? q.b : 0);
+    wide r = (p.shape == SHAPE_CIRCLE ? p.a : 0) + (q.shape == SHAPE_CIRCLE ? q.a : 0);
+    wide x = p.was_x - q.was_x, y = p.was_y - q.was_y, ex = p.x - q.x, ey = p.y - q.y;
+
+    if (p.shape == SHAPE_NONE || q.shape == SHAPE_NONE)
+        return false;
+    if (!swept)
+        return near_box(ex, ey, hw, hh, r);
+    return segment_near_box(x, y, ex - x, ey - y, hw, hh, r);
+}
+
+static int expected_n;
+static struct event expected[4096];
+
+static void expect(const struct board *b, enum event_kind kind, enum handle_kind hx, uint32_t x, enum handle_kind hy,
+                   uint32_t y)
+{
+    assert_true(expected_n < 4096);
+    expected[expected_n++] =
+        (struct event){ .kind = kind, .a = board_handle(b, hx, (int32_t)x), .b = board_handle(b, hy, (int32_t)y) };
+}
+
+static void player_reference(const struct board *b, uint32_t p)
+{
+    uint16_t kind = b->player.kind[p], k;
+
+    for (uint32_t i = 0; i < b->bullets.s.cap; i++) {
+        if (i >= b->bullets.s.top || !(b->bullets.s.used[i / 64] >> (i & 63) & 1))
+            continue;
+        k = b->bullets.kind[i];
+        if (b->bullet_kinds.shape[k] == SHAPE_NONE)
+            continue;
+        bool swept = b->bullet_kinds.flags[k] & KIND_SWEPT;
+        struct thing bullet = flier(&b->bullets, &b->bullet_kinds, i);
+        if (meets(bullet, pilot(b, p, b->player_kinds.radius[kind]), swept)) {
+            expect(b, EV_HIT, H_PLAYER, p, H_BULLET, i);
+            seen.hits++;
+            seen.box_hits += b->bullet_kinds.shape[k] == SHAPE_BOX;
+            seen.standing += !swept;
+        } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
+                   meets(bullet, pilot(b, p, b->player_kinds.graze[kind]), swept)) {
+            expect(b, EV_GRAZE, H_PLAYER, p, H_BULLET, i);
+            seen.grazes++;
+        } else
+            seen.bullet_misses++;
+    }
+    for (uint32_t e = 0; e < b->enemies.s.top; e++) {
+        if (!(b->enemies.s.used[e / 64] >> (e & 63) & 1) || !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_TOUCH))
+            continue;
+        k = b->enemies.kind[e];
+        if (meets(foe(b, e), pilot(b, p, b->player_kinds.radius[kind]), b->enemy_kinds.flags[k] & ENEMY_SWEPT)) {
+            expect(b, EV_HIT, H_PLAYER, p, H_ENEMY, e);
+            seen.touches++;
+        } else
+            seen.touch_misses++;
+    }
+}
+
+static void reference(const struct board *b)
+{
+    expected_n = 0;
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p])
+            player_reference(b, p);
+    EACH_LIVE (i, &b->shots.s)
+        EACH_LIVE (e, &b->enemies.s) {
+            if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
+                break;
+            bool swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
+            if (!meets(flier(&b->shots, &b->shot_kinds, i), foe(b, e), swept)) {
+                seen.shot_misses++;
+                continue;
+            }
+            expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, e);
+            seen.shots++;
+            break;
+        }
+}
+
+static void compare(const struct board *b, int scene)
+{
+    for (int i = 0; i < expected_n && i < (int)b->events.n; i++) {
+        const struct event *e = &b->events.list[i], *x = &expected[i];
+        if (e->kind != x->kind || e->a != x->a || e->b != x->b)
+            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e->kind,
+                     handle_slot(e->a), handle_slot(e->b), x->kind, handle_slot(x->a), handle_slot(x->b));
+    }
+    if ((int)b->events.n != expected_n)
+        fail_msg("scene %d: %u events, expected %d", scene, b->events.n, expected_n);
+}
+
+#endif
