@@ -117,19 +117,18 @@ static bool far(fx a, fx b)
 
 static void step(struct enemies *e, uint32_t i)
 {
-    e->was_x[i] = e->x[i];
-    e->was_y[i] = e->y[i];
-    if (!e->over[i])
-        return;
-    int64_t t = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
-    e->x[i] = between(e->x0[i], e->x1[i], t);
-    e->y[i] = between(e->y0[i], e->y1[i], t);
-    if (e->made[i] == e->over[i])
-        e->over[i] = 0;
-    if (far(e->x[i], e->was_x[i]) || far(e->y[i], e->was_y[i])) {
-        e->was_x[i] = e->x[i];
-        e->was_y[i] = e->y[i];
+    fx x = e->x[i], y = e->y[i];
+
+    if (e->over[i]) {
+        int64_t t = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
+        e->x[i] = between(e->x0[i], e->x1[i], t);
+        e->y[i] = between(e->y0[i], e->y1[i], t);
+        if (e->made[i] == e->over[i])
+            e->over[i] = 0;
     }
+    bool jump = far(e->x[i], x) || far(e->y[i], y);
+    e->was_x[i] = jump ? e->x[i] : x;
+    e->was_y[i] = jump ? e->y[i] : y;
 }
 
 void enemies_count(struct enemies *e)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # roundtrip.sh - the same in, the same out: packing, unpacking, playing from folder and file, and other compilers.
 #
-# Builds the program once more with clang, with -O0 and with -O3 (build/cross-*), which takes a while the first time.
+# Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*), which
+# takes a while the first time.
 . "$(dirname "$0")/../tap.sh"
 glasstide=$repo/roms/glasstide
 
@@ -109,4 +110,5 @@ other clang CC=clang
 other o0 CC=gcc OPT=-O0
 other o3 CC=gcc OPT='-O3 -ftree-vectorize'
 other clang-o0 CC=clang OPT=-O0
+other twins CC=gcc CFLAGS=-DFX_INTEGER
 finish

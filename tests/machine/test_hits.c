@@ -205,6 +205,10 @@ static const char game[] =
     "bullet.def('ball', { sprite = 'dot', hit = { circle = 4 } })\n"
     "bullet.def('bar', { sprite = 'dot', hit = { box = { 20, 4 } } })\n"
     "bullet.def('meek', { sprite = 'dot', hit = { circle = 4 }, graze = false })\n"
+    "bullet.def('late', { sprite = 'dot', hit = { circle = 4 }, swept = false })\n"
+    "shot.def('slow', { sprite = 'dot', hit = { box = { 4, 8 } }, swept = false })\n"
+    "enemy.def('globe', { sprite = 'dot', hit = { circle = 5 }, swept = false })\n"
+    "enemy.def('shade', { sprite = 'dot', hit = 'none' })\n"
     "bullet.def('air', { sprite = 'dot', hit = 'none' })\n"
     "shot.def('bolt', { sprite = 'dot', hit = { box = { 4, 8 } }, damage = 3 })\n"
     "enemy.def('foe', { sprite = 'dot', hit = { box = { 10, 10 } }, hp = 10 })\n"
@@ -254,6 +258,27 @@ static void test_by_hand(void **state)
     scene("bullet.fire { kind = 'ball', x = 60, y = 100, speed = 60 } wait(1) bullet.clear()", 3, "");
     scene("bullet.fire { kind = 'ball', x = 60, y = 170, speed = 60 }", 1, "h1 ");
     scene("bullet.fire { kind = 'ball', x = 60, y = 230, speed = 60, dir = 270 }", 1, "h1 ");
+    /* a kind that is not swept is where it is */
+    scene("bullet.fire { kind = 'late', x = 60, y = 170, speed = 60 }", 1, "");
+    scene("bullet.fire { kind = 'late', x = 60, y = 170, speed = 30 }", 1, "h1 ");
+    /* shots and enemies too, and enemies of each shape */
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 70, hp = 1 } "
+          "shot.fire { kind = 'bolt', x = 100, y = 100, speed = 60 }",
+          1, "k0 ");
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 70, hp = 1 } "
+          "shot.fire { kind = 'slow', x = 100, y = 100, speed = 60 }",
+          3, "");
+    scene("enemy.spawn { kind = 'globe', x = 100, y = 70 } shot.fire { kind = 'slow', x = 104, y = 100, speed = 30 }",
+          1, "k0 ");
+    scene(
+        "enemy.spawn { kind = 'globe', x = 100, y = 70 } shot.fire { kind = 'slow', x = 100, y = 109.001, speed = 30 }",
+        1, "");
+    scene("enemy.spawn { kind = 'shade', x = 60, y = 200 } shot.fire { kind = 'bolt', x = 60, y = 200, speed = 0 }", 2,
+          "");
+    scene("enemy.spawn { kind = 'foe', x = 60, y = 160 }:move { x = 60, y = 240, over = 1 }", 2, "h1 ");
+    scene("enemy.spawn { kind = 'globe', x = 60, y = 160 }:move { x = 60, y = 240, over = 1 }", 2, "");
+    scene("enemy.spawn { kind = 'globe', x = 60, y = 160 }:move { x = 60, y = 207, over = 1 }", 1, "h1 ");
+    scene("local e = enemy.spawn { kind = 'foe', x = 60, y = 160 } wait(1) e.y = 240", 3, "");
     /* a teleport sweeps nothing */
     scene("local b = bullet.fire { kind = 'ball', x = 60, y = 100, speed = 0 } wait(1) b.y = 240", 3, "");
     scene(
