@@ -190,7 +190,7 @@ void lab_table(const char *title, const char *columns)
     put(&lab.body, "\n");
 }
 
-void lab_row(bool standard, ...)
+void lab_row(int standard, ...)
 {
     const char *cell;
     int n = 0;

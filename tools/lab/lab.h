@@ -59,7 +59,7 @@ const char *lab_percent(double share);
 void lab_table(const char *title, const char *columns);
 
 /* A row: each cell a string, the last followed by NULL. The engine's own default (standard) is set bold and marked. */
-void lab_row(bool standard, ...);
+void lab_row(int standard, ...);
 void lab_table_end(void);
 
 /* ---- times ---- */
