@@ -35,7 +35,8 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play test check golden asan ubsan ubsan-extremes torture mutants fuzz format deps install clean help programs bench demos
+.PHONY: all null play install deps format clean help programs test golden demos
+.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench accuracy
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -47,6 +48,7 @@ help:
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
+	@echo "make accuracy measure docs/accuracy.md anew"
 	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
 
 deps:
@@ -157,7 +159,7 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -202,6 +204,20 @@ bench: all
 demos: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/bot
 	@OUT=$(OUT) tools/demos.sh
+
+# ---- the lab: what each choice costs, measured; docs/accuracy.md ----
+
+LAB_SRC := $(wildcard tools/lab/*.c)
+LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
+$(OUT)/tools/lab/lab.o: ALL_C += '-DLAB_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+
+$(OUT)/lab: $(LAB_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) $(LAB_L) -o $@
+
+accuracy: deps-play-test
+	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
+	@$(OUT)/lab
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

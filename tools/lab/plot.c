@@ -1,0 +1,450 @@
+/*
+ * plot.c - the lab's plots: points or lines with their names beside them, as SVG.
+ * floor: tools
+ *
+ * A plot is collected, then scaled to what it holds, so nothing has to be said about axes but their names. It brings
+ * its own light background, to be read on dark pages too. Names are put where they cover the least; the widths of
+ * texts are estimated, for the reader's font is not known. Coordinates have one decimal, from mathematics that is the
+ * same everywhere (lab.h), so equal data make equal files.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab.h"
+
+enum {
+    MOST_SERIES = 64,
+    MOST_POINTS = 4096,
+    MOST_TICKS = 64,
+    WIDE = 820,
+    HIGH = 480,
+    LEFT = 76,
+    TOP = 58,
+    BOTTOM = 424,
+    RIGHT_LINES = 620,  /* names of lines stand to the right of it */
+    RIGHT_POINTS = 794, /* names of points stand inside */
+    ZERO_BAND = 30,     /* below a logarithmic axis, for y = 0 */
+    LINE_HIGH = 15
+};
+
+static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#5a7d9a",
+                                       "#6f8a3a", "#a3527a", "#77685a", "#3a8fa8" };
+static const char STANDARD[] = "#cc3d26";
+
+struct series {
+    char label[96];
+    bool standard, line;
+    int first, n;
+};
+
+/* A rectangle that is taken. */
+struct area {
+    double x0, y0, x1, y1;
+};
+
+struct axis {
+    bool linear, zero;
+    double low, high;     /* of the scaled values */
+    double start, length; /* in pixels; y runs upwards: length < 0 */
+};
+
+static struct {
+    struct lab_plot p;
+    struct series series[MOST_SERIES];
+    int n_series, n;
+    double x[MOST_POINTS], y[MOST_POINTS];
+    struct axis ax, ay;
+    double zero_y;
+    struct area taken[2 * MOST_POINTS];
+    int n_taken;
+    FILE *f;
+} plot;
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "lab: plot %s: %s\n", plot.p.file, what);
+    exit(2);
+}
+
+void lab_plot(const struct lab_plot *p)
+{
+    plot.p = *p;
+    plot.n_series = plot.n = plot.n_taken = 0;
+}
+
+static void add(double x, double y)
+{
+    if (plot.n == MOST_POINTS)
+        fail("too many points");
+    plot.x[plot.n] = x;
+    plot.y[plot.n++] = y;
+}
+
+static struct series *begin(const char *label, bool standard, bool line)
+{
+    if (plot.n_series == MOST_SERIES)
+        fail("too many series");
+
+    struct series *s = &plot.series[plot.n_series++];
+
+    *s = (struct series){ .standard = standard, .line = line, .first = plot.n };
+    snprintf(s->label, sizeof s->label, "%s", label);
+    return s;
+}
+
+void lab_plot_point(const char *label, bool standard, double x, double y)
+{
+    begin(label, standard, false)->n = 1;
+    add(x, y);
+}
+
+void lab_plot_line(const char *label, bool standard, const double *x, const double *y, int n)
+{
+    begin(label, standard, true)->n = n;
+    for (int i = 0; i < n; i++)
+        add(x[i], y[i]);
+}
+
+/* ---- scales ---- */
+
+static double scaled(const struct axis *a, double v)
+{
+    return a->linear ? v : lab_log10(v);
+}
+
+static double place(const struct axis *a, double v)
+{
+    return a->start + a->length * (scaled(a, v) - a->low) / (a->high - a->low);
+}
+
+static double place_y(double v)
+{
+    return v <= 0 && !plot.ay.linear ? plot.zero_y : place(&plot.ay, v);
+}
+
+static void fit(struct axis *a, bool linear, const double *v, int n)
+{
+    bool any = false;
+
+    *a = (struct axis){ .linear = linear };
+    for (int i = 0; i < n; i++) {
+        if (!linear && v[i] <= 0) {
+            a->zero = true;
+            continue;
+        }
+        double s = scaled(a, v[i]);
+        a->low = any && a->low < s ? a->low : s;
+        a->high = any && a->high > s ? a->high : s;
+        any = true;
+    }
+    if (linear && a->low > 0 && a->low < a->high / 2)
+        a->low = 0;
+    double room = (a->high - a->low) * 0.05;
+    room = room > 0 ? room : 0.5;
+    a->low -= linear && a->low == 0 ? 0 : room;
+    a->high += room;
+}
+
+static double power10(int e)
+{
+    double v = 1;
+
+    for (; e > 0; e--)
+        v *= 10;
+    for (; e < 0; e++)
+        v /= 10;
+    return v;
+}
+
+/* The values of the marks along an axis. */
+static int ticks(const struct axis *a, double *out)
+{
+    static const int STEPS[] = { 1, 2, 5 };
+    double span = a->high - a->low;
+    int n = 0;
+
+    if (a->linear) {
+        double step = power10((int)floor(lab_log10(span / 6)));
+        while (span / step > 8)
+            step *= span / step > 16 ? 5 : 2;
+        for (double v = ceil(a->low / step) * step; v <= a->high + step * 1e-9 && n < MOST_TICKS; v += step)
+            out[n++] = v;
+        return n;
+    }
+    int every = span > 9 ? 2 : 1, steps = span < 3.2 ? 3 : 1;
+    for (int e = (int)floor(a->low); e <= a->high; e++)
+        for (int i = 0; i < steps; i++) {
+            double v = power10(e) * STEPS[i];
+            if (e % every == 0 && scaled(a, v) >= a->low && scaled(a, v) <= a->high && n < MOST_TICKS)
+                out[n++] = v;
+        }
+    return n;
+}
+
+static const char *superscript(int e)
+{
+    static const char *const DIGITS[] = { "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹" };
+
+    return lab_string("%s%s%s", e < 0 ? "⁻" : "", abs(e) > 9 ? DIGITS[abs(e) / 10] : "", DIGITS[abs(e) % 10]);
+}
+
+static const char *tick_name(const struct axis *a, double v, bool percent)
+{
+    const char *unit = percent ? " %" : "";
+    double size = fabs(v);
+
+    if (a->linear || (size > 0.0009 && size < 2e6)) {
+        if (size >= 10000)
+            return lab_string("%s%s", lab_count((int64_t)(v + 0.5)), unit);
+        return lab_string("%.*g%s", 6, v, unit);
+    }
+    return lab_string("10%s%s", superscript((int)floor(lab_log10(v) + 0.5)), unit);
+}
+
+/* ---- drawing ---- */
+
+static void text(double x, double y, const char *anchor, int size, const char *colour, bool bold, const char *s)
+{
+    fprintf(plot.f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" font-size=\"%d\" fill=\"%s\"%s>", x, y, anchor,
+            size, colour, bold ? " font-weight=\"bold\"" : "");
+    for (; *s; s++) {
+        if (*s == '<' || *s == '&')
+            fputs(*s == '<' ? "&lt;" : "&amp;", plot.f);
+        else
+            fputc(*s, plot.f);
+    }
+    fputs("</text>\n", plot.f);
+}
+
+static void line(double x0, double y0, double x1, double y1, const char *colour, double width, const char *more)
+{
+    fprintf(plot.f, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\"%s/>\n",
+            x0, y0, x1, y1, colour, width, more);
+}
+
+static void draw_axes(double right)
+{
+    const double bottom = plot.ay.zero ? BOTTOM - ZERO_BAND : BOTTOM;
+    double v[MOST_TICKS];
+    int n = ticks(&plot.ax, v);
+
+    for (int i = 0; i < n; i++) {
+        double x = place(&plot.ax, v[i]);
+        line(x, TOP, x, BOTTOM, "#e6e5de", 1, "");
+        text(x, BOTTOM + 18, "middle", 12, "#55534d", false, tick_name(&plot.ax, v[i], plot.p.x_percent));
+    }
+    n = ticks(&plot.ay, v);
+    for (int i = 0; i < n; i++) {
+        double y = place(&plot.ay, v[i]);
+        line(LEFT, y, right, y, "#e6e5de", 1, "");
+        text(LEFT - 8, y + 4, "end", 12, "#55534d", false, tick_name(&plot.ay, v[i], plot.p.y_percent));
+    }
+    if (plot.ay.zero) {
+        line(LEFT, bottom + 8, right, bottom + 8, "#b9b7ae", 1, " stroke-dasharray=\"2 4\"");
+        line(LEFT, plot.zero_y, right, plot.zero_y, "#e6e5de", 1, "");
+        text(LEFT - 8, plot.zero_y + 4, "end", 12, "#55534d", false, "0");
+    }
+    line(LEFT, BOTTOM, right, BOTTOM, "#8b897f", 1, "");
+    line(LEFT, TOP, LEFT, BOTTOM, "#8b897f", 1, "");
+    text((LEFT + right) / 2, BOTTOM + 42, "middle", 13, "#33322e", false, plot.p.x_name);
+    text(LEFT - 56, TOP - 12, "start", 13, "#33322e", false, plot.p.y_name);
+}
+
+static const char *colour_of(int i)
+{
+    int k = 0;
+
+    if (plot.series[i].standard)
+        return STANDARD;
+    for (int j = 0; j < i; j++)
+        k += !plot.series[j].standard;
+    return plot.series[i].line ? COLOURS[k % (int)(sizeof COLOURS / sizeof *COLOURS)] : "#3b6ea5";
+}
+
+/* ---- names ---- */
+
+static double width_of(const struct series *s)
+{
+    double n = 0;
+
+    for (const char *c = s->label; *c; c++)
+        n += (*c & 0xc0) != 0x80;
+    return n * (s->standard ? 6.9 : 6.3) + 2;
+}
+
+static void take(double x0, double y0, double x1, double y1)
+{
+    if (plot.n_taken < (int)(sizeof plot.taken / sizeof *plot.taken))
+        plot.taken[plot.n_taken++] = (struct area){ x0, y0, x1, y1 };
+}
+
+/* How much of what is taken the rectangle covers, and of what is outside the frame. */
+static double covers(struct area a)
+{
+    double sum = 0;
+
+    for (int i = 0; i < plot.n_taken; i++) {
+        const struct area *t = &plot.taken[i];
+        double w = (a.x1 < t->x1 ? a.x1 : t->x1) - (a.x0 > t->x0 ? a.x0 : t->x0);
+        double h = (a.y1 < t->y1 ? a.y1 : t->y1) - (a.y0 > t->y0 ? a.y0 : t->y0);
+        sum += w > 0 && h > 0 ? w * h : 0;
+    }
+    if (a.x0 < LEFT + 2 || a.x1 > RIGHT_POINTS || a.y0 < TOP || a.y1 > BOTTOM - 2)
+        sum += 4000;
+    return sum;
+}
+
+/* Puts the name of a point in the best of the places around it; a thin line leads to it from afar. */
+static void name_point(int i)
+{
+    static const double WAYS[][2] = { { 1, 0 },  { -1, 0 }, { 0, -1 },  { 0, 1 },
+                                      { 1, -1 }, { 1, 1 },  { -1, -1 }, { -1, 1 } };
+    const struct series *s = &plot.series[i];
+    double px = place(&plot.ax, plot.x[s->first]), py = place_y(plot.y[s->first]), w = width_of(s), least = 1e30;
+    struct area best = { 0, 0, 0, 0 };
+    double side = 0; /* of the point the name is on */
+
+    for (int far = 0; far < 6; far++)
+        for (int k = 0; k < 8; k++) {
+            double gap = 8 + 13 * far, dx = WAYS[k][0] * gap, dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
+            double x0 = px + dx - (dx < 0 ? w : dx > 0 ? 0 : w / 2);
+            struct area a = { x0, py + dy - LINE_HIGH / 2.0, x0 + w, py + dy + LINE_HIGH / 2.0 };
+            double cost = covers(a) + far * 12 + k * 0.5;
+            if (cost < least) {
+                least = cost;
+                best = a;
+                side = dx;
+            }
+        }
+    take(best.x0, best.y0, best.x1, best.y1);
+    double ex = px < best.x0 ? best.x0 - 2 : px > best.x1 ? best.x1 + 2 : px;
+    double ey = (best.y0 + best.y1) / 2;
+    if (fabs(ex - px) + fabs(ey - py) > 24)
+        line(px, py, ex, ey, "#a8a69c", 0.8, "");
+    text(side > 0   ? best.x0
+         : side < 0 ? best.x1
+                    : px,
+         best.y1 - 4,
+         side > 0   ? "start"
+         : side < 0 ? "end"
+                    : "middle",
+         12, s->standard ? STANDARD : "#33322e", s->standard, s->label);
+}
+
+static void draw_points(void)
+{
+    for (int i = 0; i < plot.n_series; i++) {
+        const struct series *s = &plot.series[i];
+        double x = place(&plot.ax, plot.x[s->first]), y = place_y(plot.y[s->first]), r = s->standard ? 7 : 4.5;
+        if (!s->line)
+            take(x - r, y - r, x + r, y + r);
+    }
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < plot.n_series; i++)
+            if (!plot.series[i].line && plot.series[i].standard == (pass == 0))
+                name_point(i);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < plot.n_series; i++) {
+            const struct series *s = &plot.series[i];
+            if (s->line || s->standard != (pass == 1))
+                continue;
+            fprintf(plot.f,
+                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\" stroke=\"#fcfcfa\" stroke-width=\"1.2\"/>\n",
+                    place(&plot.ax, plot.x[s->first]), place_y(plot.y[s->first]), s->standard ? "7" : "4.5",
+                    colour_of(i));
+        }
+}
+
+static void draw_line(int i)
+{
+    const struct series *s = &plot.series[i];
+
+    fprintf(plot.f, "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\" points=\"",
+            colour_of(i), s->standard ? "3.4" : "1.8");
+    for (int k = s->first; k < s->first + s->n; k++)
+        fprintf(plot.f, "%s%.1f,%.1f", k == s->first ? "" : " ", place(&plot.ax, plot.x[k]), place_y(plot.y[k]));
+    fprintf(plot.f, "\"/>\n");
+    for (int k = s->first; s->n <= 16 && k < s->first + s->n; k++)
+        fprintf(plot.f, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\"/>\n", place(&plot.ax, plot.x[k]),
+                place_y(plot.y[k]), s->standard ? "4" : "2.6", colour_of(i));
+}
+
+/* Names of lines in the order of their ends, pushed apart just far enough. */
+static void name_lines(double right)
+{
+    int order[MOST_SERIES], n = 0;
+    double want[MOST_SERIES], at[MOST_SERIES];
+
+    for (int i = 0; i < plot.n_series; i++) {
+        if (!plot.series[i].line)
+            continue;
+        double y = place_y(plot.y[plot.series[i].first + plot.series[i].n - 1]);
+        int k = n++;
+        for (; k > 0 && want[k - 1] > y; k--) {
+            want[k] = want[k - 1];
+            order[k] = order[k - 1];
+        }
+        want[k] = y;
+        order[k] = i;
+    }
+    memcpy(at, want, sizeof at);
+    for (int round = 0; round < 400; round++)
+        for (int k = 1; k < n; k++) {
+            double push = (LINE_HIGH + 1 - (at[k] - at[k - 1])) / 2;
+            if (push > 0) {
+                at[k] += push;
+                at[k - 1] -= push;
+            }
+        }
+    for (int k = 0; k < n; k++) {
+        const struct series *s = &plot.series[order[k]];
+        double x = place(&plot.ax, plot.x[s->first + s->n - 1]);
+        line(x + 4, want[k], right + 16, at[k], colour_of(order[k]), 0.8, " stroke-opacity=\"0.6\"");
+        text(right + 20, at[k] + 4, "start", 12, colour_of(order[k]), s->standard, s->label);
+    }
+}
+
+static void draw(void)
+{
+    bool lines = false;
+
+    for (int i = 0; i < plot.n_series; i++)
+        lines |= plot.series[i].line;
+    double right = lines ? RIGHT_LINES : RIGHT_POINTS;
+    fit(&plot.ax, plot.p.x_linear, plot.x, plot.n);
+    fit(&plot.ay, plot.p.y_linear, plot.y, plot.n);
+    if (plot.ax.zero)
+        fail("x = 0 on a logarithmic axis");
+    plot.ax.start = LEFT;
+    plot.ax.length = right - LEFT;
+    plot.ay.start = plot.ay.zero ? BOTTOM - ZERO_BAND : BOTTOM;
+    plot.ay.length = TOP - plot.ay.start;
+    plot.zero_y = BOTTOM - 9;
+
+    fprintf(plot.f,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
+            "font-family=\"Helvetica, Arial, sans-serif\">\n"
+            "<rect x=\"0.5\" y=\"0.5\" width=\"%d\" height=\"%d\" rx=\"8\" fill=\"#fcfcfa\" stroke=\"#d8d6cc\"/>\n",
+            WIDE, HIGH, WIDE, HIGH, WIDE - 1, HIGH - 1);
+    text(LEFT - 56, 27, "start", 16, "#22211e", true, plot.p.title);
+    draw_axes(right);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < plot.n_series; i++)
+            if (plot.series[i].line && plot.series[i].standard == (pass == 1))
+                draw_line(i);
+    name_lines(right);
+    draw_points();
+    fprintf(plot.f, "</svg>\n");
+}
+
+void lab_plot_end(void)
+{
+    if (!(plot.p.timed && lab_exact())) {
+        plot.f = lab_plot_file(plot.p.file);
+        draw();
+        if (fclose(plot.f))
+            fail("cannot be written");
+    }
+    lab_text("![%s](accuracy/%s.svg)", plot.p.described, plot.p.file);
+}
