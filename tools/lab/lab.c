@@ -21,7 +21,7 @@ static struct {
     bool exact, wrong;
     const char *folder;
     struct text body, conclusions;
-    bool right[MOST_COLUMNS];
+    bool plain[MOST_COLUMNS]; /* never bold */
     int columns;
 } lab;
 
@@ -120,6 +120,16 @@ const char *lab_count(int64_t n)
     return out;
 }
 
+/* 1.5e-9; printf's own exponents have two digits or three. */
+static const char *tiny(double v)
+{
+    int e = 0;
+
+    for (; fabs(v) < 0.995; e++)
+        v *= 10;
+    return lab_string("%.1fe-%d", v, e);
+}
+
 const char *lab_figure(double v)
 {
     double size = fabs(v);
@@ -129,7 +139,7 @@ const char *lab_figure(double v)
     if (!isfinite(v))
         return "∞";
     if (size < 1e-4)
-        return lab_string("%.1e", v);
+        return tiny(v);
     if (size < 99.95)
         return lab_string("%.*f",
                           size < 0.000995  ? 5
@@ -160,6 +170,7 @@ const char *lab_percent(double share)
 void lab_table(const char *title, const char *columns)
 {
     char head[1024], *at = head;
+    bool rule[MOST_COLUMNS];
 
     if (title) {
         put(&lab.body, "**");
@@ -179,14 +190,15 @@ void lab_table(const char *title, const char *columns)
         bool right = n && at[n - 1] == '>';
         if (lab.columns == MOST_COLUMNS)
             fail("too many columns");
-        lab.right[lab.columns++] = right;
+        rule[lab.columns] = right;
+        lab.plain[lab.columns++] = n > 3 && !memcmp(at, "who", 3);
         put(&lab.body, " ");
         append(&lab.body, at, n - right);
         put(&lab.body, " |");
     }
     put(&lab.body, "\n|");
     for (int i = 0; i < lab.columns; i++)
-        put(&lab.body, lab.right[i] ? "---:|" : "---|");
+        put(&lab.body, rule[i] ? "---:|" : "---|");
     put(&lab.body, "\n");
 }
 
@@ -199,7 +211,7 @@ void lab_row(int standard, ...)
     va_start(args, standard);
     put(&lab.body, "|");
     for (; (cell = va_arg(args, const char *)) != NULL; n++) {
-        bool bold = standard && *cell && n < lab.columns - 1;
+        bool bold = standard && *cell && n < lab.columns && !lab.plain[n];
         put(&lab.body, bold ? " **" : " ");
         if (standard && n == 0)
             put(&lab.body, "▶ ");

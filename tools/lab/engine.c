@@ -1,0 +1,127 @@
+/*
+ * engine.c - see engine.h. Lists of events have room for whatever a frame can raise.
+ */
+#include "engine.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct box ENGINE_EVERYWHERE = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
+
+struct place {
+    const struct chip *chip;
+    void *self;
+    uint32_t cap;
+};
+
+static void *room_for(size_t n)
+{
+    void *p = aligned_alloc(64, (n + 63) / 64 * 64);
+
+    if (!p) {
+        fprintf(stderr, "lab: out of memory\n");
+        exit(2);
+    }
+    return memset(p, 0, n);
+}
+
+struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
+{
+    struct board *b = room_for(sizeof *b);
+    const struct place places[] = {
+        { &bullets_chip, &b->bullets, bullets }, { &bullet_kinds_chip, &b->bullet_kinds, MAX_KINDS },
+        { &shots_chip, &b->shots, shots },       { &shot_kinds_chip, &b->shot_kinds, MAX_KINDS },
+        { &enemies_chip, &b->enemies, enemies }, { &enemy_kinds_chip, &b->enemy_kinds, MAX_KINDS },
+        { &player_chip, &b->player, PADS },      { &player_kinds_chip, &b->player_kinds, 64 },
+        { &motions_chip, &b->motions, 64 },      { &steps_chip, &b->steps, 64 * MOTION_STEPS },
+    };
+    enum { COUNT = sizeof places / sizeof *places };
+    uint64_t size = 0;
+
+    for (int i = 0; i < COUNT; i++)
+        size += slots_size(places[i].chip, places[i].cap);
+    b->ram = room_for(size);
+    uint8_t *next = b->ram;
+    for (int i = 0; i < COUNT; i++)
+        slots_layout(places[i].chip, places[i].self, places[i].cap, &next);
+    b->events.cap = 2 * bullets + shots + 16;
+    b->events.list = room_for(b->events.cap * sizeof *b->events.list);
+    return b;
+}
+
+void engine_free(struct board *b)
+{
+    free(b->events.list);
+    free(b->ram);
+    free(b);
+}
+
+static uint16_t kind_of(struct bullet_kinds *k, uint8_t shape, fx a, fx b)
+{
+    int32_t i = slots_append(&k->s);
+
+    k->shape[i] = shape;
+    k->a[i] = a;
+    k->b[i] = b;
+    return (uint16_t)i;
+}
+
+uint16_t engine_circle(struct bullet_kinds *k, fx radius)
+{
+    return kind_of(k, SHAPE_CIRCLE, radius, 0);
+}
+
+uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h)
+{
+    return kind_of(k, SHAPE_BOX, half_w, half_h);
+}
+
+uint16_t engine_enemy(struct board *b, fx half_w, fx half_h)
+{
+    int32_t i = slots_append(&b->enemy_kinds.s);
+
+    b->enemy_kinds.half_w[i] = half_w;
+    b->enemy_kinds.half_h[i] = half_h;
+    b->enemy_kinds.hp[i] = 1;
+    return (uint16_t)i;
+}
+
+uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy)
+{
+    const struct bullet_shape shape = { .x = x, .y = y, .kind = kind };
+    uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
+
+    s->vx[i] = vx;
+    s->vy[i] = vy;
+    return i;
+}
+
+void engine_player(struct board *b, fx radius, fx x, fx y, fx mx, fx my)
+{
+    b->player_kinds.radius[0] = radius;
+    b->player_kinds.graze[0] = radius;
+    b->player.in[0] = 1;
+    b->player.gen[0] = 1;
+    b->player.kind[0] = 0;
+    b->player.x[0] = x;
+    b->player.y[0] = y;
+    b->player.was_x[0] = x - mx;
+    b->player.was_y[0] = y - my;
+}
+
+void engine_move(struct board *b, const struct box *keep)
+{
+    struct motion_world w = {
+        .motions = &b->motions, .steps = &b->steps, .kinds = &b->bullet_kinds, .clock = b->core.clock
+    };
+
+    bullets_move(&b->bullets, &w, keep);
+    b->core.clock++;
+}
+
+uint32_t engine_hits(struct board *b)
+{
+    b->events.n = 0;
+    hit_run(b);
+    return b->events.n;
+}

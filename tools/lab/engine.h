@@ -1,0 +1,39 @@
+/*
+ * engine.h - the engine's own code, as the lab's rows of the engine run it: a board whose chips are laid out as on any
+ * board, without ROM and scripts.
+ * floor: tools
+ */
+#ifndef LAB_ENGINE_H
+#define LAB_ENGINE_H
+
+#include "../../src/board/hit.h"
+#include "../../src/board/machine.h"
+
+/* A pixel in fx. */
+#define PX(n) ((fx)((n)*65536))
+
+/* Nothing that is an fx lies outside. */
+extern const struct box ENGINE_EVERYWHERE;
+
+/* Room for so many bullets, shots and enemies; everything empty. Ends the program when memory is short. */
+struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies);
+void engine_free(struct board *b);
+
+/* A kind of bullet that is a circle; a kind of shot or enemy that is a box. Returns the kind. */
+uint16_t engine_circle(struct bullet_kinds *k, fx radius);
+uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h);
+uint16_t engine_enemy(struct board *b, fx half_w, fx half_h);
+
+/* A bullet with the given velocity in a new slot; returns the slot. */
+uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy);
+
+/* Player 1 is in, with that hit circle and no graze, at (x, y), having moved there by (mx, my) this frame. */
+void engine_player(struct board *b, fx radius, fx x, fx y, fx mx, fx my);
+
+/* One frame of all bullets; those outside keep are dropped. */
+void engine_move(struct board *b, const struct box *keep);
+
+/* The frame's collisions; returns how many hits (bullets, and shots on enemies) there are: b->events has them. */
+uint32_t engine_hits(struct board *b);
+
+#endif
