@@ -260,7 +260,26 @@ static bool above_half(uint32_t v, bool cosine, uint64_t m)
     return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
 }
 
-/* length times the sine or cosine of v, which is about q in Q64; the other way if `back`. */
+/* A direction: cosine and sine as magnitudes in Q64, signs, and the angle v <= 2^29 that they belong to. */
+struct heading {
+    uint64_t c, s;
+    uint32_t v;
+    bool swap, left, up; /* swap: c is the sine of v, s the cosine */
+};
+
+static struct heading heading_of(ang dir)
+{
+    uint32_t u = dir & 0x3fffffff;
+    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
+    uint32_t v = past ? 0x40000000 - u : u;
+    bool swap = past != (dir >> 30 & 1);
+    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
+    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
+
+    return (struct heading){ c ^ change, s ^ change, v, swap, (dir + 0x40000000) >> 31, dir >> 31 };
+}
+
+/* length * q, q being about the sine or cosine of v; the other way if `back`. */
 static int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
 {
     const uint64_t half = (uint64_t)1 << 63;
@@ -271,26 +290,30 @@ static int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool 
     return negate_if(back != (length < 0), (int64_t)whole);
 }
 
-void trig_project(int64_t length, ang dir, int64_t *x, int64_t *y)
+static inline int64_t along_x(const struct heading *h, int64_t length)
 {
-    uint32_t u = dir & 0x3fffffff;
-    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
-    uint32_t v = past ? 0x40000000 - u : u;
-    bool swap = past != (dir >> 30 & 1);
-    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
-    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
+    return scaled(length, h->c, h->v, !h->swap, h->left);
+}
 
-    *x = scaled(length, c ^ change, v, !swap, (dir + 0x40000000) >> 31);
-    *y = scaled(length, s ^ change, v, swap, dir >> 31);
+static inline int64_t along_y(const struct heading *h, int64_t length)
+{
+    return scaled(length, h->s, h->v, h->swap, h->up);
 }
 
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
-    int64_t x, y;
+    struct heading h = heading_of(dir);
 
-    trig_project(speed, dir, &x, &y);
-    *vx = fx_sat(x);
-    *vy = fx_sat(y);
+    *vx = fx_sat(along_x(&h, speed));
+    *vy = fx_sat(along_y(&h, speed));
+}
+
+void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
+{
+    struct heading h = heading_of(dir);
+
+    *dx = along_x(&h, to) - along_x(&h, from);
+    *dy = along_y(&h, to) - along_y(&h, from);
 }
 
 #ifdef FX_INTEGER

@@ -26,10 +26,11 @@ ang trig_atan2(fx y, fx x);
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
 /*
- * The same in whatever unit, for |length| <= 2^48: rounded once to a whole number of units, and surely the nearest one
- * unless the exact product is within 2^-70 of halfway.
+ * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once: so
+ * strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless its
+ * exact place is within 2^-70 of halfway.
  */
-void trig_project(int64_t length, ang dir, int64_t *x, int64_t *y);
+void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
 
 /* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). */
 void trig_normalise(fx x, fx y, fx *ux, fx *uy);

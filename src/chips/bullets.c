@@ -142,7 +142,7 @@ void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
 void bullets_going(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
 {
     if (b->flags[i] & BULLET_FINE) {
-        trig_project(b->pace[i], b->dir[i], vx, vy);
+        trig_stride(0, b->pace[i], b->dir[i], vx, vy);
     } else {
         *vx = (int64_t)b->vx[i] * (1 << PACE_BITS);
         *vy = (int64_t)b->vy[i] * (1 << PACE_BITS);
@@ -261,16 +261,15 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         bullets_steer(b, i);
 }
 
-/* Takes a fine bullet on along its way: what it moves is the difference of two places, each rounded once. */
+/* Takes a fine bullet on along its way. vx, vy become what that is in whole units. */
 static void fly(struct bullets *b, uint32_t i)
 {
-    int64_t x0, y0, x1, y1, x, y, to = b->way[i] + b->pace[i];
+    int64_t x, y, dx, dy, to = b->way[i] + b->pace[i];
 
-    trig_project(b->way[i], b->dir[i], &x0, &y0);
-    trig_project(to, b->dir[i], &x1, &y1);
+    trig_stride(b->way[i], to, b->dir[i], &dx, &dy);
     bullets_place(b, i, &x, &y);
-    x += x1 - x0;
-    y += y1 - y0;
+    x += dx;
+    y += dy;
     b->vx[i] = fx_sub((fx)(x >> PACE_BITS), b->x[i]);
     b->vy[i] = fx_sub((fx)(y >> PACE_BITS), b->y[i]);
     b->x_more[i] = (uint16_t)x;

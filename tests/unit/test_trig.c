@@ -244,7 +244,7 @@ static void polar(void **state)
         oracle((int64_t)a * 2, &part[1], &part[0]);
         for (int k = 0; k < 2; k++) {
             struct big off = big_sub(big_mul(part[k], big_int(speed)), big_shift_left(big_int(out[k]), Q));
-            struct big half = big_add(big_shift_left(big_int(1), Q - 1), big_shift_left(big_int(1), Q - 31));
+            struct big half = big_add(big_shift_left(big_int(1), Q - 1), big_shift_left(big_int(1), Q - 110));
 
             off = big_negative(off) ? big_neg(off) : off;
             if (speed == FX_MIN && out[k] == FX_MAX)
@@ -261,6 +261,30 @@ static void polar(void **state)
         trig_polar(SPEED[i], 0x40000000, &x, &y);
         assert_int_equal(x, 0);
         assert_int_equal(y, SPEED[i]);
+    }
+}
+
+static void strides(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 12);
+    for (int i = 0; i < RUNS; i++) {
+        ang a = i % 5 ? (ang)rng_next(&r) : (ang)i << 26;
+        int64_t most = (int64_t)1 << (i % 49), way[2], at[2], end[2], step[2];
+        struct big part[2];
+
+        for (int k = 0; k < 2; k++)
+            way[k] = i % 7 ? (int64_t)rng_below(&r, (uint64_t)most * 2 + 1) - most : k ? most : -most;
+        trig_stride(0, way[0], a, &at[0], &at[1]);
+        trig_stride(0, way[1], a, &end[0], &end[1]);
+        trig_stride(way[0], way[1], a, &step[0], &step[1]);
+        oracle((int64_t)a * 2, &part[1], &part[0]);
+        for (int k = 0; k < 2; k++) {
+            assert_true(step[k] == end[k] - at[k]);
+            assert_true(nearest(big_mul(part[k], big_int(way[0])), at[k], 0));
+        }
     }
 }
 
@@ -445,6 +469,7 @@ int main(void)
         cmocka_unit_test(unit_vectors),  cmocka_unit_test(hardest_units),
         cmocka_unit_test(differences),   cmocka_unit_test(degrees),
         cmocka_unit_test(degrees_edges), cmocka_unit_test(degrees_back),
+        cmocka_unit_test(strides),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
