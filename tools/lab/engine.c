@@ -56,34 +56,41 @@ void engine_free(struct board *b)
     free(b);
 }
 
-static uint16_t kind_of(struct bullet_kinds *k, uint8_t shape, fx a, fx b)
+static uint16_t kind_of(struct bullet_kinds *k, uint8_t shape, fx a, fx b, bool swept)
 {
     int32_t i = slots_append(&k->s);
 
     k->shape[i] = shape;
     k->a[i] = a;
     k->b[i] = b;
+    k->flags[i] = swept ? KIND_SWEPT : 0;
     return (uint16_t)i;
 }
 
-uint16_t engine_circle(struct bullet_kinds *k, fx radius)
+uint16_t engine_circle(struct bullet_kinds *k, fx radius, bool swept)
 {
-    return kind_of(k, SHAPE_CIRCLE, radius, 0);
+    return kind_of(k, SHAPE_CIRCLE, radius, 0, swept);
 }
 
-uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h)
+uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h, bool swept)
 {
-    return kind_of(k, SHAPE_BOX, half_w, half_h);
+    return kind_of(k, SHAPE_BOX, half_w, half_h, swept);
 }
 
 uint16_t engine_enemy(struct board *b, fx half_w, fx half_h)
 {
     int32_t i = slots_append(&b->enemy_kinds.s);
 
-    b->enemy_kinds.half_w[i] = half_w;
-    b->enemy_kinds.half_h[i] = half_h;
+    b->enemy_kinds.shape[i] = SHAPE_BOX;
+    b->enemy_kinds.a[i] = half_w;
+    b->enemy_kinds.b[i] = half_h;
     b->enemy_kinds.hp[i] = 1;
     return (uint16_t)i;
+}
+
+uint16_t engine_motion(struct board *b, const struct motion_step *steps, uint32_t n, bool fine)
+{
+    return (uint16_t)(motion_define(&b->motions, &b->steps, steps, n, fine) + 1);
 }
 
 uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy)
