@@ -41,8 +41,8 @@ static void run_hits(void *data)
 static struct board *close_crowd(const struct choice *c)
 {
     struct board *b = engine_power(CLOSE, 0, 0);
-    uint16_t kind =
-        c->shape == SHAPE_CIRCLE ? engine_circle(&b->bullet_kinds, PX(4), true) : engine_box(&b->bullet_kinds, PX(4), PX(4), true);
+    uint16_t kind = c->shape == SHAPE_CIRCLE ? engine_circle(&b->bullet_kinds, PX(4), true)
+                                             : engine_box(&b->bullet_kinds, PX(4), PX(4), true);
     struct rng r;
 
     rng_seed(&r, 81);
