@@ -35,7 +35,7 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench demos
+.PHONY: all null play test check golden asan ubsan torture mutants fuzz format deps install clean help programs bench bench-fx demos
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -47,6 +47,7 @@ help:
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
+	@echo "make bench-fx arithmetic against libfixmath"
 	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
 
 deps:
@@ -192,6 +193,13 @@ $(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o 
 bench: all
 	@$(MAKE) --no-print-directory $(OUT)/bench
 	@OUT=$(OUT) tools/bench.sh
+
+# Against libfixmath. The script builds the program, for it links several builds of that library.
+BENCH_FX := $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
+            $(patsubst %,$(OUT)/tools/%.o,bench_fx bench_fx_inputs bench_fx_ours)
+bench-fx: deps-play-bench
+	@$(MAKE) --no-print-directory $(BENCH_FX) | grep -v "up to date"
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx.sh $(BENCH_FX)
 
 # The demos are recorded by a program that plays; needed when scripts or the core change.
 demos: deps-play
