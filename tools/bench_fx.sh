@@ -5,10 +5,11 @@
 #
 #     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx.sh OBJECT...
 #
-# OBJECT: the board's objects and those of tools/bench_fx*.c, but for theirs.
+# OBJECT: the board's objects but for trig.o, and those of the measuring program.
 set -eu
 cd "$(dirname "$0")/.."
 : "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -fwrapv -ffp-contract=off -O2}"
+FLAGS="$FLAGS -falign-functions=64"
 dir=$OUT/bench_fx
 mkdir -p "$dir"
 
@@ -70,8 +71,10 @@ else
         $CC $FLAGS -DABSENT -DSIDE="theirs_$name" -c tools/bench_fx_theirs.c -o "$dir/$name.o"
     done
 fi
+$CC $FLAGS -c tools/bench_fx_ours.c -o "$dir/ours.o"
+$CC $FLAGS -c src/base/trig.c -o "$dir/trig.o"
 # shellcheck disable=SC2086
-$CC $FLAGS "$@" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} -o "$dir/bench_fx"
+$CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} -o "$dir/bench_fx"
 
 echo "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 /proc/loadavg)"
 echo "$($CC --version | head -n 1), $FLAGS"
