@@ -127,7 +127,7 @@ static void keep_worst(struct worst *w, const struct worst *other)
 }
 
 /* One line: a function on one set of arguments, run one way. */
-static void line(enum op op, int set, int way, struct worst *worst)
+static void line(int op, int set, int way, struct worst *worst)
 {
     static double ns[SIDES][ROUNDS], ratio[ROUNDS];
 
@@ -152,7 +152,7 @@ static void line(enum op op, int set, int way, struct worst *worst)
     printf("  %7.2f\n", median(ns[0]));
 }
 
-static void say_worst(const char *head, enum op op, const struct worst *w)
+static void say_worst(const char *head, int op, const struct worst *w)
 {
     printf("%s%-15s %-19s %6.2f  (%.2f to %.2f)  %s, %s, %s\n", head, ours[op].name, theirs_debian[op].name, w->ratio,
            w->low, w->high, side_names[w->side], set_names[w->set], way_names[w->way]);
