@@ -178,18 +178,24 @@ static inline fx fx_mul(fx a, fx b)
     return fx_sat(fx_half_even((int64_t)a * b + 0x8000));
 }
 
-/* a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. */
+/*
+ * a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A tie, and the quotient of a tie, is exact in a double; any
+ * other quotient is off a tie by 1 / 2|b| or more, 2^-48 of itself, which is more than the double's 2^-53.
+ */
 static inline fx fx_div(fx a, fx b)
 {
     if (b == 0)
         return a > 0 ? FX_MAX : a < 0 ? FX_MIN : 0;
-
+#ifdef FX_INTEGER
     int64_t wa = a, wb = b;
     uint64_t n = (uint64_t)(a < 0 ? -wa : wa) << 16, d = (uint64_t)(b < 0 ? -wb : wb);
     uint64_t q = n / d, twice = (n - q * d) * 2;
 
     q += (twice > d) | ((twice == d) & (q & 1));
     return fx_sat((a ^ b) < 0 ? -(int64_t)q : (int64_t)q);
+#else
+    return fx_sat(fx_nearest(a * 65536.0 / b));
+#endif
 }
 
 /* The square root; 0 for x < 0. */

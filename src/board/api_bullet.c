@@ -14,8 +14,8 @@ static int64_t q32(double v)
     return fx_nearest(v * 4294967296.0);
 }
 
-/* A speed for what is or is not fine: the number to 32 fraction bits, or rounded to fx. */
-static int64_t pace(bool fine, const struct api_value *v)
+/* A number in Q32 for what is fine; for what is not, rounded to fx. */
+static int64_t units(bool fine, const struct api_value *v)
 {
     return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
 }
@@ -162,7 +162,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.tag = api_tag(L, entry, v[F_TAG].at);
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i != NO_SLOT && s.fine)
-        bullets_pace(pool, (uint32_t)i, pace(true, &v[F_SPEED]));
+        bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
     lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
@@ -312,7 +312,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         return push_q32(L, bullets_speed(s, i));
     case P_VX:
     case P_VY:
-        bullets_going(s, i, &x, &y);
+        bullets_velocity(s, i, &x, &y);
         return push_q32(L, p == P_VX ? x : y);
     case P_KIND:
         return names_push(L, names, s->kind[i]);
@@ -340,25 +340,29 @@ static void mute(struct bullets *s, uint32_t i, unsigned what)
         s->mute[i] |= (uint8_t)what;
 }
 
-static void set_velocity(struct bullets *s, uint32_t i, int p, fx v)
+/* Place or velocity, of which a script writes one part. */
+static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 {
-    int64_t vx, vy;
+    int64_t x, y;
 
-    bullets_going(s, i, &vx, &vy);
-    bullets_velocity(s, i, p == P_VX ? v : (fx)(vx >> PACE_BITS), p == P_VY ? v : (fx)(vy >> PACE_BITS));
+    if (p == P_X || p == P_Y) {
+        bullets_place(s, i, &x, &y);
+        bullets_set_place(s, i, p == P_X ? v : x, p == P_Y ? v : y);
+    } else {
+        bullets_velocity(s, i, &x, &y);
+        bullets_set_velocity(s, i, p == P_VX ? v : x, p == P_VY ? v : y);
+    }
 }
 
 static void set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
                        int p, const struct api_value *v)
 {
+    bool fine = s->flags[i] & BULLET_FINE;
+
     switch (p) {
     case P_X:
-        s->x[i] = v->f;
-        s->x_more[i] = 0;
-        break;
     case P_Y:
-        s->y[i] = v->f;
-        s->y_more[i] = 0;
+        set_part(s, i, p, units(fine, v));
         break;
     case P_DIR:
         s->dir[i] = v->a;
@@ -367,12 +371,12 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         break;
     case P_SPEED:
         mute(s, i, MUTE_SPEED);
-        bullets_pace(s, i, pace(s->flags[i] & BULLET_FINE, v));
+        bullets_set_speed(s, i, units(fine, v));
         break;
     case P_VX:
     case P_VY:
         mute(s, i, MUTE_DIR | MUTE_SPEED);
-        set_velocity(s, i, p, v->f);
+        set_part(s, i, p, units(fine, v));
         break;
     case P_KIND:
         s->kind[i] = (uint16_t)v->i;
@@ -555,6 +559,8 @@ static void unknown_key(lua_State *L, int step, int at)
     const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
     int best = 99;
 
+    if (!strcmp(name, "fine") || !strcmp(name, "name"))
+        api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
     for (int k = 0; k < M_KEYS; k++) {
         int apart = words_apart(name, step_keys[k].name);
         if (apart < best)
@@ -618,8 +624,8 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->dir = v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
     trig_from_degrees(v[M_HOME].n, &s->home);
-    s->speed = pace(fine, &v[M_SPEED]);
-    s->accel = pace(fine, &v[M_ACCEL]);
+    s->speed = units(fine, &v[M_SPEED]);
+    s->accel = units(fine, &v[M_ACCEL]);
 }
 
 /* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */
@@ -679,6 +685,19 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
+/* Beside the steps stands what is neither name nor fine: a step's key, perhaps, or one of them misspelt. */
+static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
+{
+    bool step = false;
+
+    for (int k = 0; k < M_KEYS; k++)
+        step |= !strcmp(key, step_keys[k].name);
+    for (int i = 0; i < 2 && !step; i++)
+        if (words_apart(key, head[i].name) < 3)
+            api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
+    api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+}
+
 /* What stands beside the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
@@ -690,7 +709,7 @@ static const char *read_head(lua_State *L, struct reader *r)
     while (lua_next(L, 1)) {
         const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
         if (key && strcmp(key, head[0].name) && strcmp(key, head[1].name))
-            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+            unknown_head(L, key, head);
         lua_pop(L, 1);
     }
     for (int i = 0; i < 2; i++) {

@@ -2,8 +2,8 @@
  * hit.h - every collision of a frame, in one fixed order. Reads everything, writes only events.
  * floor: board    used by: board/
  *
- * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then for each shot by slot the
- * first enemy it touches.
+ * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each with
+ * the enemy it touches: of several, the one that was nearest to it before they moved, and of those the lowest slot.
  */
 #ifndef BOARD_HIT_H
 #define BOARD_HIT_H

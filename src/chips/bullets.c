@@ -112,24 +112,57 @@ int64_t bullets_speed(const struct bullets *b, uint32_t i)
     return b->flags[i] & BULLET_FINE ? b->pace[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
 }
 
-void bullets_pace(struct bullets *b, uint32_t i, int64_t pace)
+void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
 {
-    b->speed[i] = pace_fx(pace);
+    b->speed[i] = pace_fx(speed);
     if (b->flags[i] & BULLET_FINE)
-        b->pace[i] = pace;
+        b->pace[i] = speed;
     bullets_steer(b, i);
 }
 
-void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
+void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
 {
-    const fx most = (fx)MAX_SPEED << 16, speed = fx_hypot(vx, vy);
+    if (b->flags[i] & BULLET_FINE) {
+        trig_stride(0, b->pace[i], b->dir[i], vx, vy);
+    } else {
+        *vx = (int64_t)b->vx[i] * (1 << PACE_BITS);
+        *vy = (int64_t)b->vy[i] * (1 << PACE_BITS);
+    }
+}
 
-    if (vx || vy)
-        b->dir[i] = trig_atan2(vy, vx);
-    bullets_pace(b, i, (int64_t)(speed > most ? most : speed) << PACE_BITS);
-    if (speed <= most) {
-        b->vx[i] = vx;
-        b->vy[i] = vy;
+/* The direction to the leading 31 bits of the parts; then the speed is what of them points there: right to its last bit,
+ * for what lies across is less than 2^-31 of it. */
+static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
+{
+    int64_t ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, along[2], across;
+    int shift = 0;
+
+    while ((ax | ay) >> shift > FX_MAX)
+        shift++;
+    if (ax | ay)
+        b->dir[i] = trig_atan2((fx)(vy >> shift), (fx)(vx >> shift));
+    trig_stride(0, vx, b->dir[i], &along[0], &across);
+    trig_stride(0, vy, b->dir[i], &across, &along[1]);
+    bullets_set_speed(b, i, clamp_pace(along[0] + along[1]));
+}
+
+void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
+{
+    const fx most = (fx)MAX_SPEED << 16, x = (fx)(vx >> PACE_BITS), y = (fx)(vy >> PACE_BITS);
+
+    if (b->flags[i] & BULLET_FINE) {
+        set_fine_velocity(b, i, vx, vy);
+        return;
+    }
+    b->speed[i] = fx_hypot(x, y);
+    if (x || y)
+        b->dir[i] = trig_atan2(y, x);
+    if (b->speed[i] > most) {
+        b->speed[i] = most;
+        bullets_steer(b, i);
+    } else {
+        b->vx[i] = x;
+        b->vy[i] = y;
     }
 }
 
@@ -139,14 +172,17 @@ void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
     *y = (int64_t)b->y[i] * (1 << PACE_BITS) + b->y_more[i];
 }
 
-void bullets_going(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
+/* A place as the nearest fx and what is more. */
+static fx split(int64_t v, int16_t *more)
 {
-    if (b->flags[i] & BULLET_FINE) {
-        trig_stride(0, b->pace[i], b->dir[i], vx, vy);
-    } else {
-        *vx = (int64_t)b->vx[i] * (1 << PACE_BITS);
-        *vy = (int64_t)b->vy[i] * (1 << PACE_BITS);
-    }
+    *more = (int16_t)v;
+    return (fx)((v - *more) >> PACE_BITS);
+}
+
+void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y)
+{
+    b->x[i] = split(x, &b->x_more[i]);
+    b->y[i] = split(y, &b->y_more[i]);
 }
 
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
@@ -197,9 +233,9 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
 }
 
 /*
- * from + (to - from) * k / n, nearest, ties to even; exactly `to` at k == n <= 2^32. What is rounded off in frame k comes
- * back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as well: a
- * change of speed ends where the closed form says.
+ * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame k
+ * comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as well:
+ * a change of speed ends where the closed form says.
  */
 static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 {
@@ -256,7 +292,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
             v = part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
         if (does & DOES_ACCEL)
             v += s->accel[st] >> shift;
-        bullets_pace(b, i, clamp_pace(v * ((int64_t)1 << shift)));
+        bullets_set_speed(b, i, clamp_pace(v * ((int64_t)1 << shift)));
     } else if (does & (DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME))
         bullets_steer(b, i);
 }
@@ -266,14 +302,14 @@ static void fly(struct bullets *b, uint32_t i)
 {
     int64_t x, y, dx, dy, to = b->way[i] + b->pace[i];
 
+    fx nx, ny;
+
     trig_stride(b->way[i], to, b->dir[i], &dx, &dy);
     bullets_place(b, i, &x, &y);
-    x += dx;
-    y += dy;
-    b->vx[i] = fx_sub((fx)(x >> PACE_BITS), b->x[i]);
-    b->vy[i] = fx_sub((fx)(y >> PACE_BITS), b->y[i]);
-    b->x_more[i] = (uint16_t)x;
-    b->y_more[i] = (uint16_t)y;
+    nx = split(x + dx, &b->x_more[i]);
+    ny = split(y + dy, &b->y_more[i]);
+    b->vx[i] = nx - b->x[i];
+    b->vy[i] = ny - b->y[i];
     b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
 }
 

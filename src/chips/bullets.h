@@ -6,9 +6,9 @@
  * program also runs it (motion.h). Dead slots below top are parked: far outside, standing still, so that loops need not
  * test them.
  *
- * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more, of its speed in pace.
- * Each frame it goes on by pace along dir, and vx, vy are what that comes to in whole units of fx, so that the common
- * loop moves it and hits see it as any other.
+ * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more (x and y being the
+ * nearest fx), of its speed in pace. Each frame it goes on by pace along dir, and vx, vy are what that comes to in whole
+ * units of fx, so that the common loop moves it and hits see it as any other.
  */
 #ifndef CHIPS_BULLETS_H
 #define CHIPS_BULLETS_H
@@ -64,8 +64,8 @@ struct bullets {
     uint8_t *mute;
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
     int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
-    int64_t *way;     /* of a fine bullet: how far it flew in Q32, modulo 2^48, since it became one */
-    uint16_t *x_more, *y_more;
+    int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
+    int16_t *x_more, *y_more;
     uint32_t moved; /* bullets moved this frame */
     uint64_t ran;   /* motion steps run this frame */
 };
@@ -106,20 +106,22 @@ void bullets_drop(struct bullets *b, uint32_t i);
 /* Runs the motion programs in slot order, moves every bullet, drops those outside keep. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep);
 
-/* Recomputes vx, vy from dir and speed, or dir and speed from vx, vy (at speed 0 dir stays). */
+/* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);
-void bullets_velocity(struct bullets *b, uint32_t i, fx vx, fx vy);
 
 /* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
 
-/* Sets the speed, in Q32; an ordinary bullet takes the nearest fx. */
-void bullets_pace(struct bullets *b, uint32_t i, int64_t pace);
-
-/* Speed, place and velocity in Q32, as scripts read them. */
+/*
+ * Speed, velocity and place as scripts read and write them: in Q32, of which ordinary bullets use whole fx. Setting the
+ * velocity sets dir and speed, but at speed 0 dir stays.
+ */
 int64_t bullets_speed(const struct bullets *b, uint32_t i);
+void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
 void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y);
-void bullets_going(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
+void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed);
+void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy);
+void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y);
 
 /* The direction from (x, y) to the nearest target; `none` when there is no target or it is right there. */
 ang targets_aim(const struct targets *t, fx x, fx y, ang none);

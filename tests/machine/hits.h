@@ -12,7 +12,7 @@ __extension__ typedef __int128 wide;
 
 /* What the reference has come across. */
 static struct {
-    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses;
+    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, several;
 } seen;
 
 static wide square(wide v)
@@ -174,19 +174,28 @@ static void reference(const struct board *b)
     for (uint32_t p = 0; p < PADS; p++)
         if (b->player.in[p])
             player_reference(b, p);
-    EACH_LIVE (i, &b->shots.s)
+    EACH_LIVE (i, &b->shots.s) {
+        struct thing shot = flier(&b->shots, &b->shot_kinds, i);
+        wide best = -1, apart;
+        uint32_t found = 0;
         EACH_LIVE (e, &b->enemies.s) {
-            if (b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_NONE)
-                break;
-            bool swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
-            if (!meets(flier(&b->shots, &b->shot_kinds, i), foe(b, e), swept)) {
+            struct thing f = foe(b, e);
+            if (!meets(shot, f, b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT)) {
                 seen.shot_misses++;
                 continue;
             }
-            expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, e);
-            seen.shots++;
-            break;
+            seen.several += best >= 0;
+            apart = square(shot.was_x - f.was_x) + square(shot.was_y - f.was_y);
+            if (best < 0 || apart < best) {
+                best = apart;
+                found = e;
+            }
         }
+        if (best >= 0) {
+            expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, found);
+            seen.shots++;
+        }
+    }
 }
 
 static void compare(const struct board *b, int scene)

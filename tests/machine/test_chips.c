@@ -168,11 +168,11 @@ static void test_bullets(void **state)
         assert_int_equal(b->bullets.vx[2] | b->bullets.vy[2], 0);
     }
     /* vx, vy and dir, speed; at speed 0 dir stays */
-    bullets_velocity(&b->bullets, 0, px(3), px(-4));
+    bullets_set_velocity(&b->bullets, 0, (int64_t)3 << 32, -((int64_t)4 << 32));
     assert_int_equal(b->bullets.speed[0], px(5));
     assert_int_equal(b->bullets.dir[0], trig_atan2(px(-4), px(3)));
     ang dir = b->bullets.dir[0];
-    bullets_velocity(&b->bullets, 0, 0, 0);
+    bullets_set_velocity(&b->bullets, 0, 0, 0);
     assert_int_equal(b->bullets.dir[0], dir);
     assert_int_equal(b->bullets.speed[0], 0);
     /* full: no slot, and it is counted */

@@ -96,7 +96,7 @@ static void set_off(const struct motion_step *step, int64_t pace, ang dir)
     b->steps.s.live = 0;
     s.motion = (uint16_t)(motion_define(&b->motions, &b->steps, step, 1, true) + 1);
     assert_int_equal(bullets_fire(&b->bullets, &s, 0), 0);
-    bullets_pace(&b->bullets, 0, pace);
+    bullets_set_speed(&b->bullets, 0, pace);
 }
 
 /* After n moves, bullet 0 is where `way` along dir leads: to one unit of 2^-32, and to half of one along an axis. */
