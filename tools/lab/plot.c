@@ -28,8 +28,8 @@ enum {
     LINE_HIGH = 15
 };
 
-static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#5a7d9a",
-                                       "#6f8a3a", "#a3527a", "#77685a", "#3a8fa8" };
+static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#4aa3b8",
+                                       "#6f8a3a", "#a3527a", "#77685a", "#24507a" };
 static const char STANDARD[] = "#cc3d26";
 
 struct series {
