@@ -289,7 +289,7 @@ static void plot_flights(void)
     for (int i = 0; i < SAMPLES; i++)
         x[i] = SAMPLE[i];
     for (int k = 0; k < COUNT; k++)
-        if (k == OVER || k == ACCEL || k == CLOSED || k == 3)
+        if (k == OVER || k == ACCEL || k == CLOSED)
             lab_plot_line(METHODS[k].name, k == OVER, x, sampled[k], SAMPLES);
     lab_plot_end();
 }

@@ -89,7 +89,9 @@ static struct series *begin(const char *label, bool standard, bool line)
     struct series *s = &plot.series[plot.n_series++];
 
     *s = (struct series){ .standard = standard, .line = line, .first = plot.n };
-    snprintf(s->label, sizeof s->label, "%s", label);
+    for (size_t n = 0; *label && n < sizeof s->label - 1; label++)
+        if (*label != '`') /* of Markdown */
+            s->label[n++] = *label;
     return s;
 }
 
@@ -195,7 +197,7 @@ static const char *tick_name(const struct axis *a, double v, bool percent)
     double size = fabs(v);
 
     if (a->linear || (size > 0.0009 && size < 2e6)) {
-        if (size >= 10000)
+        if (size >= 1000)
             return lab_string("%s%s", lab_count((int64_t)(v + 0.5)), unit);
         return lab_string("%.*g%s", 6, v, unit);
     }
