@@ -309,7 +309,8 @@ static void name_point(int i)
 
     for (int far = 0; far < 6; far++)
         for (int k = 0; k < 8; k++) {
-            double gap = 8 + 13 * far, dx = WAYS[k][0] * gap, dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
+            double gap = (s->standard ? 11 : 8) + 13 * far, dx = WAYS[k][0] * gap,
+                   dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
             double x0 = px + dx - (dx < 0 ? w : dx > 0 ? 0 : w / 2);
             struct area a = { x0, py + dy - LINE_HIGH / 2.0, x0 + w, py + dy + LINE_HIGH / 2.0 };
             double cost = covers(a) + far * 12 + k * 0.5;
