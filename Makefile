@@ -219,6 +219,7 @@ demos: deps-play
 
 LAB_SRC := $(wildcard tools/lab/*.c)
 LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
+LAB_L   := -llibfixmath
 $(OUT)/tools/lab/lab.o: ALL_C += '-DLAB_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 
 $(OUT)/lab: $(LAB_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o

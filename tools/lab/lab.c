@@ -398,6 +398,16 @@ static const char ABOUT[] =
     "* px is a pixel, a frame is 1/60 s; 1 ulp is 1/65536 px, the last bit of a position.\n"
     "\n";
 
+/* Without the blanks that an empty CFLAGS leaves. */
+static size_t flags_length(void)
+{
+    size_t n = strlen(LAB_FLAGS);
+
+    while (n && LAB_FLAGS[n - 1] == ' ')
+        n--;
+    return n;
+}
+
 int lab_finish(void)
 {
     FILE *f = open_file("accuracy.md");
@@ -406,7 +416,7 @@ int lab_finish(void)
     if (lab.exact)
         fputs("Measured on: ≈\n\n", f);
     else
-        fprintf(f, "Measured on: %s; %s; %s\n\n", processor(), COMPILER, LAB_FLAGS);
+        fprintf(f, "Measured on: %s; %s; `%.*s`\n\n", processor(), COMPILER, (int)flags_length(), LAB_FLAGS);
     if (lab.conclusions.n)
         fprintf(
             f,

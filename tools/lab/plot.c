@@ -28,8 +28,8 @@ enum {
     LINE_HIGH = 15
 };
 
-static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#5a7d9a",
-                                       "#6f8a3a", "#a3527a", "#77685a", "#3a8fa8" };
+static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#4aa3b8",
+                                       "#6f8a3a", "#a3527a", "#77685a", "#24507a" };
 static const char STANDARD[] = "#cc3d26";
 
 struct series {
@@ -89,7 +89,9 @@ static struct series *begin(const char *label, bool standard, bool line)
     struct series *s = &plot.series[plot.n_series++];
 
     *s = (struct series){ .standard = standard, .line = line, .first = plot.n };
-    snprintf(s->label, sizeof s->label, "%s", label);
+    for (size_t n = 0; *label && n < sizeof s->label - 1; label++)
+        if (*label != '`') /* of Markdown */
+            s->label[n++] = *label;
     return s;
 }
 
@@ -195,7 +197,7 @@ static const char *tick_name(const struct axis *a, double v, bool percent)
     double size = fabs(v);
 
     if (a->linear || (size > 0.0009 && size < 2e6)) {
-        if (size >= 10000)
+        if (size >= 1000)
             return lab_string("%s%s", lab_count((int64_t)(v + 0.5)), unit);
         return lab_string("%.*g%s", 6, v, unit);
     }
@@ -307,7 +309,8 @@ static void name_point(int i)
 
     for (int far = 0; far < 6; far++)
         for (int k = 0; k < 8; k++) {
-            double gap = 8 + 13 * far, dx = WAYS[k][0] * gap, dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
+            double gap = (s->standard ? 11 : 8) + 13 * far, dx = WAYS[k][0] * gap,
+                   dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
             double x0 = px + dx - (dx < 0 ? w : dx > 0 ? 0 : w / 2);
             struct area a = { x0, py + dy - LINE_HIGH / 2.0, x0 + w, py + dy + LINE_HIGH / 2.0 };
             double cost = covers(a) + far * 12 + k * 0.5;

@@ -536,8 +536,7 @@ void section_positions(void)
                  lab_string("%s px of drift in 600 frames, %s px in 36,000; equal everywhere on the field",
                             lab_figure(d->worst[AT_600]), lab_figure(d->worst[AT_36000])),
                  "`motion.def{ fine = true }` for slow bullets that stay for minutes",
-                 !strcmp(engine_default("motion.def", "fine"), "false") && d->worst[AT_600] < 0.01 &&
-                     drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 && differ[me] == 0 &&
-                     drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 && WORLD + MAX_SPEED < 32768 &&
-                     (lab_exact() || rivals[FINE].ratio > 2));
+                 d->worst[AT_600] < 0.01 && drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 &&
+                     differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 &&
+                     WORLD + MAX_SPEED < 32768 && (lab_exact() || rivals[FINE].ratio > 2));
 }

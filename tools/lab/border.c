@@ -1,0 +1,278 @@
+/*
+ * border.c - the lab's section on the border to scripts: what a position or an angle is after it went to Lua and came
+ * back. A Lua number is a double; scripts see pixels and degrees.
+ * floor: tools
+ */
+#include <lua.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "../../src/base/trig.h"
+#include "lab.h"
+
+_Static_assert(LUA_FLOAT_TYPE == LUA_FLOAT_DOUBLE, "Lua's numbers are doubles");
+
+enum { VALUES = 1 << 20, TEXTS = 1 << 17 };
+
+static const double ANGS_A_RADIAN = 683565275.5764316, RADIANS_AN_ANG = 1.4629180792671596e-9; /* 2^32 / (2 pi) */
+
+/* A way over the border and back. */
+struct way {
+    const char *name;
+    bool standard, slow;
+    int32_t (*back)(int32_t v);
+    const char *who;
+};
+
+static int64_t whole(double v)
+{
+    return (int64_t)(v + (v < 0 ? -0.5 : 0.5));
+}
+
+static double through_text(const char *format, double v)
+{
+    char text[64];
+
+    snprintf(text, sizeof text, format, v);
+    return strtod(text, NULL);
+}
+
+/* ---- positions ---- */
+
+static fx from_pixels(double v)
+{
+    fx r = v > 0 ? FX_MAX : FX_MIN;
+
+    fx_from_double(v, &r);
+    return r;
+}
+
+static int32_t fx_double(int32_t v)
+{
+    return from_pixels(fx_to_double(v));
+}
+
+static int32_t fx_float(int32_t v)
+{
+    return from_pixels((float)fx_to_double(v));
+}
+
+static int32_t fx_text14(int32_t v)
+{
+    return from_pixels(through_text("%.14g", fx_to_double(v)));
+}
+
+static int32_t fx_text6(int32_t v)
+{
+    return from_pixels(through_text("%g", fx_to_double(v)));
+}
+
+static int32_t fx_hundredths(int32_t v)
+{
+    return from_pixels((double)whole(fx_to_double(v) * 100) / 100);
+}
+
+static int32_t fx_pixels(int32_t v)
+{
+    return from_pixels((double)whole(fx_to_double(v)));
+}
+
+static const struct way POSITIONS[] = {
+    { "pixels as a double", true, false, fx_double, "every script" },
+    { "pixels as text, %.14g", false, true, fx_text14, "files for people; it is what tostring writes" },
+    { "pixels as text, %g", false, true, fx_text6, "messages" },
+    { "pixels as float32", false, false, fx_float, "drawing" },
+    { "hundredths of a pixel", false, false, fx_hundredths, "level files written by hand" },
+    { "whole pixels", false, false, fx_pixels, "tiles" },
+};
+
+/* ---- angles ---- */
+
+static int32_t from_degrees(double deg)
+{
+    ang a = 0;
+
+    trig_from_degrees(deg, &a);
+    return (int32_t)a;
+}
+
+static int32_t ang_double(int32_t v)
+{
+    return from_degrees(trig_to_degrees((ang)v));
+}
+
+static int32_t ang_text14(int32_t v)
+{
+    return from_degrees(through_text("%.14g", trig_to_degrees((ang)v)));
+}
+
+static int32_t ang_text6(int32_t v)
+{
+    return from_degrees(through_text("%g", trig_to_degrees((ang)v)));
+}
+
+static int32_t ang_float(int32_t v)
+{
+    return from_degrees((float)trig_to_degrees((ang)v));
+}
+
+static int32_t ang_radians(int32_t v)
+{
+    return (int32_t)(ang)whole((ang)v * RADIANS_AN_ANG * ANGS_A_RADIAN);
+}
+
+static int32_t ang_radians_f(int32_t v)
+{
+    return (int32_t)(ang)whole((float)((ang)v * RADIANS_AN_ANG) * ANGS_A_RADIAN);
+}
+
+static int32_t ang_16(int32_t v)
+{
+    return (int32_t)(((ang)v + 0x8000) & 0xffff0000);
+}
+
+static int32_t ang_whole(int32_t v)
+{
+    return from_degrees((double)whole(trig_to_degrees((ang)v)));
+}
+
+static const struct way ANGLES[] = {
+    { "degrees as a double", true, false, ang_double, "every script: 90 is a quarter exactly" },
+    { "radians as a double", false, false, ang_radians,
+      "formulas from books; no fraction of a turn but 0 is one exactly" },
+    { "degrees as text, %.14g", false, true, ang_text14, "files for people; it is what tostring writes" },
+    { "degrees as text, %g", false, true, ang_text6, "messages" },
+    { "degrees as float32", false, false, ang_float, "drawing" },
+    { "radians as float32", false, false, ang_radians_f, "drawing" },
+    { "16-bit angle", false, false, ang_16, "the look of a 16-bit machine" },
+    { "whole degrees", false, false, ang_whole, "level files written by hand" },
+};
+
+/* ---- measuring ---- */
+
+struct trip {
+    int32_t (*back)(int32_t v);
+    int32_t *values;
+};
+
+static void run(void *data)
+{
+    const struct trip *t = data;
+    int64_t sum = 0;
+
+    for (int i = 0; i < LAB_VALUES; i++)
+        sum += t->back(t->values[i]);
+    lab_sink = sum;
+}
+
+/* How many of n values do not come back, and how far off the worst is; an angle goes the shorter way. */
+static int64_t lost(const struct way *w, bool circular, const int32_t *values, int n, double *most)
+{
+    int64_t count = 0;
+
+    *most = 0;
+    for (int i = 0; i < n; i++) {
+        int32_t back = w->back(values[i]);
+        int64_t off = circular ? (int32_t)((uint32_t)back - (uint32_t)values[i]) : (int64_t)back - values[i];
+        count += off != 0;
+        *most = fabs((double)off) > *most ? fabs((double)off) : *most;
+    }
+    return count;
+}
+
+/* All 2^32. */
+static bool all_come_back(int32_t (*back)(int32_t v))
+{
+    uint32_t v = 0;
+
+    do
+        if (back((int32_t)v) != (int32_t)v)
+            return false;
+    while (++v);
+    return true;
+}
+
+static void measure(const struct way *ways, int n, bool circular, struct lab_rival time[], double most[],
+                    const int32_t *values)
+{
+    struct trip trips[16];
+
+    for (int i = 0; i < n; i++) {
+        trips[i] = (struct trip){ ways[i].back, (int32_t *)values };
+        time[i] = (struct lab_rival){ .run = run, .data = &trips[i], .ops = LAB_VALUES };
+    }
+    lab_time(time, n, 0);
+    lab_table(circular ? "angles" : "positions",
+              lab_string("%s|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
+                         circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
+    for (int i = 0; i < n; i++) {
+        int count = ways[i].slow ? TEXTS : VALUES;
+        int64_t gone = lost(&ways[i], circular, values, count, &most[i]);
+        lab_row(ways[i].standard, ways[i].name, ways[i].standard ? "all 2³²" : lab_count(count),
+                lab_percent((double)gone / count), lab_figure(most[i]), lab_ns(&time[i]), lab_ratio(&time[i]),
+                ways[i].who, NULL);
+        lab_claim(!ways[i].standard || gone == 0, "values come back from scripts as they went");
+    }
+    lab_table_end();
+}
+
+/* The largest difference between degrees a script writes and what it reads back. */
+static double degrees_back(void)
+{
+    double most = 0;
+
+    for (int tenths = 0; tenths < 3600; tenths++) {
+        double deg = tenths / 10.0, off = fabs(trig_to_degrees((ang)from_degrees(deg)) - deg);
+        most = off > most ? off : most;
+    }
+    return most;
+}
+
+static void draw(const struct lab_rival time[], const double most[], int n)
+{
+    const struct lab_plot plot = { .file = "border",
+                                   .title = "An angle to a script and back",
+                                   .x_name = "nanoseconds, both ways",
+                                   .y_name = "largest error, 2⁻³² of a turn",
+                                   .timed = true,
+                                   .described = "Cost of each way to hand an angle to a script against its largest "
+                                                "error; degrees as a double have none" };
+
+    lab_plot(&plot);
+    for (int i = 0; i < n; i++)
+        lab_plot_point(ANGLES[i].name, ANGLES[i].standard, time[i].ns, most[i]);
+    lab_plot_end();
+}
+
+void section_border(void)
+{
+    enum { N_POSITIONS = sizeof POSITIONS / sizeof *POSITIONS, N_ANGLES = sizeof ANGLES / sizeof *ANGLES };
+    static int32_t values[VALUES];
+    static const int32_t FIRST[] = { INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX - 1, INT32_MAX };
+    struct lab_rival time[16];
+    double most[16];
+    struct rng rng;
+
+    rng_seed(&rng, 7);
+    for (int i = 0; i < VALUES; i++)
+        values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
+    lab_section("7. The script border");
+    lab_text(
+        "A script reads a position as pixels and an angle as degrees, both in Lua's numbers, which are doubles, and "
+        "writes them\nback. Random values of the whole range, the ends among them, go there and back. For the "
+        "engine's own way\n`make accuracy` tries all 2³² of either kind (the test that compares this page tries %s "
+        "of them).",
+        lab_count(VALUES));
+    measure(POSITIONS, N_POSITIONS, false, time, most, values);
+    bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
+    measure(ANGLES, N_ANGLES, true, time, most, values);
+    draw(time, most, N_ANGLES);
+    lab_text("The other way round: of all multiples of 0.1° none comes back to a script more than %s° off, half of "
+             "2⁻³² of a turn;\nmultiples of 360°/2ⁿ come back as they are.",
+             lab_figure(degrees_back()));
+    lab_conclude("positions at the script border", "pixels as a double", "all 2³² come back",
+                 "text of 14 digits in files", positions);
+    lab_conclude("angles at the script border", "degrees as a double", "all 2³² come back; a quarter is 90 exactly",
+                 "whole degrees where a person writes them",
+                 most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
+}

@@ -1,0 +1,465 @@
+/*
+ * functions.c - the lab's first section: each function of the engine's arithmetic against what could stand in its
+ * place. Errors over random arguments of a scene, and separately at the edges of what an argument can be.
+ * floor: tools
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab.h"
+#include "rivals.h"
+#include "truth.h"
+
+enum { MOST_RIVALS = 16, MOST_EDGES = 4096 };
+
+static const double RADIANS_AN_ANG = 1.4629180792671596e-9; /* 2 pi / 2^32 */
+
+/* A function, and how it is examined. */
+struct quantity {
+    const char *title, *file, *question, *instead;
+    const char *arguments, *unit;
+    const struct rivals *rivals;
+    int results;
+    bool circular; /* results are angles: the error is the shorter way */
+    void (*draw)(struct rng *r, struct sample *s);
+    int (*edges)(struct sample *out);
+    void (*truth)(const struct sample *s, struct truth out[]);
+};
+
+/* What was found of one rival. */
+struct found {
+    double max, rms, misrounded;
+    int wrong;
+};
+
+static struct sample samples[LAB_VALUES], edges[MOST_EDGES];
+static struct truth truths[LAB_VALUES][2];
+
+/* ---- arguments ---- */
+
+static void turn_to(struct sample *s, ang dir)
+{
+    s->dir = dir;
+    s->radians = (int32_t)dir * RADIANS_AN_ANG;
+    s->rad = (int32_t)floor(s->radians * FX_ONE + 0.5);
+}
+
+/* Up to `pixels` either way. */
+static fx within(struct rng *r, int pixels)
+{
+    return (fx)rng_below(r, (uint64_t)pixels * 2 * FX_ONE + 1) - pixels * FX_ONE;
+}
+
+/* Between 1 ulp and `bits` bits, each size as likely. */
+static fx any_size(struct rng *r, int bits)
+{
+    uint64_t v = (uint64_t)1 << (bits - 1 - (int)rng_below(r, (uint64_t)bits));
+
+    return (fx)(v | (rng_next(r) & (v - 1)));
+}
+
+static void draw_mul(struct rng *r, struct sample *s)
+{
+    s->a = within(r, 512);
+    s->b = within(r, rng_below(r, 2) ? 1 : 16);
+}
+
+static void draw_div(struct rng *r, struct sample *s)
+{
+    s->a = within(r, 512);
+    s->b = (any_size(r, 10) << 12 | (fx)rng_below(r, 4096)) * (rng_below(r, 2) ? 1 : -1); /* 1/16 to 64 px */
+}
+
+static void draw_root(struct rng *r, struct sample *s)
+{
+    s->a = any_size(r, 31);
+}
+
+static void draw_vector(struct rng *r, struct sample *s)
+{
+    int far = rng_below(r, 4) ? 512 : 8;
+
+    do {
+        s->a = within(r, far);
+        s->b = within(r, far);
+    } while (s->a == 0 && s->b == 0);
+}
+
+static void draw_angle(struct rng *r, struct sample *s)
+{
+    turn_to(s, (ang)(rng_next(r) >> 32));
+}
+
+static void draw_polar(struct rng *r, struct sample *s)
+{
+    draw_angle(r, s);
+    s->a = any_size(r, 10) << 12 | (fx)rng_below(r, 4096);
+}
+
+static void draw_lerp(struct rng *r, struct sample *s)
+{
+    s->a = within(r, 512);
+    s->b = within(r, 512);
+    s->t = (fx)rng_below(r, FX_ONE);
+}
+
+static void draw_degrees(struct rng *r, struct sample *s)
+{
+    s->deg = rng_below(r, 2) ? ((double)rng_below(r, 7201) - 3600) / 10 : lab_random(r, -360, 360);
+}
+
+/* ---- edges ---- */
+
+static const fx EDGES[] = {
+    FX_MIN, FX_MIN + 1, -200 * FX_ONE, -FX_ONE - 1, -FX_ONE,    -32768, -2,          -1,         0,          1,     2,
+    3,      32768,      65535,         FX_ONE,      FX_ONE + 1, 98304,  200 * 65536, 0x40000001, FX_MAX - 1, FX_MAX
+};
+enum { N_EDGES = sizeof EDGES / sizeof *EDGES };
+
+static const ang TURNS[] = { 0,          1,          2,          0x1fffffff, 0x20000000, 0x20000001,
+                             0x3fffffff, 0x40000000, 0x40000001, 0x7fffffff, 0x80000000, 0x80000001,
+                             0xa0000000, 0xbfffffff, 0xc0000000, 0xc0000001, 0xfffffffe, 0xffffffff };
+enum { N_TURNS = sizeof TURNS / sizeof *TURNS };
+
+static int edges_pair(struct sample *out)
+{
+    int n = 0;
+
+    for (int i = 0; i < N_EDGES; i++)
+        for (int j = 0; j < N_EDGES; j++, n++) {
+            out[n].a = EDGES[i];
+            out[n].b = EDGES[j];
+        }
+    return n;
+}
+
+static int edges_div(struct sample *out)
+{
+    int n = 0, all = edges_pair(out);
+
+    for (int i = 0; i < all; i++)
+        if (out[i].b)
+            out[n++] = out[i];
+    return n;
+}
+
+static int edges_vector(struct sample *out)
+{
+    int n = 0, all = edges_pair(out);
+
+    for (int i = 0; i < all; i++)
+        if (out[i].a || out[i].b)
+            out[n++] = out[i];
+    return n;
+}
+
+/* The largest arguments whose root is r and the smallest whose root is r + 1, for small, middle and large r. */
+static int edges_root(struct sample *out)
+{
+    int n = 0;
+
+    for (int i = 0; i < N_EDGES; i++)
+        if (EDGES[i] > 0)
+            out[n++].a = EDGES[i];
+    for (int64_t r = 1; r < 11863283; r = r * 5 / 4 + 1) {
+        int64_t x = (r * r + r) >> 16;
+        out[n++].a = (fx)(x > 0 ? x : 1);
+        out[n++].a = (fx)(x + 1);
+    }
+    return n;
+}
+
+static int edges_turn(struct sample *out)
+{
+    for (int i = 0; i < N_TURNS; i++)
+        turn_to(&out[i], TURNS[i]);
+    return N_TURNS;
+}
+
+static int edges_polar(struct sample *out)
+{
+    int n = 0;
+
+    for (int i = 0; i < N_EDGES; i++)
+        for (int j = 0; j < N_TURNS; j++, n++) {
+            out[n].a = EDGES[i];
+            turn_to(&out[n], TURNS[j]);
+        }
+    return n;
+}
+
+static int edges_lerp(struct sample *out)
+{
+    static const fx PARTS[] = { FX_MIN, -FX_ONE, -1, 0, 1, 32768, 65535, FX_ONE, FX_MAX };
+    int n = 0;
+
+    for (int i = 0; i < N_EDGES; i++)
+        for (int j = 0; j < N_EDGES; j++)
+            for (size_t k = 0; k < sizeof PARTS / sizeof *PARTS; k++, n++)
+                out[n] = (struct sample){ .a = EDGES[i], .b = EDGES[j], .t = PARTS[k] };
+    return n;
+}
+
+static int edges_degrees(struct sample *out)
+{
+    int n = 0;
+
+    for (int k = -32; k <= 32; k++)
+        for (int e = -1; e <= 1; e++) /* 22.5 degrees, and half an ang on either side, where a double can say that */
+            out[n++].deg = k * 22.5 + e * (45.0 / 1073741824);
+    out[n++].deg = 1e-300;
+    out[n++].deg = -1e-300;
+    out[n++].deg = 1048575.9;
+    out[n++].deg = -1048575.9;
+    return n;
+}
+
+/* ---- truths ---- */
+
+static void mul_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_mul(s->a, s->b);
+}
+
+static void div_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_div(s->a, s->b);
+}
+
+static void sqrt_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_sqrt(s->a);
+}
+
+static void rsqrt_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_rsqrt(s->a);
+}
+
+static void hypot_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_hypot(s->a, s->b);
+}
+
+static void sin_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_sin((int64_t)1 << 32, s->dir);
+}
+
+static void cos_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_sin((int64_t)1 << 32, s->dir + 0x40000000);
+}
+
+static void atan2_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_atan2(s->b, s->a);
+}
+
+static void polar_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_sin((int64_t)s->a * FX_ONE, s->dir + 0x40000000);
+    out[1] = truth_sin((int64_t)s->a * FX_ONE, s->dir);
+}
+
+static void unit_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_unit(s->a, s->b);
+    out[1] = truth_unit(s->b, s->a);
+}
+
+static void lerp_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_lerp(s->a, s->b, s->t);
+}
+
+static void degrees_is(const struct sample *s, struct truth out[])
+{
+    out[0] = truth_degrees(s->deg);
+}
+
+#define VECTORS "vectors up to 512 px long either way, a quarter of them up to 8 px"
+#define ANG     "unit: 2⁻³² of a turn (a degree is 11,930,465 of them)"
+
+static const struct quantity QUANTITIES[] = {
+    { "Multiplication", "mul", "a product", "the cut or half-up product for sums that cannot overflow",
+      "a up to 512 px, b up to 1 or 16, either sign", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair,
+      mul_is },
+    { "Division", "div", "a quotient", "the cut quotient for whole numbers",
+      "a up to 512 px, b from 1/16 to 64, either sign", "unit: 1 ulp", &rivals_div, 1, false, draw_div, edges_div,
+      div_is },
+    { "Square root", "sqrt", "a square root", "squares compared instead of roots: no error and no cost",
+      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is },
+    { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, rounded once",
+      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is },
+    { "Length of a vector", "hypot", "a length", "squares compared; larger + ⅜ smaller to sort by distance", VECTORS,
+      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is },
+    { "Sine", "sin", "a sine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_sin, 1, false, draw_angle,
+      edges_turn, sin_is },
+    { "Cosine", "cos", "a cosine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_cos, 1, false,
+      draw_angle, edges_turn, cos_is },
+    { "Direction of a vector", "atan2", "a direction", "1025 entries where 16 bits of angle are enough", VECTORS, ANG,
+      &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is },
+    { "Speed and direction to a velocity", "polar", "a velocity", "fine motion for what lives for minutes",
+      "speeds of 1/16 to 64 px, all angles; errors of both parts", "unit: 1 ulp", &rivals_polar, 2, false, draw_polar,
+      edges_polar, polar_is },
+    { "Normalising a vector", "normalise", "a unit vector", "the speed and direction kept, not the vector",
+      VECTORS "; errors of both parts", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
+      unit_is },
+    { "Between two values", "lerp", "a value between two", "the 64-bit half-up form where 0 ≤ t ≤ 1",
+      "a and b up to 512 px either way, 0 ≤ t < 1", "unit: 1 ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp,
+      lerp_is },
+    { "Degrees to an angle", "degrees", "degrees", "whole degrees by a factor",
+      "multiples of 0.1° and random numbers up to 360° either way", ANG, &rivals_degrees, 1, true, draw_degrees,
+      edges_degrees, degrees_is },
+};
+
+/* ---- measuring ---- */
+
+/* How far v is from the truth, in its last bits; *wrong: it is not the nearest value there is. */
+static double error_of(const struct quantity *q, int64_t v, const struct truth *t, bool *wrong)
+{
+    if (q->circular) {
+        int32_t off = (int32_t)((uint32_t)v - (uint32_t)t->near);
+        *wrong = off != 0;
+        return fabs(off - t->rest);
+    }
+    *wrong = v != fx_sat(t->near);
+    return fabs((double)(v - t->near) - t->rest);
+}
+
+static struct found examine(const struct quantity *q, const struct rival *r, int n_edges)
+{
+    struct found f = { 0 };
+    double squares = 0, misrounded = 0, n = (double)LAB_VALUES * q->results;
+    int64_t out[2];
+    struct truth t[2];
+    bool wrong;
+
+    for (int i = 0; i < LAB_VALUES; i++) {
+        r->at(&samples[i], out);
+        for (int k = 0; k < q->results; k++) {
+            double e = error_of(q, out[k], &truths[i][k], &wrong);
+            f.max = e > f.max ? e : f.max;
+            squares += e * e;
+            misrounded += wrong;
+        }
+    }
+    for (int i = 0; i < n_edges; i++) {
+        bool any = false;
+        r->at(&edges[i], out);
+        q->truth(&edges[i], t);
+        for (int k = 0; k < q->results; k++) {
+            error_of(q, out[k], &t[k], &wrong);
+            any |= wrong;
+        }
+        f.wrong += any;
+    }
+    f.rms = sqrt(squares / n);
+    f.misrounded = misrounded / n;
+    return f;
+}
+
+/* Half an ulp is the least there can be, so a little more has to show. */
+static const char *figure(double v)
+{
+    return v < 9.9995 ? lab_string("%.3f", v) : lab_figure(v);
+}
+
+/* The result of a library's function: not the same everywhere. */
+static const char *loose(bool host, const char *cell)
+{
+    return !host ? cell : lab_exact() ? "≈" : lab_string("≈%.*s", (int)strcspn(cell, " "), cell);
+}
+
+static void print_row(const struct rival *r, const struct found *f, const struct lab_rival *t, int n_edges)
+{
+    const char *wrong = lab_string("%s of %s", lab_count(f->wrong), lab_count(n_edges));
+
+    lab_row(r->kind == ENGINE, r->name, loose(r->host, figure(f->max)), loose(r->host, figure(f->rms)),
+            loose(r->host, lab_percent(f->misrounded)), loose(r->host, f->wrong ? wrong : "0"), lab_ns(t), lab_ratio(t),
+            r->who, NULL);
+}
+
+static void draw_plot(const struct quantity *q, const struct found found[], const struct lab_rival time[])
+{
+    const char *described = lab_string("%s: cost against largest error of each way; low and left is better", q->title);
+    struct lab_plot plot = { .file = q->file,
+                             .title = q->title,
+                             .x_name = "nanoseconds",
+                             .y_name = q->circular ? "largest error, 2⁻³² of a turn" : "largest error, ulp",
+                             .timed = true,
+                             .described = described };
+
+    lab_plot(&plot);
+    for (int i = 0; i < q->rivals->n; i++)
+        if (q->rivals->row[i].kind != ORACLE)
+            lab_plot_point(q->rivals->row[i].name, q->rivals->row[i].kind == ENGINE, time[i].ns, found[i].max);
+    lab_plot_end();
+}
+
+/* The engine's way is right everywhere, and nothing that is costs much less. */
+static void conclude(const struct quantity *q, int engine, const struct found found[], const struct lab_rival time[],
+                     int n_edges)
+{
+    bool cheapest = true;
+
+    for (int i = 0; i < q->rivals->n; i++)
+        if (found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.7)
+            cheapest = false;
+    lab_conclude(
+        q->question, q->rivals->row[engine].name,
+        lab_string("the nearest value for all of %s arguments and %s edges, in %s; nothing as exact is cheaper by "
+                   "a third",
+                   lab_count(LAB_VALUES), lab_count(n_edges), lab_ns(&time[engine])),
+        q->instead, found[engine].misrounded == 0 && found[engine].wrong == 0 && (lab_exact() || cheapest));
+}
+
+static void measure(const struct quantity *q, uint64_t seed)
+{
+    struct lab_rival time[MOST_RIVALS];
+    struct found found[MOST_RIVALS];
+    struct rng rng;
+    int engine = 0, n = q->rivals->n;
+
+    rng_seed(&rng, seed);
+    memset(samples, 0, sizeof samples);
+    memset(edges, 0, sizeof edges);
+    for (int i = 0; i < LAB_VALUES; i++) {
+        q->draw(&rng, &samples[i]);
+        q->truth(&samples[i], truths[i]);
+    }
+    int n_edges = q->edges(edges);
+    for (int i = 0; i < n; i++) {
+        const struct rival *r = &q->rivals->row[i];
+        engine = r->kind == ENGINE ? i : engine;
+        found[i] = examine(q, r, n_edges);
+        time[i] = (struct lab_rival){ .run = r->run, .data = samples, .ops = LAB_VALUES };
+    }
+    lab_time(time, n, engine);
+    lab_text("### %s", q->title);
+    lab_text("%s; %s.", q->arguments, q->unit);
+    lab_table(NULL, "way|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|who should choose it");
+    for (int i = 0; i < n; i++)
+        print_row(&q->rivals->row[i], &found[i], &time[i], n_edges);
+    lab_table_end();
+    draw_plot(q, found, time);
+    conclude(q, engine, found, time, n_edges);
+}
+
+void section_functions(void)
+{
+    rivals_begin();
+    lab_section("1. Functions");
+    lab_text(
+        "Each function of the arithmetic in src/base, among cheaper and dearer ways to compute it. The true results "
+        "have\n106 bits. %s random arguments of the size scenes have, then *edges*: every pair of the largest, the\n"
+        "smallest and what is around 0, ½ and 1, or the angles around each eighth of a turn. *misrounded*: the share "
+        "that is\nnot the nearest value there is (0.5 ulp is the least a largest error can be); *wrong at edges*: "
+        "how many of them\nare not the nearest value, clamped to the range. Rows of the C library are marked ≈ "
+        "throughout: it is not the same\neverywhere. Divisions by 0, roots of negative numbers and the direction of "
+        "(0, 0) are left out here: src/base/fx.h and\ntrig.h say what they give. libfixmath is Debian's build.",
+        lab_count(LAB_VALUES));
+    for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
+        measure(&QUANTITIES[i], 1000 + i);
+}
