@@ -165,7 +165,7 @@ static const struct {
     const char *name;
     int64_t a, b;
 } HARD[] = {
-#include "hard.h"
+#include "hard.inc"
 };
 
 void prove_hard(int id, const char *name, prove_try *f)

@@ -4,9 +4,9 @@
  *
  *     PROGRAM [--sample] [--seed N] [--threads N] [--only NAME] [--hard FILE]
  *
- * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.h) and a few chunks
+ * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.inc) and a few chunks
  * of everything else, chosen by the seed. Inputs depend on the seed alone, not on the threads. --hard appends the inputs
- * found nearest to a tie to FILE, in the form of hard.h. Exit 1 if anything was misrounded.
+ * found nearest to a tie to FILE, in the form of hard.inc. Exit 1 if anything was misrounded.
  */
 #ifndef PROVE_H
 #define PROVE_H
@@ -89,7 +89,7 @@ bool prove_sampled(void);
 /* Tries one input. */
 typedef void prove_try(struct tally *t, int64_t a, int64_t b);
 
-/* Tries the inputs that hard.h has for a function; counted by tally `id`. */
+/* Tries the inputs that hard.inc has for a function; counted by tally `id`. */
 void prove_hard(int id, const char *name, prove_try *f);
 
 /* Ends a proof: the line of tally `id`, with how its inputs were found. */

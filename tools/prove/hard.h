@@ -1,2 +1,0 @@
-/* To be made by a full run. */
-{ "fx_sqrt", 1, 0 },
