@@ -36,7 +36,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: all null play install deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench accuracy prove
+.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -49,8 +49,8 @@ help:
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
-	@echo "make prove    the arithmetic, proved (an hour)          make bench    speed"
-	@echo "                make install PREFIX=...   make deps   make format   make clean"
+	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
+	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
 
 deps:
 	@tools/deps.sh
@@ -200,6 +200,15 @@ $(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o 
 bench: all
 	@$(MAKE) --no-print-directory $(OUT)/bench
 	@OUT=$(OUT) tools/bench.sh
+
+# Against libfixmath. The script builds the program, for it links several builds of that library.
+BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
+            $(patsubst %,$(OUT)/tools/%.o,bench_fx bench_fx_inputs)
+bench-fx: deps-play-bench
+	@$(MAKE) --no-print-directory bench-fx-objects
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx.sh $(BENCH_FX)
+bench-fx-objects: $(BENCH_FX)
+	@:
 
 # The demos are recorded by a program that plays; needed when scripts or the core change.
 demos: deps-play

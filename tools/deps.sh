@@ -1,9 +1,9 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [play] [test] [fuzz]     without arguments: all of it
+#     tools/deps.sh [play] [test] [fuzz] [bench]     without arguments: all of it
 set -eu
-[ $# -gt 0 ] || set -- play test fuzz
+[ $# -gt 0 ] || set -- play test fuzz bench
 
 missing=""
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -44,8 +44,13 @@ for what; do
         header cmocka.h || need libcmocka-dev
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
         ;;
+    bench)
+        header libfixmath/fix16.h || need libfixmath-dev
+        have objcopy || need binutils
+        have xz || need xz-utils
+        ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz" >&2
+        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz, bench" >&2
         exit 2
         ;;
     esac

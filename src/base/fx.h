@@ -19,6 +19,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "build without -ffast-math and its parts: results must be the same everywhere"
@@ -34,10 +35,29 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
 #define FX_MAX INT32_MAX
 #define FX_MIN INT32_MIN
 
+/*
+ * What hardly ever happens stands in a branch: one that is foreseen costs nothing, while a choice between two values
+ * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps it
+ * one. FX_USUAL(x) is x.
+ */
+#if defined(__GNUC__)
+#define FX_RARE(v)  __asm__("" : "+r"(v))
+#define FX_USUAL(x) __builtin_expect(!!(x), 1)
+#define FX_COLD     __attribute__((noinline, cold, unused))
+#else
+#define FX_RARE(v)  ((void)0)
+#define FX_USUAL(x) (x)
+#define FX_COLD
+#endif
+
 /* v clamped to what an fx holds. */
 static inline fx fx_sat(int64_t v)
 {
-    return v > FX_MAX ? FX_MAX : v < FX_MIN ? FX_MIN : (fx)v;
+    if (!FX_USUAL((fx)v == v)) {
+        FX_RARE(v);
+        return (fx)(v >> 63 ^ FX_MAX);
+    }
+    return (fx)v;
 }
 
 /* The high half of the 128-bit product; the low half is a * b. */
@@ -53,14 +73,14 @@ static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 #endif
 }
 
-/* The whole number nearest to v, ties to even, for |v| < 2^62. */
+/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded so. */
 static inline int64_t fx_nearest(double v)
 {
-    int64_t i = (int64_t)v;   /* towards 0, */
-    double f = v - (double)i; /* so f has v's sign and fewer bits: exact */
-    int odd = (int)(i & 1);
+    double sum = v + 6755399441055744.0;
+    int64_t bits;
 
-    return i + ((f > 0.5) | ((f == 0.5) & odd)) - ((f < -0.5) | ((f == -0.5) & odd));
+    memcpy(&bits, &sum, sizeof bits);
+    return bits - 0x4338000000000000;
 }
 
 /* sqrt(n) to about 52 bits, n <= 2^63: where exact tests start from. */
@@ -104,7 +124,13 @@ static inline uint64_t fx_root(uint64_t n)
 /* n whole units; clamped. */
 static inline fx fx_int(int n)
 {
-    return fx_sat((int64_t)n * FX_ONE);
+    fx v = (fx)((uint32_t)n << 16);
+
+    if (!FX_USUAL(v >> 16 == n)) {
+        FX_RARE(n);
+        return n >> 31 ^ FX_MAX;
+    }
+    return v;
 }
 
 /* The greatest whole number that is not above v. */
@@ -115,19 +141,41 @@ static inline int fx_floor(fx v)
 
 static inline fx fx_add(fx a, fx b)
 {
-    return fx_sat((int64_t)a + b);
+    fx sum = (fx)((uint32_t)a + (uint32_t)b);
+
+    if (!FX_USUAL(((a ^ sum) & (b ^ sum)) >= 0)) {
+        FX_RARE(a);
+        return a >> 31 ^ FX_MAX;
+    }
+    return sum;
 }
 
 static inline fx fx_sub(fx a, fx b)
 {
-    return fx_sat((int64_t)a - b);
+    fx rest = (fx)((uint32_t)a - (uint32_t)b);
+
+    if (!FX_USUAL(((a ^ rest) & (a ^ b)) >= 0)) {
+        FX_RARE(a);
+        return a >> 31 ^ FX_MAX;
+    }
+    return rest;
+}
+
+/* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; an odd result of a tie is one too many. */
+static inline int64_t fx_half_even(int64_t up)
+{
+    int64_t q = up >> 16;
+
+    if (!FX_USUAL((up & 0x1ffff) != 0x10000)) {
+        q--;
+        FX_RARE(q);
+    }
+    return q;
 }
 
 static inline fx fx_mul(fx a, fx b)
 {
-    int64_t p = (int64_t)a * b;
-
-    return fx_sat((p + 0x7fff + (p >> 16 & 1)) >> 16);
+    return fx_sat(fx_half_even((int64_t)a * b + 0x8000));
 }
 
 /* a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. */
@@ -181,8 +229,8 @@ static inline fx fx_hypot(fx x, fx y)
     return fx_sat((int64_t)fx_root(fx_square(x, y)));
 }
 
-/* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */
-static inline fx fx_lerp(fx a, fx b, fx t)
+/* fx_lerp for t outside 0..1. */
+FX_COLD static fx fx_lerp_beyond(fx a, fx b, fx t)
 {
     int64_t p = ((int64_t)b - a) * t; /* |p| < 2^63 */
     int64_t q = (p >> 16) + a, rest = p & 0xffff;
@@ -190,12 +238,20 @@ static inline fx fx_lerp(fx a, fx b, fx t)
     return fx_sat(q + ((rest > 0x8000) | ((rest == 0x8000) & (q & 1))));
 }
 
+/* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */
+static inline fx fx_lerp(fx a, fx b, fx t)
+{
+    if (!FX_USUAL((uint32_t)t <= FX_ONE))
+        return fx_lerp_beyond(a, b, t);
+    return (fx)fx_half_even((int64_t)a * (FX_ONE - t) + ((int64_t)b * t + 0x8000));
+}
+
 /* The fx nearest to v into *out. False, and *out untouched, for NaN and for v that rounds outside FX_MIN..FX_MAX. */
 static inline bool fx_from_double(double v, fx *out)
 {
     double units = v * FX_ONE; /* exact, or infinite */
 
-    if (!(units >= -2147483648.5 && units < 2147483647.5))
+    if (!FX_USUAL(units >= -2147483648.5 && units < 2147483647.5))
         return false;
     *out = (fx)fx_nearest(units);
     return true;

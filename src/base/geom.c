@@ -18,20 +18,22 @@ static uint64_t difference(int64_t a, int64_t b)
     return a > b ? (uint64_t)a - (uint64_t)b : (uint64_t)b - (uint64_t)a;
 }
 
-/* Is (x, y) in the circle around the origin? For r < 2^31, where the sum of two squares is below 2^63. */
-static bool inside(int64_t x, int64_t y, int64_t r)
-{
-    if (x > r || x < -r || y > r || y < -r)
-        return false;
-    return x * x + y * y <= r * r;
-}
-
-/* Is (x, y) within r of the box around the origin? */
+/* Is (x, y) within r of the box around the origin? For 0 <= r < 2^31: the sum of two squares is below 2^63. */
 static bool near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
 {
     int64_t ex = magnitude(x) - hw, ey = magnitude(y) - hh;
 
-    return inside(ex > 0 ? ex : 0, ey > 0 ? ey : 0, r);
+    if (ex > r || ey > r)
+        return false;
+    ex = ex < 0 ? 0 : ex;
+    ey = ey < 0 ? 0 : ey;
+    return ex * ex + ey * ey <= r * r;
+}
+
+/* Is it in the circle? */
+static bool inside(int64_t x, int64_t y, int64_t r)
+{
+    return near_box(x, y, r, 0, 0);
 }
 
 /* Does what runs from d to d + w, on one axis, come within r of 0? Its middle is d + w/2. */
@@ -50,7 +52,7 @@ static bool square_at_most(uint64_t a, uint64_t b, uint64_t c)
 
 bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh)
 {
-    return (hw | hh) >= 0 && near_box((int64_t)cx - bx, (int64_t)cy - by, r, hw, hh);
+    return (r | hw | hh) >= 0 && near_box((int64_t)cx - bx, (int64_t)cy - by, r, hw, hh);
 }
 
 /*

@@ -1,17 +1,19 @@
 /*
- * trig.c - sines by polynomial, arc tangents by table and series with an exact test near ties.
+ * trig.c - a first guess by polynomials, and when it is in doubt an exact decision.
  * floor: base
  *
- * Sines: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
+ * Sines in Q15.16 come from quadratics by table (trig_tables.h). What these leave in doubt, and sines in Q30, come from a
+ * series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
  * 2^-62 of one. The polynomials in t = (u / 2^29)^2 interpolate sin(x)/x and (1 - cos x)/x^2 at the Chebyshev nodes,
  * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few lie near enough to a
  * tie to be in doubt, and each of those was checked.
  *
- * Arc tangents: doubles estimate the angle to about 2^-60 of a turn. That decides unless it is near halfway between two
- * angs; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
- * irrational, so no vector lies on one.
+ * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides unless it is near halfway between
+ * two; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
+ * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-31 of a unit, and decided likewise.
  */
 #include "trig.h"
+#include "trig_tables.h"
 
 /* A step of Horner's rule. Terms are in units of 2^-(64 + n), to keep 64 bits busy; n falls by `shift` a step. */
 static inline uint64_t less(uint64_t term, uint64_t t, uint64_t sum, int shift)
@@ -91,9 +93,21 @@ int32_t trig_cos30(ang a)
     return trig_sin30(a + 0x40000000);
 }
 
-fx trig_sin(ang a)
+FX_COLD static fx sine_by_series(ang a)
 {
     return rounded(sine(a), 16, a);
+}
+
+/* The quadratics are off by less than 2^29.4 / 2^40: what that leaves in doubt, one in 700, the series decides. */
+fx trig_sin(ang a)
+{
+    const uint64_t doubt = 800000000;
+    uint32_t i = a >> 23;
+    int64_t f = a & 0x7fffff, v = SINE.base[i] + SINE.slope[i] * f + SINE.bend[i] * (f * f >> 23);
+
+    if (!FX_USUAL(((uint64_t)v + doubt) << 24 > doubt << 25))
+        return sine_by_series(a);
+    return (fx)(v >> 40);
 }
 
 fx trig_cos(ang a)
@@ -167,6 +181,7 @@ static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
     return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
 }
 
+#ifdef FX_INTEGER
 /* atan(i / 32) in 2^-64 turns. */
 static const uint64_t ATAN[33] = {
     0x0000000000000000, 0x0145d7e159046278, 0x028b0d430e589aed, 0x03ceff89ac340906, 0x051111d41ddd9a1b,
@@ -182,7 +197,6 @@ static const uint64_t ATAN[33] = {
  * atan(n / d) in 2^-64 turns, give or take 20 of them; n <= d <= 2^31, d > 0.
  * atan(n/d) = atan(i/32) + atan(q), q = (32n - id) / (32d + in), |q| <= 1/64: five terms of the series do.
  */
-#ifdef FX_INTEGER
 static uint64_t atan_guess(uint32_t n, uint32_t d)
 {
     uint64_t i = ((uint64_t)n * 64 + d) / ((uint64_t)d * 2), low = i * d, high = (uint64_t)n * 32;
@@ -203,30 +217,44 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
     q = fx_mul_high(q, 0x28be60db9391054a); /* 1 / (2 pi) */
     return high < low ? ATAN[i] - q : ATAN[i] + q;
 }
-#else
-static uint64_t atan_guess(uint32_t n, uint32_t d)
-{
-    double fn = n, fd = d;
-    int i = (int)(32 * fn / fd + 0.5);
-    double q = (32 * fn - i * fd) / (32 * fd + i * fn), z = q * q; /* numerator and denominator are exact */
-    double series = z * (-1 / 3.0 + z * (1 / 5.0 + z * (-1 / 7.0 + z * (1 / 9.0))));
-    double turns = 2935890503282001226.5; /* 2^64 / (2 pi) */
-
-    return ATAN[i] + (uint64_t)(int64_t)(turns * (q + q * series));
-}
-#endif
-
-/* atan(n / d), correctly rounded. */
+/* atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
-    enum { DOUBT = 64 };
+    const uint32_t doubt = 64;
     uint64_t guess = atan_guess(n, d);
     uint32_t k = (uint32_t)(guess >> 32), rest = (uint32_t)guess;
 
-    if (rest - (0x80000000 - DOUBT) < 2 * DOUBT)
+    if (rest - (0x80000000 - doubt) < 2 * doubt)
         return k + above_ray(n, d, k);
     return k + (rest >> 31);
 }
+#else
+/*
+ * atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is 1/64: that
+ * gives the cell of the table and, taken off again, h without error. The polynomials are off by less than 4173 / 2^24 of
+ * an ang, the quotient and their evaluation by less than 8 more, for no term is above 2^53.
+ */
+static ang atan_eighth(uint32_t n, uint32_t d)
+{
+    const double cells = 105553116266496.0;
+    const uint32_t doubt = 5000;
+    double t = (double)n / d, sum = t + cells, h = t - (sum - cells), hh = h * h;
+    uint64_t bits;
+
+    memcpy(&bits, &sum, sizeof bits);
+
+    const double *c = ARC[bits & 127];
+    uint64_t guess = (uint64_t)(int64_t)((c[0] + c[1] * h) + hh * ((c[2] + c[3] * h) + hh * c[4]));
+    uint32_t rest = (uint32_t)guess << 8;
+
+    if (!FX_USUAL(rest + (doubt << 8) > doubt << 9)) {
+        uint32_t k = (uint32_t)((guess - (1 << 23)) >> 24);
+
+        return k + above_ray(n, d, k);
+    }
+    return (uint32_t)(guess >> 24);
+}
+#endif
 
 /* a if not so, else the angle on the other side of a mirror, axis/2 being the mirror's direction. */
 static inline ang mirror_if(bool so, ang axis, ang a)

@@ -118,6 +118,18 @@ static void check_swept(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
     hit = geom_swept_circles(dx, dy, wx, wy, r);
     assert_int_equal(hit, swept_circles(dx, dy, wx, wy, r));
     seen[hit]++;
+    hit = geom_swept_boxes(dx, dy, wx, wy, hw, hh);
+    assert_int_equal(hit, path_meets_box(dx, dy, wx, wy, hw, hh));
+    seen[hit]++;
+}
+
+static void check_capsule(fx x1, fx y1, fx x2, fx y2, fx r, fx cx, fx cy, fx cr)
+{
+    bool hit = geom_capsule_circle(x1, y1, x2, y2, r, cx, cy, cr);
+
+    assert_int_equal(
+        hit, swept_circles((int64_t)x1 - cx, (int64_t)y1 - cy, (int64_t)x2 - x1, (int64_t)y2 - y1, (int64_t)r + cr));
+    seen[hit]++;
 }
 
 /* A test that starts with this ends with both_seen. */
@@ -227,6 +239,17 @@ static void negative_sizes(void **state)
     assert_false(geom_swept_circle_box(0, 0, 1, 1, -1, 5, 5));
     assert_false(geom_swept_circle_box(0, 0, 1, 1, 5, -1, 5));
     assert_false(geom_swept_circle_box(0, 0, 1, 1, 5, 5, -1));
+    assert_true(geom_swept_boxes(0, 0, 0, 0, 0, 0));
+    assert_false(geom_swept_boxes(0, 0, 9, 9, -1, 5));
+    assert_false(geom_swept_boxes(-5, -5, 10, 10, 5, -1));
+    assert_true(geom_capsule_circle(3, 4, 3, 4, 0, 3, 4, 0));
+    assert_false(geom_capsule_circle(0, 0, 9, 9, -1, 5, 5, 5));
+    assert_false(geom_capsule_circle(0, 0, 9, 9, 5, 5, 5, -1));
+    assert_false(geom_circles(0, 0, 0, 0, FX_MIN));
+    assert_false(geom_boxes(0, 0, FX_MIN, FX_MAX, 0, 0, FX_MAX, FX_MAX));
+    assert_false(geom_circle_box(0, 0, FX_MIN, 0, 0, FX_MAX, FX_MAX));
+    assert_false(geom_circle_box(0, 0, FX_MAX, 0, 0, FX_MIN, FX_MAX));
+    assert_false(geom_capsule_circle(0, 0, 0, 0, FX_MIN, 0, 0, FX_MAX));
 }
 
 static void swept_lattice(void **state)
@@ -282,6 +305,7 @@ static void swept_extremes(void **state)
     assert_false(geom_swept_circles(0, 8 * UNIT + 5, 0, -2 * UNIT, UNIT));
     assert_false(geom_swept_circles((int64_t)1 << 61, (int64_t)1 << 61, -2 * UNIT, -2 * UNIT, UNIT));
     assert_false(geom_swept_circle_box(-((int64_t)1 << 61), (int64_t)1 << 61, 2 * UNIT, -2 * UNIT, UNIT, UNIT, UNIT));
+    assert_false(geom_swept_boxes((int64_t)1 << 61, -((int64_t)1 << 61), -2 * UNIT, 2 * UNIT, UNIT, UNIT));
 }
 
 /*
@@ -333,6 +357,11 @@ static void swept_exact_touch(void **state)
         /* The same at the corner (-k, k) of a box. */
         assert_true(geom_swept_circle_box(-8 * k, 2 * k, 8 * k, 6 * k, 5 * k, k, k));
         assert_false(geom_swept_circle_box(-8 * k, 2 * k + 1, 8 * k, 6 * k, 5 * k, k, k));
+        /* Past the corner of a plain box, exactly through it and one unit off. */
+        assert_true(geom_swept_boxes(-k - 4 * k, k - 3 * k, 8 * k, 6 * k, k, k));
+        assert_false(geom_swept_boxes(-k - 4 * k, k - 3 * k + 1, 8 * k, 6 * k, k, k));
+        assert_false(geom_swept_boxes(-k - 4 * k, k - 3 * k, 8 * k, 6 * k, k, k - 1));
+        assert_false(geom_swept_boxes(-k - 4 * k - 1, k - 3 * k, 4 * k, 3 * k, k, k)); /* it ends before */
         /* And along its side. */
         assert_true(geom_swept_circle_box(-9 * k, 6 * k, 10 * k, 0, 5 * k, 4 * k, k));
         assert_false(geom_swept_circle_box(-9 * k, 6 * k + 1, 10 * k, 0, 5 * k, 4 * k, k));
@@ -358,9 +387,37 @@ static void swept_symmetry(void **state)
         hit = geom_swept_circles(dx, dy, wx, wy, radius);
         assert_int_equal(hit, geom_swept_circles(dx + wx, dy + wy, -wx, -wy, radius));
         assert_int_equal(hit, geom_swept_circle_box(dx, dy, wx, wy, radius, 0, 0));
+        assert_int_equal(geom_swept_boxes(dx, dy, wx, wy, hw, 50), geom_swept_circle_box(dx, dy, wx, wy, 0, hw, 50));
         seen[hit]++;
     }
     both_seen();
+}
+
+/* The world's ends and beyond: 2^30 is 16384 pixels, the largest radius half of it. */
+static void capsules(void **state)
+{
+    static const fx END = 1 << 30;
+    struct rng r;
+
+    (void)state;
+    start(&r, 9);
+    for (int i = 0; i < RUNS; i++) {
+        int bits = (int)between(&r, 1, 30);
+        int64_t size = (int64_t)1 << bits, radius = size / 2;
+
+        check_capsule((fx)between(&r, -size, size), (fx)between(&r, -size, size), (fx)between(&r, -size, size),
+                      (fx)between(&r, -size, size), (fx)between(&r, 0, radius), (fx)between(&r, -size, size),
+                      (fx)between(&r, -size, size), (fx)between(&r, 0, radius));
+        check_capsule((fx)between(&r, -1, 1) * END, (fx)between(&r, -1, 1) * END, (fx)between(&r, -1, 1) * END,
+                      (fx)between(&r, -1, 1) * END, (fx)between(&r, 0, 1) * END / 2, (fx)between(&r, -1, 1) * END,
+                      (fx)between(&r, -1, 1) * END, (fx)between(&r, 0, 1) * END / 2);
+    }
+    both_seen();
+    /* A beam from (0, 0) to (80, 60), and circles that touch its middle, its end, and neither. */
+    assert_true(geom_capsule_circle(0, 0, 80, 60, 10, 40 - 9, 30 + 12, 5));
+    assert_false(geom_capsule_circle(0, 0, 80, 60, 10, 40 - 9, 30 + 12, 4));
+    assert_true(geom_capsule_circle(0, 0, 80, 60, 10, 80 + 12, 60 + 9, 5));
+    assert_false(geom_capsule_circle(0, 0, 80, 60, 10, 80 + 12, 60 + 9, 4));
 }
 
 int main(void)
@@ -369,7 +426,7 @@ int main(void)
         cmocka_unit_test(still_shapes),   cmocka_unit_test(still_lattice), cmocka_unit_test(still_contact),
         cmocka_unit_test(negative_sizes), cmocka_unit_test(swept_lattice), cmocka_unit_test(swept_random),
         cmocka_unit_test(swept_extremes), cmocka_unit_test(swept_contact), cmocka_unit_test(swept_exact_touch),
-        cmocka_unit_test(swept_symmetry),
+        cmocka_unit_test(swept_symmetry), cmocka_unit_test(capsules),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../src/board/api.h"
 
 const struct box ENGINE_EVERYWHERE = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
 
@@ -131,4 +132,15 @@ uint32_t engine_hits(struct board *b)
     b->events.n = 0;
     hit_run(b);
     return b->events.n;
+}
+
+const char *engine_default(const char *entry, const char *argument)
+{
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        for (int k = 0; k < e->count && !strcmp(e->name, entry); k++)
+            if (!strcmp(e->params[k].name, argument) && e->params[k].def)
+                return e->params[k].def;
+    }
+    return "";
 }

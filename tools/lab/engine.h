@@ -19,10 +19,16 @@ extern const struct box ENGINE_EVERYWHERE;
 struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies);
 void engine_free(struct board *b);
 
-/* A kind of bullet that is a circle; a kind of shot or enemy that is a box. Returns the kind. */
-uint16_t engine_circle(struct bullet_kinds *k, fx radius);
-uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h);
+/* A kind of bullet that is a circle; kinds of shots and enemies that are boxes. Returns the kind. */
+uint16_t engine_circle(struct bullet_kinds *k, fx radius, bool swept);
+uint16_t engine_box(struct bullet_kinds *k, fx half_w, fx half_h, bool swept);
 uint16_t engine_enemy(struct board *b, fx half_w, fx half_h);
+
+/* What an entry of the Lua API takes an argument for when it is not given, as Lua spells it; "" if there is no such. */
+const char *engine_default(const char *entry, const char *argument);
+
+/* A motion program of these steps: its number for bullet_shape. */
+uint16_t engine_motion(struct board *b, const struct motion_step *steps, uint32_t n, bool fine);
 
 /* A bullet with the given velocity in a new slot; returns the slot. */
 uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy);

@@ -23,6 +23,7 @@ void section_angles(void);
 void section_acceleration(void);
 void section_broad(void);
 void section_border(void);
+void section_models(void);
 
 /* No times are to be taken. */
 bool lab_exact(void);

@@ -14,9 +14,14 @@ static const struct {
     const char *name;
     void (*run)(void);
 } SECTIONS[] = {
-    { "functions", section_functions }, { "collision", section_collision },       { "positions", section_positions },
-    { "angles", section_angles },       { "acceleration", section_acceleration }, { "broad", section_broad },
+    { "functions", section_functions },
+    { "collision", section_collision },
+    { "positions", section_positions },
+    { "angles", section_angles },
+    { "acceleration", section_acceleration },
+    { "broad", section_broad },
     { "border", section_border },
+    { "models", section_models },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

@@ -3,7 +3,7 @@
  * engine in it, and by other ways than the engine's: times of entry and quadratic equations instead of normals, unions of
  * boxes and discs instead of nearest points.
  *
- * Largest number: the square of a product of two 2^62 (points that start at the domain's far end), below 2^190.
+ * Largest number: of points that start 2^61 away and move by 2^31, the product of d.d and w.w, 2^187.
  */
 #ifndef SHAPES_ORACLE_H
 #define SHAPES_ORACLE_H

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# tables.sh - the tables of trig.c are what their maker makes.
+. "$(dirname "$0")/../tap.sh"
+
+if python3 "$repo/tools/trig_tables.py" >made 2>why && cmp -s made "$repo/src/base/trig_tables.h"; then
+    ok "tools/trig_tables.py makes src/base/trig_tables.h"
+else
+    not_ok "tools/trig_tables.py makes src/base/trig_tables.h" "$(cat why)" "$(diff made "$repo/src/base/trig_tables.h" | head -n 5)"
+fi
+same "as good as trig.c says: less than 800,000,000 / 2^40, and 4173 / 2^24" yes \
+    "$(awk '/sines/ { s = $7 } /arcs/ { a = $7 } END { print s < 720000000 && a < 4173 ? "yes" : s " " a }' why)"
+finish

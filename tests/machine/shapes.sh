@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# shapes.sh - the contact tests against 256-bit integers (tools/prove/shapes.c, sampled): no mismatch, in any way they
+# can be built, and no overflow without -fwrapv; and planted faults, which show as mismatches.
+. "$(dirname "$0")/../check.sh"
+
+cp --parents src/base/fx.h src/base/geom.h src/base/geom.c tools/prove/shapes.c tools/prove/shapes_oracle.h "$scratch"
+# shapes FLAGS [ARGUMENT...]: built in the copy with the flags, and run
+shapes() {
+    local flags=$1
+    shift
+    # shellcheck disable=SC2086
+    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c src/base/geom.c -o shapes -lm -pthread &&
+        ./shapes --sample --threads 1 "$@")
+}
+check "no mismatch" shapes "-O2 -fwrapv"
+check "no mismatch without 128-bit integers" shapes "-O2 -fwrapv -DFX_NO_INT128"
+check "no mismatch and no undefined behaviour without -fwrapv" shapes "-O1 -fsanitize=undefined -fno-sanitize-recover=all"
+
+# planted SHAPE FILE OLD NEW: the shape with OLD replaced in the file
+planted() {
+    local text rc
+    text=$(cat "$2")
+    case $text in *"$3"*) ;; *) echo "$2 has no \"$3\""; return 1 ;; esac
+    printf '%s\n' "${text/"$3"/"$4"}" >"$scratch/$2"
+    shapes "-O1 -fwrapv" --only "$1"
+    rc=$?
+    cp "$2" "$scratch/$2"
+    return $rc
+}
+fault() { # SHAPE, FILE below src/base, OLD, NEW
+    refuse "planted: $1, \"$4\" for \"$3\"" "wrong for" planted "$1" "src/base/$2" "$3" "$4"
+}
+fault circle-circle geom.h "dx * dx + dy * dy <= limit" "dx * dx + dy * dy < limit"
+fault circle-circle geom.h "& (dx <= limit) & (dy <= limit) &" "&"
+fault box-box geom.h "(dy <= h)" "(dy < h)"
+fault circle-box geom.c "magnitude(y) - hh;" "magnitude(y) - hh + 1;"
+fault swept-circles geom.c "a * a <= b * c" "a * a < b * c"
+fault swept-circles geom.c "if (along >= ww)" "if (along >= ww + ww)"
+fault capsule-circle geom.h "(int64_t)r + cr" "(int64_t)r + cr + 1"
+fault swept-circle-box geom.c "(wx ^ wy) < 0" "(wx ^ wy) > 0"
+fault swept-circle-box geom.c "passes(dx, wx, hw + r)" "passes(dx, wx, hw + r - 1)"
+fault swept-boxes geom.c "dy * wx) <= " "dy * wx) < "
+check "the copy is as it was" shapes "-O1 -fwrapv" --only swept-boxes
+done_testing
