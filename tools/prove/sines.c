@@ -81,6 +81,13 @@ static void edges(uint64_t chunk, struct tally *t, uint64_t *random)
         check_four(t, ((uint32_t)chunk * 0x20000000 + i - 32) & 0x3fffffff);
 }
 
+/* Some angles from each 512th of a quarter turn, for tables have cells. */
+static void everywhere(uint64_t chunk, struct tally *t, uint64_t *random)
+{
+    for (int i = 0; i < 64; i++)
+        check_four(t, (uint32_t)chunk << 21 | (uint32_t)(prove_random(random) >> 43));
+}
+
 static void by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     ang a = (ang)prove_random(random);
@@ -110,6 +117,7 @@ static void prove_sines(void)
     for (int i = 0; i < 4; i++)
         prove_hard(SIN, NAMES[i], hard);
     prove_phase(edges, 2, 2);
+    prove_phase(everywhere, 512, 512);
     prove_phase(all, 1 << 18, 40);
     prove_phase(by_mpfr, 100000, 1000);
     for (int i = 0; i < 4; i++)
