@@ -161,13 +161,13 @@ static inline fx fx_sub(fx a, fx b)
     return rest;
 }
 
-/* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; an odd result of a tie is one too many. */
+/* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; a tie that came out odd is one too many. */
 static inline int64_t fx_half_even(int64_t up)
 {
     int64_t q = up >> 16;
 
-    if (!FX_USUAL((up & 0x1ffff) != 0x10000)) {
-        q--;
+    if (!FX_USUAL((uint16_t)up != 0)) {
+        q -= q & 1;
         FX_RARE(q);
     }
     return q;
@@ -241,9 +241,11 @@ FX_COLD static fx fx_lerp_beyond(fx a, fx b, fx t)
 /* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */
 static inline fx fx_lerp(fx a, fx b, fx t)
 {
-    if (!FX_USUAL((uint32_t)t <= FX_ONE))
+    uint32_t u = (uint32_t)t;
+
+    if (!FX_USUAL(u <= FX_ONE))
         return fx_lerp_beyond(a, b, t);
-    return (fx)fx_half_even((int64_t)a * (FX_ONE - t) + ((int64_t)b * t + 0x8000));
+    return (fx)fx_half_even((int64_t)a * (FX_ONE - u) + ((int64_t)b * u + 0x8000));
 }
 
 /* The fx nearest to v into *out. False, and *out untouched, for NaN and for v that rounds outside FX_MIN..FX_MAX. */
