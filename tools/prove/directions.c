@@ -3,10 +3,11 @@
  * floor: tools
  *
  * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks on
- * which side, with 120 bits. So the vectors nearest to the rays have to be shown right. An eighth of a turn has 2^29 rays
- * of slope t; a vector (d, n) whose |dt - n| is below 1/(2d) is a convergent of t's continued fraction, or a multiple of
- * one (Legendre), and no vector that is shorter than the next convergent is nearer. The continued fractions of all rays are
- * walked as far as d <= 2^31, and the convergents nearer than 2^-60 radians are tried, with the largest multiple, too.
+ * which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth of a
+ * turn has 2^29 rays, of slope t. Where |dt - n| < 1/(2d), the vector (d, n) is a convergent of the continued fraction of
+ * t, or a multiple of one (Legendre): so is all that lies within 2^-64 radians of a ray, and the nearest of all. The
+ * fractions of all rays are walked as far as d <= 2^31, and convergents nearer than 2^-60 radians tried, with their
+ * largest multiples.
  *
  * Oracle: the vector's side of the rays half an ang away from the result, from sines and cosines to 124 bits; what is
  * within 2^-88 of a ray, by MPFR.

@@ -5,6 +5,7 @@
  * The exact results are fractions of whole numbers below 2^127, so the oracle is exact: r is right for a/b when
  * |a - rb| < b/2, or = b/2 and r is even, or when r is the end of the range and a/b lies beyond it.
  */
+#include <string.h>
 #include "../../src/base/trig.h"
 #include "oracle.h"
 
@@ -105,6 +106,7 @@ static void mul_by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 
 static void prove_mul(void)
 {
+    prove_hard(F, "fx_mul", check_mul);
     prove_phase(mul_edges, COUNT(EDGES), COUNT(EDGES));
     prove_phase(residues_mul, FX_ONE, 12);
     prove_phase(any_mul, 1 << 15, 20);
@@ -228,6 +230,7 @@ static void div_by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 
 static void prove_div(void)
 {
+    prove_hard(F, "fx_div", check_div);
     prove_phase(div_edges, COUNT(EDGES), COUNT(EDGES));
     prove_phase(few_tied_div, 64, 8);
     if (!prove_sampled())
@@ -387,17 +390,16 @@ static int64_t nearest(u128 num, u128 den, int k, double *off)
     return (int64_t)q + (2 * rest > unit || (2 * rest == unit && q % 2));
 }
 
+/* The input counts as the bits of its double. */
 static void double_result(struct tally *t, bool right, double off, double v, int64_t got, int64_t want)
 {
-    union {
-        double v;
-        int64_t bits;
-    } input = { v };
+    int64_t bits;
 
+    memcpy(&bits, &v, sizeof bits);
     if (right)
-        tally_right(t, off, input.bits, 0);
+        tally_right(t, off, bits, 0);
     else
-        tally_wrong(t, fabs((double)(got - want)), input.bits, 0, got, want);
+        tally_wrong(t, fabs((double)(got - want)), bits, 0, got, want);
 }
 
 static void check_from_double(struct tally *t, double v)
@@ -460,8 +462,23 @@ static void other_doubles(uint64_t chunk, struct tally *t, uint64_t *random)
     }
 }
 
+static double double_of(int64_t bits)
+{
+    double v;
+
+    memcpy(&v, &bits, sizeof v);
+    return v;
+}
+
+static void hard_double(struct tally *t, int64_t bits, int64_t unused)
+{
+    (void)unused;
+    check_from_double(t, double_of(bits));
+}
+
 static void prove_doubles(void)
 {
+    prove_hard(F, "fx_from_double", hard_double);
     prove_phase(other_doubles, 1 << 12, 8);
     prove_phase(doubles, (uint64_t)1 << 32 >> 12, 60);
     prove_line(F, "fx_from_double",
@@ -499,6 +516,12 @@ static void check_degrees(struct tally *t, double deg)
         want = ang_of(deg, &off);
     double_result(&t[F], took == takes && a == want, off, deg, a, want);
     double_result(&t[G], took_turn == takes && turn == (int32_t)want, off, deg, turn, (int32_t)want);
+}
+
+static void check_degrees_hard(struct tally *t, int64_t bits, int64_t unused)
+{
+    (void)unused;
+    check_degrees(t, double_of(bits));
 }
 
 static void check_degrees_around(struct tally *t, double deg)
@@ -550,6 +573,7 @@ static void other_degrees(uint64_t chunk, struct tally *t, uint64_t *random)
 
 static void prove_degrees(void)
 {
+    prove_hard(F, "trig_from_degrees", check_degrees_hard);
     prove_phase(other_degrees, 1 << 12, 20);
     prove_phase(all_degrees, (uint64_t)1 << 32 >> 12, 60);
     prove_line(

@@ -148,6 +148,16 @@ static void check_root(struct tally *t, uint64_t n, uint64_t want)
 /* The greatest r whose boundary r*r + r is within 2^63. */
 static const uint64_t LAST_ROOT = 3037000499;
 
+static void check_boundary(struct tally *t, int64_t r, int64_t unused)
+{
+    uint64_t n = (uint64_t)r * (uint64_t)r + (uint64_t)r;
+
+    (void)unused;
+    check_root(t, n, (uint64_t)r);
+    if ((uint64_t)r < LAST_ROOT)
+        check_root(t, n + 1, (uint64_t)r + 1);
+}
+
 /* From the greatest down: the hard cases come last, then, which are the first to be kept. */
 static void boundaries(uint64_t chunk, struct tally *t, uint64_t *random)
 {
@@ -155,16 +165,14 @@ static void boundaries(uint64_t chunk, struct tally *t, uint64_t *random)
     for (uint64_t i = 0; i < CHUNK; i++) {
         uint64_t r = LAST_ROOT - chunk * CHUNK - i;
 
-        if (r > LAST_ROOT)
-            return;
-        check_root(&t[ROOT], r * r + r, r);
-        if (r < LAST_ROOT)
-            check_root(&t[ROOT], r * r + r + 1, r + 1);
+        if (r <= LAST_ROOT) /* else the last chunk is through */
+            check_boundary(&t[ROOT], (int64_t)r, 0);
     }
 }
 
 static void prove_root(void)
 {
+    prove_hard(ROOT, "fx_root", check_boundary);
     prove_phase(boundaries, LAST_ROOT / CHUNK + 1, 300);
     prove_line(ROOT, "fx_root",
                "both sides of every boundary r*r + r to 2^63, which with its monotone guess are all n");
