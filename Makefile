@@ -49,7 +49,7 @@ help:
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
-	@echo "make bench-fx arithmetic against libfixmath"
+	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
 
 deps:
@@ -229,6 +229,25 @@ $(OUT)/lab: $(LAB_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 accuracy: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
 	@$(OUT)/lab
+
+# ---- the proofs: every function of base is the correctly rounded one ----
+
+PROVE := roots sines polar directions products
+$(PROVE:%=$(OUT)/prove/%): $(OUT)/prove/%: $(OUT)/tools/prove/%.o $(OUT)/tools/prove/prove.o \
+		$(OUT)/tools/prove/oracle.o $(OUT)/src/base/trig.o
+	@mkdir -p $(@D)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm -lpthread -o $@
+
+$(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
+	@mkdir -p $(@D)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ -lm -o $@
+
+# With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
+prove: deps-test
+	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest
+	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

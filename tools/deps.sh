@@ -25,6 +25,7 @@ for what; do
     test)
         header cmocka.h || need libcmocka-dev
         header libfixmath/fix16.h || need libfixmath-dev
+        header mpfr.h || need libmpfr-dev
         have luac5.4 || need lua5.4
         have python3 || need python3-minimal
         have clang-format || need clang-format

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# prove.sh - the proof programs in their sampled form: nothing is misrounded, in doubles and in integers; each of the
+# faults of tests/prove.list, planted in a copy, is found; and every build gives the same results.
+set -u
+repo=$(cd "$(dirname "$0")/../.." && pwd)
+tmp=${PROVE_TMP:-}
+CC=${CC:-cc}
+FLAGS="-std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE"
+LIBS="-lmpfr -lgmp -lm -lpthread"
+PROGRAMS="roots sines polar directions products"
+
+# two COMMAND...: a word of standard input a run, two at a time.
+two() { xargs -n 1 -P 2 "$@"; }
+
+# make_program SOURCES PROGRAM TO FLAGS...: SOURCES holds src/base and tools/prove.
+make_program() {
+    local tree=$1 program=$2 to=$3
+    shift 3
+    # shellcheck disable=SC2086
+    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$tmp/prove.o" "$tmp/oracle.o" $LIBS -o "$to"
+}
+
+# The parts below are run by `two`, in processes of their own, in $tmp; what they say goes to files.
+case ${1:-} in
+--try) # PROGRAM: sampled, with doubles and with their integer twins
+    for flag in -DPLAIN -DFX_INTEGER; do
+        make_program "$repo" "$2" "$tmp/$2$flag" -O1 $flag >"$tmp/$2$flag.said" 2>&1 &&
+            "$tmp/$2$flag" --sample --seed 1 >"$tmp/$2$flag.said" 2>&1 && touch "$tmp/$2$flag.good"
+    done
+    exit 0
+    ;;
+--plant) # NUMBER
+    tree=$tmp/plant-$2
+    mkdir -p "$tree/src" "$tree/tools"
+    cp -r "$repo/src/base" "$tree/src"
+    cp -r "$repo/tools/prove" "$tree/tools"
+    python3 - "$repo/tests/prove.list" "$2" "$tree" >"$tree/head" 2>"$tree/said" <<'END' || exit 0
+import sys
+entries = open(sys.argv[1], encoding="utf-8").read().strip("\n").split("\n\n")[1:]
+head, old, new = entries[int(sys.argv[2]) - 1].split("\n")
+path, program, proof, function, *flags = head.split()
+path = sys.argv[3] + "/" + path
+text = open(path, encoding="utf-8").read()
+if old[:2] != "- " or new[:2] != "+ " or text.count(old[2:]) != 1:
+    sys.exit("found %d times: %s" % (text.count(old[2:]), old[2:]))
+open(path, "w", encoding="utf-8").write(text.replace(old[2:], new[2:]))
+print(program, proof, function, *flags)
+END
+    read -r program proof function flags <"$tree/head"
+    # shellcheck disable=SC2086
+    make_program "$tree" "$program" "$tree/program" -O1 $flags >"$tree/said" 2>&1 || exit 0
+    "$tree/program" --sample --seed 1 --only "$proof" >"$tree/said" 2>&1
+    [ $? = 1 ] || exit 0
+    awk -v f="$function" '$1 == f && $3 ~ /^inputs/ && $4 > 0 { found = 1; print $4 } END { exit !found }' "$tree/said" >"$tree/found" && touch "$tree/good"
+    exit 0
+    ;;
+--digest) # COMPILER,FLAG,FLAG...
+    read -r -a command <<<"${2//,/ }"
+    # shellcheck disable=SC2086
+    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm -o "$tmp/digest-$2" &&
+        "$tmp/digest-$2" --each >"$tmp/digest-$2.said" 2>&1
+    exit 0
+    ;;
+esac
+
+. "$repo/tests/tap.sh"
+export PROVE_TMP=$tmp
+self=$repo/tests/machine/prove.sh
+for f in prove oracle; do
+    # shellcheck disable=SC2086
+    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$tmp/$f.o" || { echo "Bail out! $f.c does not compile"; exit 2; }
+done
+holds "the oracles include nothing of src" sh -c \
+    "! grep -n 'include.*src/' $repo/tools/prove/oracle.[ch] $repo/tools/prove/prove.[ch]"
+
+# shellcheck disable=SC2086
+printf '%s\n' $PROGRAMS | two "$self" --try
+for program in $PROGRAMS; do
+    for flag in -DPLAIN -DFX_INTEGER; do
+        if [ -f "$program$flag.good" ]; then
+            ok "$program, sampled, $flag: $(awk '$3 ~ /^inputs/ { n += $2 } END { print n }' "$program$flag.said") inputs, none misrounded"
+        else
+            not_ok "$program, sampled, $flag" "$(cat "$program$flag.said")"
+        fi
+    done
+done
+
+plants=$(grep -c '^- ' "$repo/tests/prove.list")
+seq "$plants" | two "$self" --plant
+for i in $(seq "$plants"); do
+    name="planted $i ($(cat "plant-$i/head"))"
+    if [ -f "plant-$i/good" ]; then
+        ok "$name: $(cat "plant-$i/found") misrounded"
+    else
+        not_ok "$name: must be found" "$(cat "plant-$i/said")"
+    fi
+done
+
+# Every build gives the same; the first is the one to compare with. The last but one must find no undefined behaviour,
+# overflow included.
+builds="gcc,-O0 gcc,-O3 clang,-O0 clang,-O3"
+builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEGER gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
+builds="$builds gcc,-O2,-DFX_INTEGER,-DFX_NO_INT128 gcc,-O1,-fsanitize=undefined,-fno-sanitize-recover=all"
+builds="$builds gcc,-O1,-DFX_INTEGER,-fsanitize=undefined,-fno-sanitize-recover=all"
+# shellcheck disable=SC2086
+printf '%s\n' $builds | two "$self" --digest
+holds "a digest of every function" [ "$(wc -l <digest-gcc,-O0.said)" -ge 20 ]
+for build in $builds; do
+    same "the same results: ${build//,/ }" "$(cat digest-gcc,-O0.said)" "$(cat "digest-$build.said" 2>&1)"
+done
+finish

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# run.sh - make prove: runs the proof programs in full, one after the other, and adds up their lines.
+#
+#     OUT=build/release tools/prove/run.sh PROGRAM...
+#
+# The lines stay in $OUT/prove/said. The inputs found nearest to ties go to $OUT/prove/hard.inc, to be copied to
+# tools/prove/hard.inc when a function has changed. Exit 1: something was misrounded.
+set -u
+: "${OUT:=build/release}"
+cd "$(dirname "$0")/../.." || exit 2
+dir=$OUT/prove failed=0
+sed -n '/^\/\*/,/\*\//p' tools/prove/hard.inc >"$dir/hard.new"
+: >"$dir/said"
+for program; do
+    "$dir/$program" --hard "$dir/hard.new" | tee -a "$dir/said"
+    [ "${PIPESTATUS[0]}" = 0 ] || { echo "prove: $program FAILED" | tee -a "$dir/said"; failed=1; }
+done
+mv "$dir/hard.new" "$dir/hard.inc"
+echo "digest of all functions: $("$dir/digest")"
+awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
+    END { printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong; exit wrong > 0 }' "$dir/said" &&
+    [ $failed = 0 ]
