@@ -244,10 +244,16 @@ $(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ -lm -o $@
 
+$(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
+	@mkdir -p $(@D)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ -lm -lpthread -o $@
+
 # With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
 prove: deps-test
-	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest
+	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
+	@$(OUT)/prove/shapes
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

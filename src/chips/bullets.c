@@ -130,8 +130,8 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
     }
 }
 
-/* The direction to the leading 31 bits of the parts; then the speed is what of them points there: right to its last bit,
- * for what lies across is less than 2^-31 of it. */
+/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last bit:
+ * what lies across is less than 2^-29 of it. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
     int64_t ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, along[2], across;

@@ -405,6 +405,28 @@ static void test_enemies(void **state)
     b->enemy_kinds.bank[0] = 3;
     b->enemy_kinds.flags[0] = 0;
     b->enemy_kinds.sprite[0] = 0;
+    /* a move of up to MAX_SPEED in a frame is a way; beyond it, on either axis, a jump */
+    static const struct {
+        fx dx, dy;
+        bool jump;
+    } moves[] = { { MAX_SPEED << 16, 0, false },
+                  { (MAX_SPEED << 16) + 1, 0, true },
+                  { -(MAX_SPEED << 16), 0, false },
+                  { -(MAX_SPEED << 16) - 1, 0, true },
+                  { 0, (MAX_SPEED << 16) + 1, true },
+                  { 0, -(MAX_SPEED << 16) - 1, true },
+                  { MAX_SPEED << 16, -(MAX_SPEED << 16), false } };
+    for (int k = 0; k < 7; k++) {
+        const struct box world = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
+        uint32_t i = (uint32_t)enemies_spawn(&b->enemies, &b->enemy_kinds, 0, -px(3), px(5), 0);
+        enemies_go(&b->enemies, i, -px(3) + moves[k].dx, px(5) + moves[k].dy, 1, EASE_LINEAR);
+        enemies_move(&b->enemies, &world, NULL, NULL);
+        assert_int_equal(b->enemies.was_x[i], moves[k].jump ? b->enemies.x[i] : -px(3));
+        assert_int_equal(b->enemies.was_y[i], moves[k].jump ? b->enemies.y[i] : px(5));
+        enemies_move(&b->enemies, &world, NULL, NULL);
+        assert_true(b->enemies.was_x[i] == b->enemies.x[i] && b->enemies.was_y[i] == b->enemies.y[i]);
+        enemies_drop(&b->enemies, i);
+    }
     for (int ease = 0; ease < 4; ease++) {
         assert_int_equal(enemies_spawn(&b->enemies, &b->enemy_kinds, 0, px(10), px(200), b->core.clock), ease);
         assert_int_equal(b->enemies.hp[ease], 7);

@@ -148,6 +148,67 @@ static void test_closed_form(void **state)
     end();
 }
 
+/* The greatest speed to and fro for hours: the count of the way goes round and round, and the place stays. */
+static void test_ends(void **state)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 32;
+    const struct motion_step still = { .does = DOES_WAIT, .over = UINT32_MAX },
+                             faster = { .does = DOES_ACCEL, .over = 2, .accel = most };
+    struct bullets *s;
+    int64_t x, y;
+
+    (void)state;
+    begin("");
+    s = &rig.b->bullets;
+    set_off(&still, most, 0x12345678);
+    for (int i = 0; i < 1 << 18; i++) {
+        struct motion_world w = board_world(rig.b, false);
+        bullets_move(s, &w, &(struct box){ -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 });
+        s->dir[0] += 0x80000000;
+    }
+    bullets_place(s, 0, &x, &y);
+    assert_in_range(x + 4096, 0, 8192);
+    assert_in_range(y + 4096, 0, 8192);
+
+    /* what a program adds up stops at the greatest speed; a script's speed is the nearest fx, ties to even */
+    set_off(&faster, 0, 0);
+    fly(1, most, 0);
+    assert_true(s->pace[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
+    bullets_set_place(s, 0, 0, 0);
+    fly(1, most, 0);
+    assert_true(s->pace[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
+    for (int64_t n = 4; n < 8; n++) {
+        bullets_set_speed(s, 0, (n << PACE_BITS) + 0x8000);
+        assert_int_equal(s->speed[0], n + (n & 1));
+        bullets_set_speed(s, 0, -(n << PACE_BITS) - 0x8000);
+        assert_int_equal(s->speed[0], -(n + (n & 1)));
+    }
+
+    /* what was fine leaves nothing behind */
+    bullets_program(s, 0, 0, false);
+    assert_true(!s->pace[0] && !s->way[0] && !s->x_more[0] && !s->y_more[0] && !(s->flags[0] & BULLET_FINE));
+    end();
+}
+
+/* Velocities by their parts: off by what a direction is, half an ang, and by the bits beyond 31 that it is taken from. */
+static void test_parts(void **state)
+{
+    (void)state;
+    begin("");
+    rng_seed(&rng, 8);
+    set_off(&(struct motion_step){ .does = DOES_WAIT, .over = UINT32_MAX }, 1, 0);
+    for (int run = 0; run < 3000; run++) {
+        struct bullets *s = &rig.b->bullets;
+        int64_t vx = number((int64_t)1 << (4 + run % 40)), vy = number((int64_t)1 << (4 + run * 7 % 40)), x, y;
+        bullets_set_velocity(s, 0, vx, vy);
+        bullets_velocity(s, 0, &x, &y);
+        double size = sqrt((double)vx * (double)vx + (double)vy * (double)vy), slack = 1 + size / (1 << 29);
+        if (fabs((double)(x - vx)) > slack || fabs((double)(y - vy)) > slack)
+            fail_msg("set (%lld, %lld), is (%lld, %lld)", (long long)vx, (long long)vy, (long long)x, (long long)y);
+    }
+    end();
+}
+
 /* What scripts see and do. */
 static void test_scripts(void **state)
 {
@@ -165,6 +226,9 @@ static void test_scripts(void **state)
           "  b.speed = 5 * step wait(2) assert(b.x == 50 + 310 * step)\n"
           "  b.dir = 90 wait(1) assert(b.x == 50 + 310 * step and b.y == 60 + 5 * step)\n"
           "  b.x = 70 assert(b.x == 70) wait(1) assert(b.x == 70)\n"
+          "  b.y = 80 + 7 * step assert(b.y == 80 + 7 * step) wait(1) assert(b.y == 80 + 12 * step and b.x == 70)\n"
+          "  b.vx, b.vy = 0.1, 0 for _ = 1, 300 do b.vy = b.vy + 0.001 wait(1) end\n"
+          "  assert(math.abs(b.vx - 0.1) < 1e-7 and math.abs(b.x - 100) < 1e-5) b.dir, b.x, b.y = 0, 70, 80\n"
           "  b.vx = 2 assert(b.speed == 2 and b.dir == 0 and b.vy == 0) wait(1) assert(b.x == 72)\n"
           "  b.speed = 5 * step wait(1) b.motion = fine assert(b.speed == 5 * step)\n"
           "  b.motion = nil assert(b.speed == 0 and b.vx == 0 and b.x == 72) wait(1) assert(b.x == 72)\n"
@@ -176,7 +240,7 @@ static void test_scripts(void **state)
           "  wait(20) assert(c.speed == 30 * step and c.x == (3 * 55 + 30 * 10) * step)\n"
           "  board.note 'done'\n"
           "end)\n");
-    rig_run(&rig, 200);
+    rig_run(&rig, 500);
     assert_null(rig_fault(&rig) ? rig_fault(&rig)->message : NULL);
     assert_int_equal(rig.b->bullets.s.live, 2);
     end();
@@ -185,6 +249,7 @@ static void test_scripts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_drift), cmocka_unit_test(test_closed_form),
+                                        cmocka_unit_test(test_ends), cmocka_unit_test(test_parts),
                                         cmocka_unit_test(test_scripts) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -279,6 +279,19 @@ static void test_by_hand(void **state)
     scene("enemy.spawn { kind = 'globe', x = 60, y = 160 }:move { x = 60, y = 240, over = 1 }", 2, "");
     scene("enemy.spawn { kind = 'globe', x = 60, y = 160 }:move { x = 60, y = 207, over = 1 }", 1, "h1 ");
     scene("local e = enemy.spawn { kind = 'foe', x = 60, y = 160 } wait(1) e.y = 240", 3, "");
+    /* of several enemies, the one the shot comes to first, though it has the higher slot; of equals, the lower slot */
+    scene("for _, y in ipairs { 50, 90, 50 } do enemy.spawn { kind = 'foe', x = 100, y = y, hp = y == 90 and 1 or 9 } "
+          "end "
+          "shot.fire { kind = 'bolt', x = 100, y = 110, speed = 70 }",
+          1, "k0 ");
+    scene("for i = 1, 2 do enemy.spawn { kind = 'foe', x = 100, y = 90, hp = i == 1 and 1 or 9 } end "
+          "shot.fire { kind = 'bolt', x = 100, y = 110, speed = 15 }",
+          1, "k0 ");
+    /* an enemy that died in this frame takes no shot and kills nobody */
+    scene("local e = enemy.spawn { kind = 'foe', x = 60, y = 180, hp = 1 } "
+          "for i = 1, 3 do shot.fire { kind = 'bolt', x = 60, y = 180, speed = 0 } end wait(2) "
+          "string.log = string.log .. board.live('shots') .. ' '",
+          4, "k0 2 ");
     /* a teleport sweeps nothing */
     scene("local b = bullet.fire { kind = 'ball', x = 60, y = 100, speed = 0 } wait(1) b.y = 240", 3, "");
     scene(
