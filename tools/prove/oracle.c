@@ -101,6 +101,11 @@ void oracle_open(void)
     fill(1 << ORACLE_LOW, 0, put_low);
 }
 
+void oracle_thread_ends(void)
+{
+    mpfr_free_cache();
+}
+
 int oracle_sine_side(uint32_t h, bool cosine, uint64_t m, uint64_t n)
 {
     mpfr_t s, c;

@@ -30,6 +30,9 @@ extern struct oracle_low oracle_low[1 << ORACLE_LOW];
 /* Fills the tables. */
 void oracle_open(void);
 
+/* Gives back what MPFR keeps for a thread, at its end. */
+void oracle_thread_ends(void);
+
 /* The high half of the product, less at most 2. */
 static inline u128 oracle_product(u128 a, u128 b)
 {

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#include "prove.h"
+#include "oracle.h"
 
 enum { THREADS_MOST = 64 };
 
@@ -130,6 +130,7 @@ static void *work(void *arg)
         if (!sampled && isatty(2) && run % (p->runs / 200 + 1) == 0)
             fprintf(stderr, "\r%5.1f %% \r", 100.0 * (double)run / (double)p->runs);
     }
+    oracle_thread_ends();
     return NULL;
 }
 
@@ -257,6 +258,7 @@ int prove_main(int argc, char **argv, const struct proof *proofs, int n)
         phases = 100 * (uint64_t)i; /* the same inputs with --only and without */
         proofs[i].prove();
     }
+    oracle_thread_ends();
     if (!found)
         return usage(argv[0]);
     return all_wrong != 0;
