@@ -297,7 +297,7 @@ void section_angles(void)
     print_rings();
     lab_text(
         "At 400 px from its source half a unit of 16 bits is 0.02 px: 16 bits are enough to point with. They are not "
-        "enough to turn with. 32 bits cost nothing more, and a whole turn wraps by itself.");
+        "enough to turn with. 32 bits cost 2 bytes more, and a whole turn wraps by itself.");
     lab_conclude("directions", "32-bit binary angles",
                  lab_string("after 10,000 turns %s° off, where 16 bits are %s° off", lab_figure(most[me][2]),
                             lab_figure(most[BITS16][2])),

@@ -663,6 +663,9 @@ void section_broad(void)
         "against 16 cost the engine %s µs of the %s µs of a frame, 256 against 64 %s µs. What either would save is "
         "not seen, so the engine keeps the plain loop.",
         lab_about(crowds[1].times[0].ns), lab_count(16667), lab_about(crowds[3].times[0].ns));
+    for (int i = 0; i < CROWDS; i++)
+        lab_claim(lab_exact() || (crowds[i].times[1].ratio < 1 && crowds[i].times[2].ratio < 1),
+                  "a grid and a reject win for shots against enemies");
     lab_conclude("bullets against players", "a scan of all bullets",
                  lab_string("fastest for one player at every n from %s to %s; a grid would pay from %s players on",
                             lab_count(SIZE[0]), lab_count(SIZE[SIZES - 1]),

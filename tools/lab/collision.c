@@ -161,7 +161,8 @@ enum {
     FOUR = 3,
     AROUND = 4,
     INSIDE = 5,
-    SQUARES = 7
+    SQUARES = 7,
+    ROOT = 9
 };
 
 /* ---- truth ---- */
@@ -543,7 +544,7 @@ void section_collision(void)
     print_grid("Crossings missed by a circle tested at the end of the frame / with 2 / with 4 substeps", triple);
     lab_text(
         "What counts is the speed in radii: about 1 %% are missed at half a radius a frame, 4 %% at one, a fifth at "
-        "two, half at three. Substeps only halve the speed.");
+        "two, three fifths at four. Substeps only halve the speed.");
     plot_areas();
     print_grid("The box around the circle: crossings missed / false hits", twin);
     lab_text("A box claims %s of the circle's area in its corners at every size, but what a player sees is the area: "
@@ -553,6 +554,7 @@ void section_collision(void)
              lab_figure(areas[AROUND][radius_index(8)].false_hits), lab_figure(areas[AROUND][r160].false_hits));
 
     lab_claim(areas[SQUARES][r160].false_hits > 100, "squares in Q15.16 hit what is far away");
+    lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
     lab_conclude(
         "hit test", "circles, swept, exact",

@@ -525,12 +525,12 @@ void section_positions(void)
     print_all(rivals, differ, worst);
     plot_drift();
     print_speeds();
-    lab_text(
-        "A bullet that crosses the field lives for 10 to 30 seconds: in 1,800 frames Q15.16 drifts 0.02 px, and 16 "
-        "times less range (Q11.20) or twice the memory (Q31.32) would buy nothing that is seen. What matters more is "
-        "the column beside it: in fixed point a pattern is the same wherever it is fired.");
-
     const struct drift *d = &drifts[me];
+    lab_text(
+        "A bullet that crosses the field lives for 10 to 30 seconds: in 1,800 frames Q15.16 drifts %s px, and 16 times "
+        "less range (Q11.20) or twice the memory (Q31.32) would buy nothing that is seen. What matters more is the "
+        "column *differ when moved*: in fixed point a pattern is the same wherever it is fired.",
+        lab_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");
     lab_conclude("position format", FORMATS[me].name,
                  lab_string("%s px of drift in 600 frames, %s px in 36,000; equal everywhere on the field",
