@@ -6,6 +6,7 @@
 #     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx.sh OBJECT...
 #
 # OBJECT: the board's objects but for trig.o, and those of the measuring program.
+# shellcheck disable=SC2086 # flags and libraries are lists
 set -eu
 cd "$(dirname "$0")/.."
 : "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -fwrapv -ffp-contract=off -O2}"
@@ -21,9 +22,7 @@ fetch() (
         sed -n 's|^ *[0-9-]* \([a-z+]*://[^ ]*\) \([^ /]*\)/\([^ ]*\) .*|deb-src \1 \2 \3|p' | sort -u >sources.list
     [ -s sources.list ] || return 1
     options="-qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null -o Dir::State::lists=$PWD/lists"
-    # shellcheck disable=SC2086
     apt-get $options update
-    # shellcheck disable=SC2086
     apt-get $options source --download-only libfixmath || true # Debian's own changes are not needed
     name=$(sed -n '/^Checksums-Sha256/,/^[^ ]*:$/s/^ [0-9a-f]* [0-9]* \(.*\.orig\.tar\..*\)$/\1/p' ./*.dsc)
     sed -n "/^Checksums-Sha256/,/^Files/s/^ \([0-9a-f]*\) [0-9]* $name\$/\1  $name/p" ./*.dsc | sha256sum -c --quiet
@@ -46,7 +45,7 @@ side() {
 build() {
     name=$1
     shift
-    rm -rf "$dir/$name"
+    rm -rf "${dir:?}/$name"
     mkdir -p "$dir/$name"
     for c in "$(source_dir)"/*.c; do
         $CC $FLAGS -w "$@" -c "$c" -o "$dir/$name/$(basename "$c" .c).o"
@@ -73,7 +72,6 @@ else
 fi
 $CC $FLAGS -c tools/bench_fx_ours.c -o "$dir/ours.o"
 $CC $FLAGS -c src/base/trig.c -o "$dir/trig.o"
-# shellcheck disable=SC2086
 $CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} -o "$dir/bench_fx"
 
 echo "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 /proc/loadavg)"
