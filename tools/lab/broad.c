@@ -554,7 +554,7 @@ static void print_ways(void)
     } NAMES[WAYS] = {
         { "scan, rejecting in blocks of 64", "nothing", "everyone" },
         { "scan, testing each exactly", "the reject", "nobody" },
-        { "grid of 16 px", "a sort in every frame", "dozens of players or homing shots against the same bullets" },
+        { "grid of 16 px", "a sort in every frame", "four players or more against the same bullets" },
         { "tree of boxes", "a longer sort", "bullets that stand still, or a world of many fields" },
     };
     const struct result *r = &results[2];

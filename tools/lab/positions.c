@@ -271,7 +271,7 @@ enum { COUNT = sizeof FORMATS / sizeof *FORMATS, Q8 = 0, FINE = 3, FLOAT = 5 };
 
 static bool is_standard(const struct format *f)
 {
-    return f->fraction && 1 << f->fraction == FX_ONE;
+    return f->fraction && 1ll << f->fraction == FX_ONE;
 }
 
 static int standard_row(void)
@@ -514,7 +514,8 @@ void section_positions(void)
     lab_text(
         "A bullet adds its velocity to its position in every frame, so the rounding of the velocity is added as "
         "often. *Drift* is how far a bullet is from where exact arithmetic puts it: the worst of %d headings and %d "
-        "speeds from 0.002 to 64 px/frame. The world wraps at its ends, so that fast bullets can be followed for a "
+        "speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world wraps at its ends, so that fast bullets "
+        "can be followed for a "
         "million frames, which is 4 hours 38 minutes.",
         HEADINGS, SPEEDS);
     lab_text(
