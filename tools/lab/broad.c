@@ -353,7 +353,8 @@ struct crowd {
     uint32_t m, k;
     uint32_t start[SHOT_COLS * SHOT_ROWS + 1];
     uint32_t *list; /* enemies by cell, in slot order */
-    int32_t *first; /* the enemy each shot hits, or NO_SLOT */
+    int32_t *first; /* the enemy each shot hits, or NO_SLOT: of several the one it was nearest to */
+    uint64_t best;  /* the square of that distance */
     uint64_t tested;
 };
 
@@ -374,22 +375,35 @@ static void crowd_engine(void *data)
     lab_sink = engine_hits(c->b);
 }
 
-/* What the engine does, to count its tests. */
-static void crowd_plain(struct crowd *c)
+/* Shot i and enemy k: enemies stand. */
+static void meet(struct crowd *c, uint32_t i, uint32_t k)
 {
-    c->tested = 0;
-    for (uint32_t i = 0; i < c->m; i++) {
-        c->first[i] = NO_SLOT;
-        for (uint32_t k = 0; k < c->k && c->first[i] == NO_SLOT; k++)
-            if (shot_touches(c, i, k))
-                c->first[i] = (int32_t)k;
+    const struct bullets *s = &c->b->shots;
+    uint64_t apart = fx_square(s->x[i] - s->vx[i] - c->b->enemies.x[k], s->y[i] - s->vy[i] - c->b->enemies.y[k]);
+
+    if (apart < c->best && shot_touches(c, i, k)) {
+        c->best = apart;
+        c->first[i] = (int32_t)k;
     }
 }
 
-/* The same with a reject of what is too far away, before the exact test. */
-static void crowd_reject(void *data)
+static void crowd_plain(void *data)
 {
     struct crowd *c = data;
+
+    c->tested = 0;
+    for (uint32_t i = 0; i < c->m; i++) {
+        c->first[i] = NO_SLOT;
+        c->best = UINT64_MAX;
+        for (uint32_t k = 0; k < c->k; k++)
+            meet(c, i, k);
+    }
+    lab_sink = c->first[0];
+}
+
+/* What the engine does, to count its tests: a reject of what is too far away, then the exact test. */
+static void crowd_reject(struct crowd *c)
+{
     const struct bullets *s = &c->b->shots;
     const struct enemies *e = &c->b->enemies;
     const uint32_t reach = (SHOT_HALF + ENEMY_HALF + SHOT_SPEED) << 16;
@@ -397,11 +411,11 @@ static void crowd_reject(void *data)
     c->tested = 0;
     for (uint32_t i = 0; i < c->m; i++) {
         c->first[i] = NO_SLOT;
-        for (uint32_t k = 0; k < c->k && c->first[i] == NO_SLOT; k++)
-            if (geom_gap(s->x[i], e->x[k]) <= reach && geom_gap(s->y[i], e->y[k]) <= reach && shot_touches(c, i, k))
-                c->first[i] = (int32_t)k;
+        c->best = UINT64_MAX;
+        for (uint32_t k = 0; k < c->k; k++)
+            if (geom_gap(s->x[i], e->x[k]) <= reach && geom_gap(s->y[i], e->y[k]) <= reach)
+                meet(c, i, k);
     }
-    lab_sink = c->first[0];
 }
 
 static int clamp(int v, int most_of)
@@ -447,9 +461,9 @@ static void crowd_grid(void *data)
     for (uint32_t i = 0; i < c->m; i++) {
         int cell = (c->b->shots.y[i] >> 16) / SHOT_CELL * SHOT_COLS + (c->b->shots.x[i] >> 16) / SHOT_CELL;
         c->first[i] = NO_SLOT;
-        for (uint32_t k = c->start[cell]; k < c->start[cell + 1] && c->first[i] == NO_SLOT; k++)
-            if (shot_touches(c, i, c->list[k]))
-                c->first[i] = (int32_t)c->list[k];
+        c->best = UINT64_MAX;
+        for (uint32_t k = c->start[cell]; k < c->start[cell + 1]; k++)
+            meet(c, i, c->list[k]);
     }
     lab_sink = c->first[0];
 }
@@ -506,18 +520,18 @@ static void measure_crowd(struct crowd_result *r, uint32_t m, uint32_t k)
     crowd_open(&c, m, k);
     crowd_engine(&c);
     r->hits = c.b->events.n;
-    crowd_plain(&c);
+    crowd_reject(&c);
     r->tested[0] = c.tested;
     lab_claim(same_firsts(&c), "counted tests are those of the engine");
-    crowd_grid(&c);
+    crowd_plain(&c);
     r->tested[1] = c.tested;
+    lab_claim(same_firsts(&c), "testing every pair finds the engine's pairs");
+    crowd_grid(&c);
+    r->tested[2] = c.tested;
     lab_claim(same_firsts(&c), "the grid finds the engine's pairs");
     r->times[0] = (struct lab_rival){ .run = crowd_engine, .data = &c, .ops = 1000 };
-    crowd_reject(&c);
-    r->tested[2] = c.tested;
-    lab_claim(same_firsts(&c), "the reject keeps the engine's pairs");
-    r->times[1] = (struct lab_rival){ .run = crowd_grid, .data = &c, .ops = 1000 };
-    r->times[2] = (struct lab_rival){ .run = crowd_reject, .data = &c, .ops = 1000 };
+    r->times[1] = (struct lab_rival){ .run = crowd_plain, .data = &c, .ops = 1000 };
+    r->times[2] = (struct lab_rival){ .run = crowd_grid, .data = &c, .ops = 1000 };
     lab_time(r->times, 3, 0);
     engine_free(c.b);
     free(c.list);
@@ -584,16 +598,15 @@ static void print_sizes(void)
 
 static void print_crowds(void)
 {
-    lab_table("m shots against k enemies: a frame; each shot hits the first enemy it touches",
-              "m> | k> | pairs> | tests, engine> | with a reject> | with a grid> | engine: every pair> | every pair, a "
-              "reject first> | "
-              "ratio> | grid of 32 px> | ratio>");
+    lab_table("m shots against k enemies: a frame; each shot hits the enemy it comes to first",
+              "m> | k> | pairs> | tests, engine> | of every pair> | with a grid> | engine: a reject in blocks of 64> | "
+              "every pair tested exactly> | ratio> | grid of 32 px> | ratio>");
     for (int i = 0; i < CROWDS; i++) {
         const struct crowd_result *r = &crowds[i];
         lab_row(false, lab_count(CROWD[i][0]), lab_count(CROWD[i][1]), lab_count(r->hits),
-                lab_count((int64_t)r->tested[0]), lab_count((int64_t)r->tested[2]), lab_count((int64_t)r->tested[1]),
-                lab_string("**%s**", us(&r->times[0])), us(&r->times[2]), lab_ratio(&r->times[2]), us(&r->times[1]),
-                lab_ratio(&r->times[1]), NULL);
+                lab_count((int64_t)r->tested[0]), lab_count((int64_t)r->tested[1]), lab_count((int64_t)r->tested[2]),
+                lab_string("**%s**", us(&r->times[0])), us(&r->times[1]), lab_ratio(&r->times[1]), us(&r->times[2]),
+                lab_ratio(&r->times[2]), NULL);
     }
     lab_table_end();
 }
@@ -659,20 +672,18 @@ void section_broad(void)
         lab_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), PADS);
     print_crowds();
     lab_text(
-        "Here both rivals win at every size. But a game has 10 to 100 shots and up to 30 enemies on the screen: 64 "
-        "against 16 cost the engine %s µs of the %s µs of a frame, 256 against 64 %s µs. What either would save is "
-        "not seen, so the engine keeps the plain loop.",
+        "A game has 10 to 100 shots and up to 30 enemies on the screen: 64 against 16 cost the engine %s µs of the %s "
+        "µs of a frame, 256 against 64 %s µs. The engine looks up kinds and shapes, which the rivals here need not; "
+        "so the grid looks better than it would be, and what it would save is not seen.",
         lab_about(crowds[1].times[0].ns), lab_count(16667), lab_about(crowds[3].times[0].ns));
-    for (int i = 0; i < CROWDS; i++)
-        lab_claim(lab_exact() || (crowds[i].times[1].ratio < 1 && crowds[i].times[2].ratio < 1),
-                  "a grid and a reject win for shots against enemies");
     lab_conclude("bullets against players", "a scan of all bullets",
                  lab_string("fastest for one player at every n from %s to %s; a grid would pay from %s players on",
                             lab_count(SIZE[0]), lab_count(SIZE[SIZES - 1]),
                             lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
                  "nothing", lab_exact() || scan_wins());
-    lab_conclude("shots against enemies", "every shot against every enemy",
+    lab_conclude("shots against enemies", "a reject of blocks of 64 enemies for each shot",
                  lab_string("%s µs of a frame's %s µs with 256 shots and 64 enemies", lab_about(crowds[3].times[0].ns),
                             lab_count(16667)),
-                 "a grid, if 1,000 shots are to meet 250 enemies", lab_exact() || crowds[3].times[0].ns < frame / 100);
+                 "a grid, if 1,000 shots are to meet 250 enemies",
+                 lab_exact() || (crowds[3].times[0].ns < frame / 400 && crowds[7].times[1].ratio > 1));
 }
