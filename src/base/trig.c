@@ -169,7 +169,7 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 
 /*
  * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
- * ray than 2^-NN of its length (make prove), so the 120 bits decide.
+ * ray than 2^-89 of its length (make prove), so the 120 bits decide.
  */
 static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
