@@ -276,7 +276,7 @@ ang trig_atan2(fx y, fx x)
 
 /*
  * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
- * such product of m <= 2^31 is nearer to a half than 2^-NN (make prove); the series is off by 2^-89 of a unit at most.
+ * such product of m <= 2^31 is nearer to a half than 2^-65 (make prove); the series is off by 2^-89 of a unit at most.
  */
 static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
