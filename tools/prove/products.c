@@ -106,7 +106,6 @@ static void mul_by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 
 static void prove_mul(void)
 {
-    prove_hard(F, "fx_mul", check_mul);
     prove_phase(mul_edges, COUNT(EDGES), COUNT(EDGES));
     prove_phase(residues_mul, FX_ONE, 12);
     prove_phase(any_mul, 1 << 15, 20);
