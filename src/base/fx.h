@@ -6,6 +6,9 @@
  * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and
  * their bits depend on no compiler and no processor: where a double makes the first guess, integers decide.
  *
+ * FX_MIN is a number like any other. Its negative is one unit beyond FX_MAX, so FX_MIN / -FX_ONE, FX_MIN * -FX_ONE,
+ * 0 - FX_MIN and the length of (FX_MIN, 0) are FX_MAX.
+ *
  * Each such guess has a twin made of integers alone. With FX_INTEGER defined the twins are used throughout, for targets
  * whose doubles are made by software; results are the same. What comes from or goes to Lua is a double in any case.
  *
@@ -179,8 +182,8 @@ static inline fx fx_mul(fx a, fx b)
 }
 
 /*
- * a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A tie, and the quotient of a tie, is exact in a double; any
- * other quotient is off a tie by 1 / 2|b| or more, 2^-48 of itself, which is more than the double's 2^-53.
+ * a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A quotient that is a tie is exact in a double; any other is
+ * off a tie by 1 / 2|b| or more, 2^-48 of itself, which is more than the double's 2^-53.
  */
 static inline fx fx_div(fx a, fx b)
 {

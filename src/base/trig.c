@@ -217,6 +217,7 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
     q = fx_mul_high(q, 0x28be60db9391054a); /* 1 / (2 pi) */
     return high < low ? ATAN[i] - q : ATAN[i] + q;
 }
+
 /* atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {

@@ -19,10 +19,13 @@ int32_t trig_cos30(ang a);
 fx trig_sin(ang a);
 fx trig_cos(ang a);
 
-/* The direction of (x, y); 0 for (0, 0). Mind the order. */
+/* The direction of (x, y), right to all 32 bits; 0 for (0, 0). FX_MIN is allowed. Mind the order. */
 ang trig_atan2(fx y, fx x);
 
-/* *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards. */
+/*
+ * *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards; FX_MIN does so along
+ * an axis at FX_MAX.
+ */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
 /*
@@ -32,7 +35,7 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
  */
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
 
-/* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). */
+/* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). FX_MIN is allowed. */
 void trig_normalise(fx x, fx y, fx *ux, fx *uy);
 
 /* The shorter turn that leads from one direction to the other, clockwise positive; INT32_MIN when they are opposite. */
