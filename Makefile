@@ -253,7 +253,6 @@ $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 prove: deps-test
 	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
-	@$(OUT)/prove/shapes
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

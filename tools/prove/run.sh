@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# run.sh - make prove: runs the proof programs in full, one after the other, and adds up their lines.
+# run.sh - make prove: runs the proof programs in full, one after the other, adds up their lines, and keeps what they
+# said in docs/proof.txt.
 #
 #     OUT=build/release tools/prove/run.sh PROGRAM...
 #
-# The lines stay in $OUT/prove/said. The inputs found nearest to ties go to $OUT/prove/hard.inc, to be copied to
-# tools/prove/hard.inc when a function has changed. Exit 1: something was misrounded.
+# The inputs found nearest to ties go to $OUT/prove/hard.inc, to be copied to tools/prove/hard.inc when a function has
+# changed. Exit 1: something was misrounded.
 set -u
 : "${OUT:=build/release}"
 cd "$(dirname "$0")/../.." || exit 2
@@ -17,7 +18,19 @@ for program; do
 done
 # Of strides and of products, all are alike.
 grep -v -e trig_stride -e fx_mul -e fx_lerp "$dir/hard.new" >"$dir/hard.inc"
-echo "digest of all functions: $("$dir/digest")"
-awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
-    END { printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong; exit wrong > 0 }' "$dir/said" &&
-    [ $failed = 0 ]
+summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
+    END { printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong; exit wrong > 0 }' "$dir/said") || failed=1
+{
+    echo "$summary"
+    echo "digest of all functions: $("$dir/digest")"
+    echo
+    echo "shapes against 256-bit integers:"
+    "$dir/shapes" || echo "prove: shapes FAILED"
+} | tee "$dir/end"
+! grep -q FAILED "$dir/end" && [ $failed = 0 ] || exit 1
+{
+    echo "What make prove said last. Each line: inputs tried, how many were misrounded, the largest error of a result, ties,"
+    echo "inputs near a tie and the nearest of them, and how the inputs were chosen."
+    echo
+    cat "$dir/said" "$dir/end"
+} | sed 's/ ([0-9.]* s)$//' >docs/proof.txt
