@@ -134,7 +134,8 @@ play: deps-play
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/curtain
 	install -m 755 build/curtain build/curtain-null $(DESTDIR)$(PREFIX)/bin
-	install -m 644 README.md docs/*.md $(DESTDIR)$(PREFIX)/share/doc/curtain
+	install -m 644 README.md docs/*.md docs/*.txt $(DESTDIR)$(PREFIX)/share/doc/curtain
+	cp -R docs/accuracy docs/images $(DESTDIR)$(PREFIX)/share/doc/curtain
 
 # ---- art: the pictures of the games in roms/ are made by a program ----
 
