@@ -284,14 +284,24 @@ const char *lab_about(double v)
     return lab.exact ? "≈" : lab_string("≈%s", lab_figure(v));
 }
 
-const char *lab_ns(const struct lab_rival *r)
+static const char *with_spread(const struct lab_rival *r, const char *unit)
 {
     if (lab.exact)
-        return "≈ ns";
+        return lab_string("≈ %s", unit);
 
-    const char *ns = lab_figure(r->ns), *dot = strchr(ns, '.');
+    const char *time = lab_figure(r->ns), *dot = strchr(time, '.');
 
-    return lab_string("≈%s±%.*f ns", ns, dot ? (int)strlen(dot + 1) : 0, (r->high - r->low) / 2);
+    return lab_string("≈%s±%.*f %s", time, dot ? (int)strlen(dot + 1) : 0, (r->high - r->low) / 2, unit);
+}
+
+const char *lab_ns(const struct lab_rival *r)
+{
+    return with_spread(r, "ns");
+}
+
+const char *lab_us(const struct lab_rival *r)
+{
+    return with_spread(r, "µs");
 }
 
 const char *lab_ratio(const struct lab_rival *r)
@@ -346,25 +356,34 @@ void *lab_plot_file(const char *file)
     return open_file(lab_string("accuracy/%s.svg", file));
 }
 
-/* The processor's name as the system tells it. */
-static const char *processor(void)
+/* What the system tells of the processor under that key, or `otherwise`; *times: how often, as a rule once a core. */
+static const char *cpuinfo(const char *key, const char *otherwise, int *times)
 {
-    char line[256];
-    const char *name = "a processor that does not tell its name";
+    char line[4096];
+    const char *value = otherwise;
     FILE *f = fopen("/proc/cpuinfo", "r");
 
-    if (!f)
-        return name;
-    while (fgets(line, sizeof line, f)) {
+    *times = 0;
+    while (f && fgets(line, sizeof line, f)) {
         char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) || !colon)
+        if (strncmp(line, key, strlen(key)) || !colon || !colon[1])
             continue;
         line[strcspn(line, "\n")] = 0;
-        name = lab_string("%s", colon + 2);
-        break;
+        value = ++*times == 1 ? lab_string("%.200s", colon + 2) : value;
     }
-    fclose(f);
-    return name;
+    if (f)
+        fclose(f);
+    return value;
+}
+
+static const char *processor(void)
+{
+    int times, cores;
+    const char *name = cpuinfo("model name", "a processor that does not tell its name", &times);
+    const char *mhz = cpuinfo("cpu MHz", "?", &times), *cache = cpuinfo("cache size", "? KB", &times);
+
+    cpuinfo("processor", "", &cores);
+    return lab_string("%s, %d cores, %.*s MHz, %s of cache", name, cores, (int)strcspn(mhz, "."), mhz, cache);
 }
 
 #ifdef __clang__
@@ -388,7 +407,9 @@ static const char ABOUT[] =
     "\n"
     "How to read it\n"
     "\n"
-    "* **▶ bold** is what the engine does by default, read from its headers.\n"
+    "* **▶ bold** is what the engine does unless told otherwise: formats are read from its headers, defaults of "
+    "scripts from\n"
+    "  its API table, functions are the engine's own calls.\n"
     "* *Error* is the distance to the true result, which is computed with more bits: the largest (max) and the root "
     "mean\n"
     "  square (rms) over all cases, in the unit named. An error of 0 is exact.\n"

@@ -79,8 +79,9 @@ struct lab_rival {
 /* Runs all rivals in turn, round by round. rivals[standard] is the engine's default, whose ratio is 1. */
 void lab_time(struct lab_rival *rivals, int n, int standard);
 
-/* Cells: "≈2.31±0.05 ns", where ± is half the distance of the quartiles, and "≈1.25". */
+/* Cells: "≈2.31±0.05 ns", where ± is half the distance of the quartiles, or µs for ops = 1000; and "≈1.25". */
 const char *lab_ns(const struct lab_rival *r);
+const char *lab_us(const struct lab_rival *r);
 const char *lab_ratio(const struct lab_rival *r);
 
 /* Any other figure that follows from times: "≈" and the digits, or "≈" alone. */
