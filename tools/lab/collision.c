@@ -180,7 +180,7 @@ static const struct rival {
     void (*loop)(void *data);
     const char *who;
 } RIVALS[] = {
-    { "circle, swept", "exact on the whole way", swept_circle, swept_circle_loop, "everyone" },
+    { "circle, swept", "nothing: exact on the whole way", swept_circle, swept_circle_loop, "everyone" },
     { "circle", "the way between two frames", circle, circle_loop, "bullets slower than half a contact (r) a frame" },
     { "circle, 2 substeps", "half of that", two_parts, two_parts_loop,
       "nobody: far away dearer than swept, and not right" },

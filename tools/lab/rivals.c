@@ -164,7 +164,7 @@ RIVAL(div_lfm, fix16_sdiv(s->a, s->b))
 static const struct rival DIV[] = {
     ROW(CHEAPER, false, div_kept, "times an inverse kept as a double", "ties; the time to make it",
         "one divisor for many"),
-    ROW(CHEAPER, false, div_double, "double, half to even: what fx_div does", "nothing: fx_div is this",
+    ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: fx_div is this",
         "every scene; a quotient that is no tie is further from one than a double's error"),
     ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
     ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nobody: 24 bits are too few for a position"),
