@@ -184,19 +184,21 @@ TURN(f32, float, v >= 360 ? v - 360 : v)
 TURN(f64, double, v >= 360 ? v - 360 : v)
 
 static const struct format {
-    const char *name, *unit;
+    const char *name, *unit, *trade;
     int bits; /* of a binary angle, or 0 */
     double (*after)(int i, int frames);
     double (*ring)(int i, int n, bool repeated);
     void (*turn)(void *data);
     const char *who;
 } FORMATS[] = {
-    { "8 bits", "1.4°", 8, after_8, ring_8, turn_u8, "a machine with a table of 256 sines" },
-    { "16 bits", "0.0055°", 16, after_16, ring_16, turn_u16, "headings that are set, not turned" },
-    { "32 bits", "8.4e-8°", 32, after_engine, ring_engine, turn_u32, "everyone" },
-    { "float32 degrees", "to 3.1e-5°", 0, after_float, NULL, turn_f32,
+    { "8 bits", "1.4°", "24 bits for 3 bytes", 8, after_8, ring_8, turn_u8, "a machine with a table of 256 sines" },
+    { "16 bits", "0.0055°", "16 bits for 2 bytes", 16, after_16, ring_16, turn_u16,
+      "headings that are set, not turned" },
+    { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everyone" },
+    { "float32 degrees", "to 3.1e-5°", "8 bits; the wrap; time", 0, after_float, NULL, turn_f32,
       "nobody: not finer, and 360 has to be taken off" },
-    { "double degrees", "to 5.7e-14°", 0, after_double, NULL, turn_f64, "the right side of a script's `=`" },
+    { "double degrees", "to 5.7e-14°", "4 bytes; the wrap; time", 0, after_double, NULL, turn_f64,
+      "the right side of a script's `=`" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, BITS16 = 1, FLOAT = 3 };
 
@@ -226,12 +228,13 @@ static const char *error_cell(int k, int s)
 
 static void print_formats(const struct lab_rival *rivals)
 {
-    lab_table(NULL,
-              "heading | unit> | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | time a turn> | ratio> | "
-              "who should choose it");
+    lab_table(NULL, "heading | unit> | what is traded | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | "
+                    "time a turn> | ratio> | "
+                    "who should choose it");
     for (int k = 0; k < COUNT; k++)
-        lab_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, error_cell(k, 0), error_cell(k, 1),
-                error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]), FORMATS[k].who, NULL);
+        lab_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
+                error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
+                FORMATS[k].who, NULL);
     lab_table_end();
 }
 

@@ -21,7 +21,7 @@ struct way {
     const char *name;
     bool standard, slow;
     int32_t (*back)(int32_t v);
-    const char *who;
+    const char *trade, *who;
 };
 
 static int64_t whole(double v)
@@ -78,12 +78,12 @@ static int32_t fx_pixels(int32_t v)
 }
 
 static const struct way POSITIONS[] = {
-    { "pixels as a double", true, false, fx_double, "every script" },
-    { "pixels as text, %.14g", false, true, fx_text14, "files for people; it is what tostring writes" },
-    { "pixels as text, %g", false, true, fx_text6, "messages" },
-    { "pixels as float32", false, false, fx_float, "drawing" },
-    { "hundredths of a pixel", false, false, fx_hundredths, "level files written by hand" },
-    { "whole pixels", false, false, fx_pixels, "tiles" },
+    { "pixels as a double", true, false, fx_double, "nothing", "every script" },
+    { "pixels as text, %.14g", false, true, fx_text14, "time", "files for people; it is what tostring writes" },
+    { "pixels as text, %g", false, true, fx_text6, "10 bits of 32; time", "messages" },
+    { "pixels as float32", false, false, fx_float, "8 bits of 32", "drawing" },
+    { "hundredths of a pixel", false, false, fx_hundredths, "9 bits of 32", "level files written by hand" },
+    { "whole pixels", false, false, fx_pixels, "16 bits of 32", "tiles" },
 };
 
 /* ---- angles ---- */
@@ -137,15 +137,15 @@ static int32_t ang_whole(int32_t v)
 }
 
 static const struct way ANGLES[] = {
-    { "degrees as a double", true, false, ang_double, "every script: 90 is a quarter exactly" },
-    { "radians as a double", false, false, ang_radians,
+    { "degrees as a double", true, false, ang_double, "nothing", "every script: 90 is a quarter exactly" },
+    { "radians as a double", false, false, ang_radians, "exact fractions of a turn",
       "formulas from books; no fraction of a turn but 0 is one exactly" },
-    { "degrees as text, %.14g", false, true, ang_text14, "files for people; it is what tostring writes" },
-    { "degrees as text, %g", false, true, ang_text6, "messages" },
-    { "degrees as float32", false, false, ang_float, "drawing" },
-    { "radians as float32", false, false, ang_radians_f, "drawing" },
-    { "16-bit angle", false, false, ang_16, "the look of a 16-bit machine" },
-    { "whole degrees", false, false, ang_whole, "level files written by hand" },
+    { "degrees as text, %.14g", false, true, ang_text14, "time", "files for people; it is what tostring writes" },
+    { "degrees as text, %g", false, true, ang_text6, "13 bits of 32; time", "messages" },
+    { "degrees as float32", false, false, ang_float, "8 bits of 32", "drawing" },
+    { "radians as float32", false, false, ang_radians_f, "8 bits of 32", "drawing" },
+    { "16-bit angle", false, false, ang_16, "16 bits of 32", "the look of a 16-bit machine" },
+    { "whole degrees", false, false, ang_whole, "23 bits of 32", "level files written by hand" },
 };
 
 /* ---- measuring ---- */
@@ -202,13 +202,14 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
         time[i] = (struct lab_rival){ .run = run, .data = &trips[i], .ops = LAB_VALUES };
     }
     lab_time(time, n, 0);
-    lab_table(circular ? "angles" : "positions",
-              lab_string("%s|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
-                         circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
+    lab_table(
+        circular ? "angles" : "positions",
+        lab_string("%s|what is traded|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
+                   circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
         int64_t gone = lost(&ways[i], circular, values, count, &most[i]);
-        lab_row(ways[i].standard, ways[i].name, ways[i].standard ? "all 2³²" : lab_count(count),
+        lab_row(ways[i].standard, ways[i].name, ways[i].trade, ways[i].standard ? "all 2³²" : lab_count(count),
                 lab_percent((double)gone / count), lab_figure(most[i]), lab_ns(&time[i]), lab_ratio(&time[i]),
                 ways[i].who, NULL);
         lab_claim(!ways[i].standard || gone == 0, "values come back from scripts as they went");

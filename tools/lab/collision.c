@@ -85,6 +85,31 @@ static bool fx_squares(const struct pair *p)
     return (int32_t)(xx + yy) <= (int32_t)((int64_t)p->r * p->r >> 16);
 }
 
+/* The other shapes: a player of 2 px; a capsule as long as 16 frames. */
+
+static const fx SHIP = 2 * 65536;
+
+static bool circle_box(const struct pair *p)
+{
+    return geom_circle_box(p->px, p->py, SHIP, p->x, p->y, p->r, p->r);
+}
+
+static bool capsule(const struct pair *p)
+{
+    return geom_capsule_circle(p->x, p->y, p->x + 16 * p->vx, p->y + 16 * p->vy, p->r - SHIP, p->px, p->py, SHIP);
+}
+
+static bool swept_circle_box(const struct pair *p)
+{
+    return geom_swept_circle_box((int64_t)p->x - p->vx - p->px, (int64_t)p->y - p->vy - p->py, p->vx, p->vy, SHIP, p->r,
+                                 p->r);
+}
+
+static bool swept_boxes(const struct pair *p)
+{
+    return geom_swept_boxes((int64_t)p->x - p->vx - p->px, (int64_t)p->y - p->vy - p->py, p->vx, p->vy, p->r, p->r);
+}
+
 static bool float_circle(const struct pair *p)
 {
     float dx = (float)p->x / 65536 - (float)p->px / 65536, dy = (float)p->y / 65536 - (float)p->py / 65536;
@@ -132,6 +157,22 @@ LOOP(fx_squares)
 LOOP(float_circle)
 LOOP(root_circle)
 LOOP(pixel_circle)
+LOOP(circle_box)
+LOOP(capsule)
+LOOP(swept_circle_box)
+LOOP(swept_boxes)
+
+/* The engine's shapes. */
+static const struct {
+    const char *name;
+    void (*loop)(void *data);
+} SHAPES[] = {
+    { "circle and circle", circle_loop },           { "box and box", box_around_loop },
+    { "circle and box", circle_box_loop },          { "circle and circle, swept", swept_circle_loop },
+    { "box and box, swept", swept_boxes_loop },     { "circle and box, swept", swept_circle_box_loop },
+    { "capsule (laser) and circle", capsule_loop },
+};
+enum { N_SHAPES = sizeof SHAPES / sizeof *SHAPES };
 
 static const struct rival {
     const char *name, *trade;
@@ -139,8 +180,8 @@ static const struct rival {
     void (*loop)(void *data);
     const char *who;
 } RIVALS[] = {
-    { "circle, swept", "exact on the whole way", swept_circle, swept_circle_loop, "everyone" },
-    { "circle", "the way between two frames", circle, circle_loop, "bullets slower than half their radius a frame" },
+    { "circle, swept", "nothing: exact on the whole way", swept_circle, swept_circle_loop, "everyone" },
+    { "circle", "the way between two frames", circle, circle_loop, "bullets slower than half a contact (r) a frame" },
     { "circle, 2 substeps", "half of that", two_parts, two_parts_loop,
       "nobody: far away dearer than swept, and not right" },
     { "circle, 4 substeps", "three quarters of that", four_parts, four_parts_loop,
@@ -210,7 +251,7 @@ struct crossing {
 };
 static struct crossing crossing;
 
-/* Aimed at up to 1.5 r beside the player, from every direction, at every fraction of a step. */
+/* Aimed at up to 1.5 r + 1 px beside the player, from every direction, at every fraction of a step. */
 static void set_crossing(int radius, int speed)
 {
     struct crossing *c = &crossing;
@@ -385,14 +426,35 @@ static void set_pairs(bool near)
     }
 }
 
+/* Fills in what to run before. */
+static void time_both(struct lab_rival *far, struct lab_rival *near, int n)
+{
+    memcpy(near, far, (size_t)n * sizeof *near);
+    set_pairs(false);
+    lab_time(far, n, 0);
+    set_pairs(true);
+    lab_time(near, n, 0);
+}
+
 static void time_rivals(struct lab_rival *far, struct lab_rival *near)
 {
     for (int i = 0; i < COUNT; i++)
-        far[i] = near[i] = (struct lab_rival){ .run = RIVALS[i].loop, .ops = LAB_VALUES };
-    set_pairs(false);
-    lab_time(far, COUNT, SWEPT);
-    set_pairs(true);
-    lab_time(near, COUNT, SWEPT);
+        far[i] = (struct lab_rival){ .run = RIVALS[i].loop, .ops = LAB_VALUES };
+    time_both(far, near, COUNT);
+}
+
+static void print_shapes(void)
+{
+    struct lab_rival far[N_SHAPES], near[N_SHAPES];
+
+    for (int i = 0; i < N_SHAPES; i++)
+        far[i] = (struct lab_rival){ .run = SHAPES[i].loop, .ops = LAB_VALUES };
+    time_both(far, near, N_SHAPES);
+    lab_table("What each of the engine's shapes costs a pair", "shapes | near> | ratio> | far> | ratio>");
+    for (int i = 0; i < N_SHAPES; i++)
+        lab_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
+                NULL);
+    lab_table_end();
 }
 
 static int radius_index(int radius)
@@ -413,22 +475,47 @@ static int speed_index(int speed)
     return i;
 }
 
+/* As the API has it: a circle, swept or not. */
+static bool is_standard(int rival)
+{
+    return rival == (strcmp(engine_default("bullet.def", "swept"), "true") ? CIRCLE : SWEPT);
+}
+
 static void print_rivals(const struct lab_rival *far, const struct lab_rival *near)
 {
     const int r4 = radius_index(4), r160 = radius_index(160), s16 = speed_index(16);
 
-    lab_table(NULL,
-              "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | "
-              "crossings missed, r = 4 px at 16 px/frame> | false hits there> | time a pair, near> | far> | ratio, "
-              "far> | who should choose it");
+    lab_table(NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | "
+                    "who should choose it");
     for (int i = 0; i < COUNT; i++) {
         const struct area *a = &areas[i][r160];
-        lab_row(i == SWEPT, RIVALS[i].name, RIVALS[i].trade, lab_string("%s px²", lab_figure(a->false_hits)),
-                lab_string("%s px²", lab_figure(a->missed)), lab_percent(rim(RIVALS[i].touch, 160)),
-                lab_percent(wrong[i][r4][s16].missed), lab_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]),
-                lab_ns(&far[i]), lab_ratio(&far[i]), RIVALS[i].who, NULL);
+        lab_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade, lab_string("%s px²", lab_figure(a->false_hits)),
+                lab_string("%s px²", lab_figure(a->missed)), lab_percent(rim(RIVALS[i].touch, 160)), RIVALS[i].who,
+                NULL);
     }
     lab_table_end();
+    lab_table(NULL,
+              "test | crossings missed, r = 4 px at 16 px/frame> | false hits there> | time a pair, near> | far> | "
+              "ratio, far>");
+    for (int i = 0; i < COUNT; i++)
+        lab_row(is_standard(i), RIVALS[i].name, lab_percent(wrong[i][r4][s16].missed),
+                lab_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]), NULL);
+    lab_table_end();
+}
+
+/* Crossings missed without a sweep at half_contacts / 2 contacts a frame, over all radii that were flown past so. */
+static double missed_at(int half_contacts)
+{
+    double sum = 0;
+    int n = 0;
+
+    for (int r = 0; r < RADII; r++)
+        for (int s = 0; s < SPEEDS; s++)
+            if (2 * SPEED[s] == half_contacts * RADIUS[r]) {
+                sum += wrong[CIRCLE][r][s].missed;
+                n++;
+            }
+    return sum / n;
 }
 
 static const char *triple(int r, int s)
@@ -534,17 +621,20 @@ void section_collision(void)
         "*missed area* are where a bullet that stands still is judged wrong, within 384 px to either side of the "
         "player "
         "and 448 px above and below; the circle of r = 160 px has %s px². A *crossing* is a bullet's way past the "
-        "player, at most 1.5 r "
+        "player, at most 1.5 r + 1 px "
         "beside it, in any direction; it is missed when no frame finds the touch, and a false hit when some frame "
         "finds one that never was. Shares are of the true crossings (%s ways for each radius and speed). Times are "
         "for pairs within 12 px (near) and all over the field (far), r = 8 px, 4 px/frame.",
         lab_figure(areas[SWEPT][r160].of), lab_count(TRIALS));
     print_rivals(far, near);
+    print_shapes();
     plot_misses();
     print_grid("Crossings missed by a circle tested at the end of the frame / with 2 / with 4 substeps", triple);
     lab_text(
-        "What counts is the speed in radii: about 1 %% are missed at half a radius a frame, 4 %% at one, a fifth at "
-        "two, three fifths at four. Substeps only halve the speed.");
+        "What counts is the speed in *contacts* (a contact is r, both radii together): %s are missed at half a contact "
+        "a frame, %s at one, %s at two, %s at four. Substeps only halve the speed.",
+        lab_percent(missed_at(1)), lab_percent(missed_at(2)), lab_percent(missed_at(4)), lab_percent(missed_at(8)));
+    lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
     plot_areas();
     print_grid("The box around the circle: crossings missed / false hits", twin);
     lab_text("A box claims %s of the circle's area in its corners at every size, but what a player sees is the area: "
@@ -558,11 +648,12 @@ void section_collision(void)
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
     lab_conclude(
         "hit test", "circles, swept, exact",
-        lab_string("0 missed and 0 false of %s crossings; a circle at the frame's end misses %s at r = 4 px, 16 "
-                   "px/frame",
-                   lab_count((int64_t)RADII * SPEEDS * TRIALS), lab_percent(wrong[CIRCLE][r4][s16].missed)),
-        "`hit = { box = ... }` for what is drawn as a box; `swept = false` for what moves less than half its "
-        "radius a frame, or is meant to pass through",
-        !strcmp(engine_default("bullet.def", "swept"), "true") && exact(SWEPT) &&
+        lab_string(
+            "0 missed and 0 false of %s ways past the player; a circle at the frame's end misses %s at r = 4 px, 16 "
+            "px/frame",
+            lab_count((int64_t)RADII * SPEEDS * TRIALS), lab_percent(wrong[CIRCLE][r4][s16].missed)),
+        "`hit = { box = ... }` for what is drawn as a box; `swept = false` for what moves less than half a "
+        "contact (both radii together) a frame, or is meant to pass through",
+        is_standard(SWEPT) && exact(SWEPT) &&
             (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

@@ -17,15 +17,19 @@ enum {
     MOST_SERIES = 64,
     MOST_POINTS = 4096,
     MOST_TICKS = 64,
-    WIDE = 820,
-    HIGH = 480,
-    LEFT = 76,
-    TOP = 58,
-    BOTTOM = 424,
-    RIGHT_LINES = 620,  /* names of lines stand to the right of it */
-    RIGHT_POINTS = 794, /* names of points stand inside */
+    WIDE = 680, /* small, so that a narrow screen does not make it unreadable */
+    HIGH = 500,
+    LEFT = 84,
+    TOP = 62,
+    BOTTOM = 440,
+    RIGHT_LINES = 486,  /* names of lines stand to the right of it */
+    RIGHT_POINTS = 660, /* names of points stand inside */
     ZERO_BAND = 30,     /* below a logarithmic axis, for y = 0 */
-    LINE_HIGH = 15
+    NAME_ROOM = 60,     /* below the lowest point, for names */
+    LINE_HIGH = 17,
+    FONT = 14,
+    DOT = 5,
+    LARGE_DOT = 8
 };
 
 static const char *const COLOURS[] = { "#3b6ea5", "#2f8a6c", "#8a63a8", "#a9762a", "#4aa3b8",
@@ -45,6 +49,7 @@ struct area {
 
 struct axis {
     bool linear, zero;
+    double band;          /* of zero, in pixels */
     double low, high;     /* of the scaled values */
     double start, length; /* in pixels; y runs upwards: length < 0 */
 };
@@ -227,30 +232,30 @@ static void line(double x0, double y0, double x1, double y1, const char *colour,
 
 static void draw_axes(double right)
 {
-    const double bottom = plot.ay.zero ? BOTTOM - ZERO_BAND : BOTTOM;
+    const double bottom = BOTTOM - plot.ay.band;
     double v[MOST_TICKS];
     int n = ticks(&plot.ax, v);
 
     for (int i = 0; i < n; i++) {
         double x = place(&plot.ax, v[i]);
         line(x, TOP, x, BOTTOM, "#e6e5de", 1, "");
-        text(x, BOTTOM + 18, "middle", 12, "#55534d", false, tick_name(&plot.ax, v[i], plot.p.x_percent));
+        text(x, BOTTOM + 18, "middle", 13, "#55534d", false, tick_name(&plot.ax, v[i], plot.p.x_percent));
     }
     n = ticks(&plot.ay, v);
     for (int i = 0; i < n; i++) {
         double y = place(&plot.ay, v[i]);
         line(LEFT, y, right, y, "#e6e5de", 1, "");
-        text(LEFT - 8, y + 4, "end", 12, "#55534d", false, tick_name(&plot.ay, v[i], plot.p.y_percent));
+        text(LEFT - 8, y + 4, "end", 13, "#55534d", false, tick_name(&plot.ay, v[i], plot.p.y_percent));
     }
     if (plot.ay.zero) {
         line(LEFT, bottom + 8, right, bottom + 8, "#b9b7ae", 1, " stroke-dasharray=\"2 4\"");
         line(LEFT, plot.zero_y, right, plot.zero_y, "#e6e5de", 1, "");
-        text(LEFT - 8, plot.zero_y + 4, "end", 12, "#55534d", false, "0");
+        text(LEFT - 8, plot.zero_y + 4, "end", 13, "#55534d", false, "0");
     }
     line(LEFT, BOTTOM, right, BOTTOM, "#8b897f", 1, "");
     line(LEFT, TOP, LEFT, BOTTOM, "#8b897f", 1, "");
-    text((LEFT + right) / 2, BOTTOM + 42, "middle", 13, "#33322e", false, plot.p.x_name);
-    text(LEFT - 56, TOP - 12, "start", 13, "#33322e", false, plot.p.y_name);
+    text((LEFT + right) / 2, BOTTOM + 44, "middle", FONT, "#33322e", false, plot.p.x_name);
+    text(LEFT - 66, TOP - 11, "start", FONT, "#33322e", false, plot.p.y_name);
 }
 
 static const char *colour_of(int i)
@@ -272,7 +277,7 @@ static double width_of(const struct series *s)
 
     for (const char *c = s->label; *c; c++)
         n += (*c & 0xc0) != 0x80;
-    return n * (s->standard ? 6.9 : 6.3) + 2;
+    return n * (s->standard ? 7.8 : 7.1) + 2;
 }
 
 static void take(double x0, double y0, double x1, double y1)
@@ -297,66 +302,144 @@ static double covers(struct area a)
     return sum;
 }
 
+/* A way from a point to the near side of its name, in steps that are small rectangles. */
+struct leader {
+    double x0, y0, x1, y1;
+    int steps;
+};
+
+static struct leader leader_to(double px, double py, struct area a)
+{
+    double ex = px < a.x0 ? a.x0 - 2 : px > a.x1 ? a.x1 + 2 : px, ey = py < a.y0 ? a.y0 : py > a.y1 ? a.y1 : py;
+    double far = sqrt((ex - px) * (ex - px) + (ey - py) * (ey - py));
+
+    return (struct leader){ px, py, ex, ey, far > 20 ? (int)(far / 3) : 0 };
+}
+
+static struct area leader_step(const struct leader *l, int i)
+{
+    double x = l->x0 + (l->x1 - l->x0) * i / l->steps, y = l->y0 + (l->y1 - l->y0) * i / l->steps;
+
+    return (struct area){ x - 1.5, y - 1.5, x + 1.5, y + 1.5 };
+}
+
+/* What the leader runs over, its own dot left out; crossing something is worse than touching a rim. */
+static double crosses(const struct leader *l)
+{
+    double sum = 0;
+
+    for (int i = 10 / 3; i < l->steps; i++)
+        sum += 6 * covers(leader_step(l, i));
+    return sum;
+}
+
 /* Puts the name of a point in the best of the places around it; a thin line leads to it from afar. */
 static void name_point(int i)
 {
-    static const double WAYS[][2] = { { 1, 0 },  { -1, 0 }, { 0, -1 },  { 0, 1 },
-                                      { 1, -1 }, { 1, 1 },  { -1, -1 }, { -1, 1 } };
+    static const double WAYS[][2] = { { 1, 0 },   { -1, 0 }, { 0, -1 },  { 0, 1 },    { 1, -1 },    { 1, 1 },
+                                      { -1, -1 }, { -1, 1 }, { 1, 0.5 }, { 1, -0.5 }, { -1, -0.5 }, { -1, 0.5 } };
     const struct series *s = &plot.series[i];
     double px = place(&plot.ax, plot.x[s->first]), py = place_y(plot.y[s->first]), w = width_of(s), least = 1e30;
     struct area best = { 0, 0, 0, 0 };
-    double side = 0; /* of the point the name is on */
 
-    for (int far = 0; far < 6; far++)
-        for (int k = 0; k < 8; k++) {
-            double gap = (s->standard ? 11 : 8) + 13 * far, dx = WAYS[k][0] * gap,
-                   dy = WAYS[k][1] * (gap + (dx == 0 ? 3 : 0));
+    for (int far = 0; far < 10; far++)
+        for (int k = 0; k < (int)(sizeof WAYS / sizeof *WAYS); k++) {
+            double gap = (s->standard ? LARGE_DOT : DOT) + 4 + 12 * far, dx = WAYS[k][0] * gap,
+                   dy = WAYS[k][1] * (gap + (dx == 0 ? 5 : 0));
             double x0 = px + dx - (dx < 0 ? w : dx > 0 ? 0 : w / 2);
             struct area a = { x0, py + dy - LINE_HIGH / 2.0, x0 + w, py + dy + LINE_HIGH / 2.0 };
-            double cost = covers(a) + far * 12 + k * 0.5;
+            struct leader l = leader_to(px, py, a);
+            double cost = covers(a) + crosses(&l) + far * 12 + k * 0.5;
             if (cost < least) {
                 least = cost;
                 best = a;
-                side = dx;
             }
         }
+    struct leader l = leader_to(px, py, best);
+    for (int k = 10 / 3; k < l.steps; k++) {
+        struct area a = leader_step(&l, k);
+        take(a.x0, a.y0, a.x1, a.y1);
+    }
     take(best.x0, best.y0, best.x1, best.y1);
-    double ex = px < best.x0 ? best.x0 - 2 : px > best.x1 ? best.x1 + 2 : px;
-    double ey = (best.y0 + best.y1) / 2;
-    if (fabs(ex - px) + fabs(ey - py) > 24)
-        line(px, py, ex, ey, "#a8a69c", 0.8, "");
-    text(side > 0   ? best.x0
-         : side < 0 ? best.x1
-                    : px,
+    if (l.steps)
+        line(l.x0, l.y0, l.x1, l.y1, "#a8a69c", 0.8, "");
+    bool left = best.x1<px, right = best.x0> px; /* of the point: the name is set from its near end */
+    text(right  ? best.x0
+         : left ? best.x1
+                : px,
          best.y1 - 4,
-         side > 0   ? "start"
-         : side < 0 ? "end"
-                    : "middle",
-         12, s->standard ? STANDARD : "#33322e", s->standard, s->label);
+         right  ? "start"
+         : left ? "end"
+                : "middle",
+         FONT, s->standard ? STANDARD : "#33322e", s->standard, s->label);
+}
+
+/* Points that cannot be told apart have one name: the first's, the others' behind it. */
+static void merge_names(void)
+{
+    for (int i = 0; i < plot.n_series; i++)
+        for (int k = 0; k < i; k++) {
+            struct series *a = &plot.series[k], *b = &plot.series[i];
+            double x = place(&plot.ax, plot.x[a->first]) - place(&plot.ax, plot.x[b->first]);
+            double y = place_y(plot.y[a->first]) - place_y(plot.y[b->first]);
+            size_t n = strlen(a->label);
+            if (a->line || b->line || a->standard || b->standard || !*a->label || x * x + y * y > DOT * DOT ||
+                n + strlen(b->label) > 40)
+                continue;
+            snprintf(a->label + n, sizeof a->label - n, " / %s", b->label);
+            *b->label = 0;
+            break;
+        }
 }
 
 static void draw_points(void)
 {
     for (int i = 0; i < plot.n_series; i++) {
         const struct series *s = &plot.series[i];
-        double x = place(&plot.ax, plot.x[s->first]), y = place_y(plot.y[s->first]), r = s->standard ? 7 : 4.5;
+        double x = place(&plot.ax, plot.x[s->first]), y = place_y(plot.y[s->first]), r = s->standard ? LARGE_DOT : DOT;
         if (!s->line)
             take(x - r, y - r, x + r, y + r);
     }
+    merge_names();
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < plot.n_series; i++)
-            if (!plot.series[i].line && plot.series[i].standard == (pass == 0))
+            if (!plot.series[i].line && plot.series[i].standard == (pass == 0) && *plot.series[i].label)
                 name_point(i);
-    for (int pass = 0; pass < 2; pass++)
+    for (int pass = 0; pass < 2; pass++) /* the large one below: it hides nothing */
         for (int i = 0; i < plot.n_series; i++) {
             const struct series *s = &plot.series[i];
-            if (s->line || s->standard != (pass == 1))
+            if (s->line || s->standard != (pass == 0))
                 continue;
             fprintf(plot.f,
-                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\" stroke=\"#fcfcfa\" stroke-width=\"1.2\"/>\n",
-                    place(&plot.ax, plot.x[s->first]), place_y(plot.y[s->first]), s->standard ? "7" : "4.5",
+                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%d\" fill=\"%s\" stroke=\"#fcfcfa\" stroke-width=\"1.2\"/>\n",
+                    place(&plot.ax, plot.x[s->first]), place_y(plot.y[s->first]), s->standard ? LARGE_DOT : DOT,
                     colour_of(i));
         }
+}
+
+/* The point that is next to the right on the front, which is below y: the leftmost of those, the lowest of these. */
+static int next_of_front(double y)
+{
+    int best = -1;
+
+    for (int i = 0; i < plot.n; i++)
+        if (plot.y[i] < y &&
+            (best < 0 || plot.x[i] < plot.x[best] || (plot.x[i] == plot.x[best] && plot.y[i] < plot.y[best])))
+            best = i;
+    return best;
+}
+
+/* A line in steps through the points that nothing beats in both. */
+static void draw_front(void)
+{
+    int i = next_of_front(HUGE_VAL);
+
+    text(RIGHT_POINTS, TOP - 11, "end", 12, "#8f6b1f", false, "the line joins what nothing beats in both");
+    fprintf(plot.f, "<path fill=\"none\" stroke=\"#c9a04a\" stroke-width=\"1.2\" d=\"M%.1f,%d",
+            place(&plot.ax, plot.x[i]), TOP);
+    for (; i >= 0; i = next_of_front(plot.y[i]))
+        fprintf(plot.f, "H%.1fV%.1f", place(&plot.ax, plot.x[i]), place_y(plot.y[i]));
+    fprintf(plot.f, "H%d\"/>\n", RIGHT_POINTS);
 }
 
 static void draw_line(int i)
@@ -403,8 +486,8 @@ static void name_lines(double right)
     for (int k = 0; k < n; k++) {
         const struct series *s = &plot.series[order[k]];
         double x = place(&plot.ax, plot.x[s->first + s->n - 1]);
-        line(x + 4, want[k], right + 16, at[k], colour_of(order[k]), 0.8, " stroke-opacity=\"0.6\"");
-        text(right + 20, at[k] + 4, "start", 12, colour_of(order[k]), s->standard, s->label);
+        line(x + 4, want[k], right + 12, at[k], colour_of(order[k]), 0.8, " stroke-opacity=\"0.6\"");
+        text(right + 15, at[k] + 5, "start", FONT, colour_of(order[k]), s->standard, s->label);
     }
 }
 
@@ -421,17 +504,22 @@ static void draw(void)
         fail("x = 0 on a logarithmic axis");
     plot.ax.start = LEFT;
     plot.ax.length = right - LEFT;
-    plot.ay.start = plot.ay.zero ? BOTTOM - ZERO_BAND : BOTTOM;
+    plot.ay.band = !plot.ay.zero ? 0 : lines ? ZERO_BAND : ZERO_BAND + NAME_ROOM;
+    plot.ay.start = BOTTOM - plot.ay.band;
     plot.ay.length = TOP - plot.ay.start;
-    plot.zero_y = BOTTOM - 9;
+    plot.zero_y = lines ? BOTTOM - 9 : BOTTOM - NAME_ROOM;
+    if (!lines && !plot.ay.zero)
+        plot.ay.low -= (plot.ay.high - plot.ay.low) * NAME_ROOM / (BOTTOM - TOP - NAME_ROOM);
 
     fprintf(plot.f,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
             "font-family=\"Helvetica, Arial, sans-serif\">\n"
             "<rect x=\"0.5\" y=\"0.5\" width=\"%d\" height=\"%d\" rx=\"8\" fill=\"#fcfcfa\" stroke=\"#d8d6cc\"/>\n",
             WIDE, HIGH, WIDE, HIGH, WIDE - 1, HIGH - 1);
-    text(LEFT - 56, 27, "start", 16, "#22211e", true, plot.p.title);
+    text(LEFT - 66, 28, "start", 17, "#22211e", true, plot.p.title);
     draw_axes(right);
+    if (!lines)
+        draw_front();
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < plot.n_series; i++)
             if (plot.series[i].line && plot.series[i].standard == (pass == 1))

@@ -244,28 +244,28 @@ static double fine_lane(int i, int axis)
 /* A row is added here. */
 static const struct format {
     const char *name;
-    int fraction;      /* bits of it, 0: floating */
-    int headings;      /* flown: fewer where a frame is dear */
-    double world;      /* px round the wrapped world */
-    const char *range; /* of a coordinate */
+    int fraction;              /* bits of it, 0: floating */
+    int headings;              /* flown: fewer where a frame is dear */
+    double world;              /* px round the wrapped world */
+    const char *range, *trade; /* of a coordinate; against the engine's */
     void (*start)(void), (*frame)(void);
     double (*lane)(int i, int axis);
     const char *who;
 } FORMATS[] = {
-    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", start_q8, frame32, lane_q8,
+    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 bits of fraction for range", start_q8, frame32, lane_q8,
       "nobody: slow bullets go astray or stand still" },
-    { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", engine_start, engine_frame, engine_lane,
+    { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", "nothing", engine_start, engine_frame, engine_lane,
       "every scene: bullets live seconds, not hours" },
-    { "Q11.20", 20, HEADINGS, 4096, "±2,048 px", start_q20, frame32, lane_q20,
+    { "Q11.20", 20, HEADINGS, 4096, "±2,048 px", "range", start_q20, frame32, lane_q20,
       "a game where nothing ever leaves ±2,048 px" },
-    { "Q15.16, `fine = true`", 32, 8, 16384, "±32,768 px", fine_start, fine_frame, fine_lane,
+    { "Q15.16, `fine = true`", 32, 8, 16384, "±32,768 px", "time", fine_start, fine_frame, fine_lane,
       "slow bullets that stay for minutes" },
-    { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", start_q32, frame64, lane_q32,
+    { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", "4 bytes a coordinate", start_q32, frame64, lane_q32,
       "an engine whose world is larger than ±16,383 px" },
-    { "float32", 0, HEADINGS, 32768, "±16,384 px here", f32_start, f32_frame, f32_lane,
+    { "float32", 0, HEADINGS, 32768, "±16,384 px here", "sameness from place to place", f32_start, f32_frame, f32_lane,
       "nobody: the same pattern differs from place to place" },
-    { "double", 0, HEADINGS, 32768, "±16,384 px here", f64_start, f64_frame, f64_lane,
-      "a design without replays on other machines" },
+    { "double", 0, HEADINGS, 32768, "±16,384 px here", "the same, and 4 bytes a coordinate", f64_start, f64_frame,
+      f64_lane, "a design without replays on other machines" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, Q8 = 0, FINE = 3, FLOAT = 5 };
 
@@ -476,20 +476,23 @@ static void plot_drift(void)
 
 static void print_all(const struct lab_rival *rivals, const int *differ, const double *worst)
 {
-    lab_table(NULL,
-              "format | range | drift after 600 frames, max> | after 36,000, max (rms)> | after 1,000,000, max> | "
-              "differ when moved> | by up to> | time a bullet> | ratio> | who should choose it");
+    lab_table(NULL, "format | range | what is traded | drift after 600 frames, max> | after 36,000, max (rms)> | "
+                    "after 1,000,000, max> | who should choose it");
     for (int i = 0; i < COUNT; i++) {
         const struct format *f = &FORMATS[i];
         const struct drift *d = &drifts[i];
-        lab_row(is_standard(f), f->name, f->range, lab_string("%s px", lab_figure(d->worst[AT_600])),
+        lab_row(is_standard(f), f->name, f->range, f->trade, lab_string("%s px", lab_figure(d->worst[AT_600])),
                 lab_string("%s px (%s)", lab_figure(d->worst[AT_36000]),
                            lab_figure(sqrt(d->squares[AT_36000] / (f->headings * SPEEDS)))),
-                lab_string("%s px", lab_figure(d->worst[AT_MILLION])),
+                lab_string("%s px", lab_figure(d->worst[AT_MILLION])), f->who, NULL);
+    }
+    lab_table_end();
+    lab_table(NULL, "format | differ when moved> | by up to> | time a bullet> | ratio>");
+    for (int i = 0; i < COUNT; i++)
+        lab_row(is_standard(&FORMATS[i]), FORMATS[i].name,
                 lab_string("%s of %s", lab_count(differ[i]), lab_count(SHIFTS * PATTERN)),
                 worst[i] > 0 ? lab_string("%s px", lab_figure(worst[i])) : "0", lab_ns(&rivals[i]),
-                lab_ratio(&rivals[i]), f->who, NULL);
-    }
+                lab_ratio(&rivals[i]), NULL);
     lab_table_end();
 }
 
@@ -516,7 +519,9 @@ void section_positions(void)
         "often. *Drift* is how far a bullet is from where exact arithmetic puts it: the worst of %d headings and %d "
         "speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world wraps at its ends, so that fast bullets "
         "can be followed for a "
-        "million frames, which is 4 hours 38 minutes.",
+        "million frames, which is 4 hours 38 minutes. Speeds are first rounded to 2⁻¹⁶ px/frame (a script's for "
+        "`fine`: "
+        "to 2⁻³²), which is not counted here: 0.002 is 131.07 of these units, so section 8 finds a little more.",
         HEADINGS, SPEEDS);
     lab_text(
         "*Differ when moved*: a pattern of %d bullets flies for %d frames, and again moved by whole pixels (%d ways); "

@@ -4,6 +4,7 @@
  */
 #include "rivals.h"
 #include <libfixmath/fix16.h>
+#include <math.h>
 #include <string.h>
 #include "../../src/base/trig.h"
 #include "lab.h"
@@ -46,9 +47,9 @@
         out[1] = y;                                                                                                    \
     }
 
-#define ROW(kind, host, id, name, who)                                                                                 \
+#define ROW(kind, host, id, name, trade, who)                                                                          \
     {                                                                                                                  \
-        kind, host, name, id##_run, id##_at, who                                                                       \
+        kind, host, name, trade, id##_run, id##_at, who                                                                \
     }
 #define ROWS(name, table) const struct rivals name = { table, sizeof table / sizeof *table }
 
@@ -59,15 +60,15 @@ static inline fx wrap(int64_t v)
     return (fx)(uint32_t)v;
 }
 
-/* The nearest whole number, halves away from 0, as such code is usually written. */
+/* The nearest whole number, halves away from 0, with no branch to be mispredicted. */
 static inline int64_t whole(double v)
 {
-    return (int64_t)(v + (v < 0 ? -0.5 : 0.5));
+    return (int64_t)(v + copysign(0.5, v));
 }
 
 static inline int64_t whole_f(float v)
 {
-    return (int64_t)(v + (v < 0 ? -0.5f : 0.5f));
+    return (int64_t)(v + copysignf(0.5f, v));
 }
 
 static inline int64_t exact(struct truth t)
@@ -118,15 +119,17 @@ RIVAL(mul_1, mul_bits(s->a, s->b))
 RIVAL(mul_lfm, fix16_smul(s->a, s->b))
 
 static const struct rival MUL[] = {
-    ROW(CHEAPER, false, mul_cut, "cut, wraps",
+    ROW(CHEAPER, false, mul_cut, "cut, wraps", "half an ulp, towards −∞; overflow",
         "nobody: half an ulp is lost on average, always towards −∞, so mirrored patterns do not stay mirrored"),
-    ROW(CHEAPER, false, mul_up, "half up, wraps", "sums of few products that cannot overflow; not odd in ties"),
-    ROW(CHEAPER, false, mul_float, "float32", "nobody: 24 bits are too few for a position"),
-    ROW(ENGINE, false, mul_engine, "fx_mul", "every scene"),
-    ROW(DEARER, false, mul_double, "double, saturates", "nobody: as right as half up, at the price of conversions"),
-    ROW(DEARER, false, mul_16, "four products of 16 bits", "processors without a wider product"),
-    ROW(DEARER, false, mul_1, "bit by bit", "processors without a multiplier"),
-    ROW(LIBRARY, false, mul_lfm, "libfixmath", "nobody: half away from zero, slower"),
+    ROW(CHEAPER, false, mul_up, "half up, wraps", "ties; overflow",
+        "sums of few products that cannot overflow; not odd in ties"),
+    ROW(ENGINE, false, mul_engine, "fx_mul", "nothing", "every scene"),
+    ROW(DEARER, false, mul_float, "float32", "8 bits of 32", "nobody: 24 bits are too few for a position"),
+    ROW(DEARER, false, mul_double, "double, saturates", "ties, the 11 lowest bits of long products",
+        "nobody: as right as half up, at the price of conversions"),
+    ROW(DEARER, false, mul_16, "four products of 16 bits", "time", "processors without a wider product"),
+    ROW(DEARER, false, mul_1, "bit by bit", "time", "processors without a multiplier"),
+    ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "nobody: half away from zero, slower"),
 };
 ROWS(rivals_mul, MUL);
 
@@ -151,6 +154,7 @@ static fx div_bits(fx a, fx b)
 RIVAL(div_cut, wrap((int64_t)s->a *FX_ONE / s->b))
 RIVAL(div_recip, wrap(s->a *(((int64_t)1 << 32) / s->b) >> 16))
 RIVAL(div_float, wrap(whole_f((float)s->a * 65536 / (float)s->b)))
+RIVAL_AS(div_kept, fx_sat(fx_nearest(s->a * s->other)), fx_sat(fx_nearest(s->a *(65536.0 / s->b))))
 RIVAL(div_engine, fx_div(s->a, s->b))
 RIVAL(div_twin, twin_div(s->a, s->b))
 RIVAL(div_double, fx_sat(fx_nearest(s->a * 65536.0 / s->b)))
@@ -158,15 +162,19 @@ RIVAL(div_1, div_bits(s->a, s->b))
 RIVAL(div_lfm, fix16_sdiv(s->a, s->b))
 
 static const struct rival DIV[] = {
-    ROW(CHEAPER, false, div_cut, "cut, wraps", "whole results: tiles, cells, frames"),
-    ROW(CHEAPER, false, div_recip, "times a Q16.16 reciprocal", "one divisor for many, larger than a pixel"),
-    ROW(CHEAPER, false, div_float, "float32", "nobody: 24 bits are too few for a position"),
-    ROW(ENGINE, false, div_engine, "fx_div", "every scene"),
-    ROW(CHEAPER, false, div_double, "double, half to even, saturates",
-        "the same bits: a quotient that is no tie is further from one than a double's error"),
-    ROW(DEARER, false, div_twin, "the engine's integer twin", "processors without hardware doubles"),
-    ROW(DEARER, false, div_1, "bit by bit", "processors without a divider"),
-    ROW(LIBRARY, false, div_lfm, "libfixmath", "nobody: not always right, slower"),
+    ROW(CHEAPER, false, div_kept, "times an inverse kept as a double", "ties; the time to make it",
+        "one divisor for many"),
+    ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: fx_div is this",
+        "every scene; a quotient that is no tie is further from one than a double's error"),
+    ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
+    ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nobody: 24 bits are too few for a position"),
+    ROW(DEARER, false, div_cut, "cut, wraps", "half an ulp, towards 0; overflow",
+        "whole results: tiles, cells, frames"),
+    ROW(DEARER, false, div_recip, "times a Q16.16 reciprocal", "all but 16 bits of the divisor's inverse",
+        "one divisor for many, larger than a pixel"),
+    ROW(DEARER, false, div_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
+    ROW(DEARER, false, div_1, "bit by bit", "time", "processors without a divider"),
+    ROW(LIBRARY, false, div_lfm, "libfixmath", "a last bit now and then; time", "nobody: not always right, slower"),
 };
 ROWS(rivals_div, DIV);
 
@@ -198,6 +206,18 @@ static float rsqrt_hack(float v)
     return r * (1.5f - 0.5f * v * r * r);
 }
 
+/* Is the root larger than s->b? No root: squares are compared. */
+static void sqrt_squares_run(void *data)
+{
+    const struct sample *s = data;
+    int64_t sum = 0;
+
+    for (int i = 0; i < LAB_VALUES; i++, s++)
+        sum += (int64_t)s->a << 16 > (int64_t)s->b * s->b;
+    lab_sink = sum;
+}
+#define sqrt_squares_at NULL
+
 RIVAL(sqrt_cut, (int64_t)sqrt(s->a * 65536.0))
 RIVAL(sqrt_hack, whole_f((float)s->a * 256 * rsqrt_hack((float)s->a)))
 RIVAL(sqrt_float, whole_f(sqrtf((float)s->a) * 256))
@@ -208,14 +228,18 @@ RIVAL(sqrt_twin, twin_sqrt(s->a))
 RIVAL(sqrt_lfm, fix16_sqrt(s->a))
 
 static const struct rival SQRT[] = {
-    ROW(CHEAPER, false, sqrt_hack, "float32, 1/√ by its bits", "nobody: a processor's own root is as quick"),
-    ROW(CHEAPER, false, sqrt_float, "float32", "lengths for show"),
-    ROW(CHEAPER, false, sqrt_cut, "double, cut", "nobody: rounding costs one comparison"),
-    ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "every scene; compare squares where you can"),
-    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the same results, relying on the double alone"),
-    ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "integers and a divider"),
-    ROW(DEARER, false, sqrt_twin, "the engine's twin: bit by bit", "processors without hardware doubles"),
-    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "nobody: slower than any"),
+    ROW(CHEAPER, false, sqrt_squares, "no root: squares compared", "the root itself",
+        "whoever only asks which is longer"),
+    ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 bits of 32", "lengths for show"),
+    ROW(CHEAPER, false, sqrt_cut, "double, cut", "half an ulp", "nobody: rounding costs one comparison"),
+    ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "nothing", "every scene; compare squares where you can"),
+    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact test behind it",
+        "the same results, relying on the double alone"),
+    ROW(DEARER, false, sqrt_hack, "float32, 1/√ by its bits", "20 bits of 32",
+        "nobody: a processor's own root is as quick"),
+    ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "time", "integers and a divider"),
+    ROW(DEARER, false, sqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
+    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "time", "nobody: slower than any"),
 };
 ROWS(rivals_sqrt, SQRT);
 
@@ -228,13 +252,15 @@ RIVAL(rsqrt_twin, twin_rsqrt(s->a))
 RIVAL(rsqrt_lfm, fix16_div(FX_ONE, fix16_sqrt(s->a)))
 
 static const struct rival RSQRT[] = {
-    ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "nobody: a processor's own root is as quick"),
-    ROW(CHEAPER, false, rsqrt_float, "float32", "directions for show"),
-    ROW(ENGINE, false, rsqrt_engine, "fx_rsqrt", "every scene"),
-    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the same results, relying on the double alone"),
-    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "nobody: the root's rounding is divided by"),
-    ROW(DEARER, false, rsqrt_twin, "the engine's twin: bit by bit", "processors without hardware doubles"),
-    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "nobody"),
+    ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "20 bits of 32",
+        "nobody: a processor's own root is as quick"),
+    ROW(CHEAPER, false, rsqrt_float, "float32", "8 bits of 32", "directions for show"),
+    ROW(ENGINE, false, rsqrt_engine, "fx_rsqrt", "nothing", "every scene"),
+    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact test behind it",
+        "the same results, relying on the double alone"),
+    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the root's lost bits", "nobody: the root's rounding is divided by"),
+    ROW(DEARER, false, rsqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
+    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the root's lost bits; time", "nobody"),
 };
 ROWS(rivals_rsqrt, RSQRT);
 
@@ -271,15 +297,19 @@ RIVAL(hypot_libmf, fx_sat(whole_f(hypotf((float)s->a, (float)s->b))))
 RIVAL(hypot_lfm, hypot_lfm_of(s->a, s->b))
 
 static const struct rival HYPOT[] = {
-    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "sorting by distance where 7 % do not matter"),
-    ROW(CHEAPER, false, hypot_float, "float32", "distances for show"),
-    ROW(CHEAPER, false, hypot_double, "double, rounded", "no replay: near halves it is a guess"),
-    ROW(ENGINE, false, hypot_engine, "fx_hypot", "every scene; compare squares where you can"),
-    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "nobody: they overflow beyond 181 px"),
-    ROW(DEARER, false, hypot_twin, "the engine's twin: bit by bit", "processors without hardware doubles"),
-    ROW(LIBRARY, true, hypot_libm, "libm hypot", "no replay: libraries differ"),
-    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "no replay: libraries differ"),
-    ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "nobody: they overflow beyond 181 px"),
+    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "7 %", "sorting by distance where 7 % do not matter"),
+    ROW(CHEAPER, false, hypot_float, "float32", "8 bits of 32", "distances for show"),
+    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact test behind it",
+        "a game without replays: near halves it is a guess"),
+    ROW(ENGINE, false, hypot_engine, "fx_hypot", "nothing", "every scene; compare squares where you can"),
+    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "range: 181 px", "nobody: they overflow beyond 181 px"),
+    ROW(DEARER, false, hypot_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
+    ROW(LIBRARY, true, hypot_libm, "libm hypot", "sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 bits; sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "range: 181 px; time",
+        "nobody: they overflow beyond 181 px"),
 };
 ROWS(rivals_hypot, HYPOT);
 
@@ -363,19 +393,22 @@ RIVAL(sin_lfm, fix16_sin(s->rad))
 RIVAL(sin_lfmp, fix16_sin_parabola(s->rad))
 
 static const struct rival SIN[] = {
-    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "the look of an 8-bit machine; sparks"),
-    ROW(CHEAPER, false, sin_parabola, "a parabola", "sway for show"),
-    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "waves whose error need not be even"),
-    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "16-bit angles: for them it is exact"),
-    ROW(CHEAPER, false, sin_11, "Taylor to x¹¹, double", "a host with doubles; short code"),
-    ROW(ENGINE, false, sin_engine, "trig_sin", "every scene"),
-    ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "factors: keep the 30 bits and round the product once"),
-    ROW(DEARER, false, sin_cordic, "CORDIC, 40 steps", "processors without a multiplier"),
-    ROW(ORACLE, false, sin_106, "106 bits", "oracles"),
-    ROW(LIBRARY, true, sin_libm, "libm sin", "no replay: libraries differ, even on one machine"),
-    ROW(LIBRARY, true, sin_libmf, "libm sinf", "no replay: libraries differ"),
-    ROW(LIBRARY, false, sin_lfm, "libfixmath", "nobody: its series ends too early near half a turn"),
-    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "sway for show"),
+    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "the look of an 8-bit machine; sparks"),
+    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06", "sway for show"),
+    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves whose error need not be even"),
+    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: for them it is exact"),
+    ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
+    ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "0.003 ulp; time", "a host with doubles; short code"),
+    ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "a second rounding",
+        "factors: keep the 30 bits and round the product once"),
+    ROW(DEARER, false, sin_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
+    ROW(ORACLE, false, sin_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, true, sin_libm, "libm sin", "sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 bits; sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, false, sin_lfm, "libfixmath", "508 ulp; time", "nobody: its series ends too early near half a turn"),
+    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "73 ulp; time", "sway for show"),
 };
 ROWS(rivals_sin, SIN);
 
@@ -389,14 +422,16 @@ RIVAL(cos_libmf, whole_f(cosf((float)s->radians) * 65536))
 RIVAL(cos_lfm, fix16_cos(s->rad))
 
 static const struct rival COS[] = {
-    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "as for the sine"),
-    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "as for the sine"),
-    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "16-bit angles: for them it is exact"),
-    ROW(ENGINE, false, cos_engine, "trig_cos", "every scene"),
-    ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "processors without a multiplier"),
-    ROW(LIBRARY, true, cos_libm, "libm cos", "no replay: libraries differ, even on one machine"),
-    ROW(LIBRARY, true, cos_libmf, "libm cosf", "no replay: libraries differ"),
-    ROW(LIBRARY, false, cos_lfm, "libfixmath", "nobody: its series ends too early near half a turn"),
+    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB, 803 ulp", "as for the sine"),
+    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "as for the sine"),
+    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: for them it is exact"),
+    ROW(ENGINE, false, cos_engine, "trig_cos", "nothing", "every scene"),
+    ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
+    ROW(LIBRARY, true, cos_libm, "libm cos", "sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 bits; sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, false, cos_lfm, "libfixmath", "506 ulp; time", "nobody: its series ends too early near half a turn"),
 };
 ROWS(rivals_cos, COS);
 
@@ -473,17 +508,19 @@ RIVAL(atan2_libmf, (ang)whole_f(atan2f((float)s->b, (float)s->a) * (float)ANGS_A
 RIVAL_AS(atan2_lfm, fix16_atan2(s->b, s->a), (ang)whole(fix16_atan2(s->b, s->a) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival ATAN2[] = {
-    ROW(CHEAPER, false, atan2_square, "a parabola", "turning a picture"),
-    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "the look of an 8-bit machine"),
-    ROW(CHEAPER, false, atan2_1024, "1025 entries, interpolated",
+    ROW(CHEAPER, false, atan2_square, "a parabola", "0.22°", "turning a picture"),
+    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "1 KiB, 0.11°", "the look of an 8-bit machine"),
+    ROW(CHEAPER, false, atan2_1024, "1025 entries, interpolated", "4 KiB, 5 of 32 bits",
         "16-bit angles: half a unit of theirs, nearly always"),
-    ROW(ENGINE, false, atan2_engine, "trig_atan2", "every scene"),
-    ROW(DEARER, false, atan2_twin, "the engine's integer twin", "processors without hardware doubles"),
-    ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "processors without a divider"),
-    ROW(ORACLE, false, atan2_106, "106 bits", "oracles"),
-    ROW(LIBRARY, true, atan2_libm, "libm atan2", "no replay: libraries differ, even on one machine"),
-    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "no replay: libraries differ"),
-    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "turning a picture"),
+    ROW(ENGINE, false, atan2_engine, "trig_atan2", "nothing", "every scene"),
+    ROW(DEARER, false, atan2_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
+    ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "0.001 units; time", "processors without a divider"),
+    ROW(ORACLE, false, atan2_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, true, atan2_libm, "libm atan2", "sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "0.58°; time", "turning a picture"),
 };
 ROWS(rivals_atan2, ATAN2);
 
@@ -521,16 +558,22 @@ RIVAL_2(polar_libm, (x = (fx)whole(s->a * cos(s->radians)), y = (fx)whole(s->a *
 RIVAL_2(polar_lfm, (x = fix16_smul(s->a, fix16_cos(s->rad)), y = fix16_smul(s->a, fix16_sin(s->rad))))
 
 static const struct rival POLAR[] = {
-    ROW(CHEAPER, false, polar_256, "256 entries, cut", "the look of an 8-bit machine: headings are 1.4° off"),
-    ROW(CHEAPER, false, polar_64k, "speed × Q16 table of 65,536", "short-lived bullets of a 16-bit machine"),
-    ROW(CHEAPER, false, polar_q16, "speed × Q16 sine", "nobody: the sine's rounding is multiplied by the speed"),
-    ROW(CHEAPER, false, polar_q30, "speed × Q30 sine", "who holds such a sine already: one rounding, off by 0.02 ulp"),
-    ROW(ENGINE, false, polar_engine, "trig_polar", "every scene; motion.def{ fine=true } for more bits"),
-    ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "processors without a multiplier"),
-    ROW(ORACLE, false, polar_106, "106 bits", "oracles"),
-    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "no replay: libraries differ, even on one machine"),
-    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "no replay: libraries differ"),
-    ROW(LIBRARY, false, polar_lfm, "libfixmath", "nobody"),
+    ROW(CHEAPER, false, polar_256, "256 entries, cut", "1 KiB, 1.4°",
+        "the look of an 8-bit machine: headings are 1.4° off"),
+    ROW(CHEAPER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB, 0.0027°",
+        "short-lived bullets of a 16-bit machine"),
+    ROW(CHEAPER, false, polar_q16, "speed × Q16 sine", "a rounding that grows with the speed",
+        "nobody: the sine's rounding is multiplied by the speed"),
+    ROW(CHEAPER, false, polar_q30, "speed × Q30 sine", "a second rounding",
+        "who holds such a sine already: one rounding, off by 0.02 ulp"),
+    ROW(ENGINE, false, polar_engine, "trig_polar", "nothing", "every scene; motion.def{ fine=true } for more bits"),
+    ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
+    ROW(ORACLE, false, polar_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 bits; sameness between hosts",
+        "a game without replays; libraries differ, even on one machine"),
+    ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "nobody"),
 };
 ROWS(rivals_polar, POLAR);
 
@@ -595,15 +638,18 @@ RIVAL_2(unit_106, (x = (fx)exact(truth_unit(s->a, s->b)), y = (fx)exact(truth_un
 RIVAL_2(unit_lfm, unit_by_lfm(s->a, s->b, &x, &y))
 
 static const struct rival NORMALISE[] = {
-    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "nobody: lengths differ by 7 %"),
-    ROW(CHEAPER, false, unit_float, "float32", "directions for show"),
-    ROW(CHEAPER, false, unit_double, "double, rounded", "no replay: near halves it is a guess"),
-    ROW(ENGINE, false, unit_engine, "trig_normalise", "every scene"),
-    ROW(DEARER, false, unit_recip, "times 1 / length in Q15.16", "nobody: long vectors lose most bits"),
-    ROW(DEARER, false, unit_div, "over fx_hypot", "nobody: short vectors lose most bits"),
-    ROW(DEARER, false, unit_twin, "the engine's integer twin", "processors without hardware doubles"),
-    ROW(ORACLE, false, unit_106, "106 bits", "oracles"),
-    ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "nobody: squares overflow beyond 181 px"),
+    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length", "nobody: lengths differ by 7 %"),
+    ROW(CHEAPER, false, unit_float, "float32", "8 bits of 32", "directions for show"),
+    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact test behind it",
+        "a game without replays: near halves it is a guess"),
+    ROW(CHEAPER, false, unit_recip, "times 1 / length in Q15.16", "bits of long vectors",
+        "nobody: long vectors lose most bits"),
+    ROW(CHEAPER, false, unit_div, "over fx_hypot", "bits of short vectors", "nobody: short vectors lose most bits"),
+    ROW(ENGINE, false, unit_engine, "trig_normalise", "nothing", "every scene"),
+    ROW(DEARER, false, unit_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
+    ROW(ORACLE, false, unit_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "range: 181 px; time",
+        "nobody: squares overflow beyond 181 px"),
 };
 ROWS(rivals_normalise, NORMALISE);
 
@@ -619,15 +665,18 @@ RIVAL(lerp_106, exact(truth_lerp(s->a, s->b, s->t)))
 RIVAL(lerp_lfm, fix16_lerp16(s->a, s->b, (uint16_t)s->t))
 
 static const struct rival LERP[] = {
-    ROW(CHEAPER, false, lerp_32, "cut, 32-bit difference",
+    ROW(CHEAPER, false, lerp_32, "cut, 32-bit difference", "half an ulp, towards −∞; range",
         "values less than 32768 px apart, if half an ulp does not matter"),
-    ROW(CHEAPER, false, lerp_up, "64 bits, half up, wraps", "0 ≤ t ≤ 1 where mirrored ties do not matter"),
-    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both cut", "nobody: not even monotone"),
-    ROW(CHEAPER, false, lerp_float, "float32", "colours, volumes"),
-    ROW(ENGINE, false, lerp_engine, "fx_lerp", "every scene"),
-    ROW(DEARER, false, lerp_double, "double, saturates", "nobody: as right as half up, at the price of conversions"),
-    ROW(ORACLE, false, lerp_106, "106 bits", "oracles"),
-    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "nobody: it cuts, and t = 1 is 0"),
+    ROW(CHEAPER, false, lerp_up, "64 bits, half up, wraps", "ties; overflow",
+        "0 ≤ t ≤ 1 where mirrored ties do not matter"),
+    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both cut", "an ulp, towards −∞", "nobody: not even monotone"),
+    ROW(ENGINE, false, lerp_engine, "fx_lerp", "nothing", "every scene"),
+    ROW(DEARER, false, lerp_float, "float32", "8 bits of 32", "colours, volumes"),
+    ROW(DEARER, false, lerp_double, "double, saturates", "ties",
+        "nobody: as right as half up, at the price of conversions"),
+    ROW(ORACLE, false, lerp_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "half an ulp, towards −∞; t = 1; time",
+        "nobody: it cuts, and t = 1 is 0"),
 };
 ROWS(rivals_lerp, LERP);
 
@@ -653,17 +702,63 @@ RIVAL_AS(degrees_lfm, fix16_deg_to_rad(fix16_from_dbl(s->deg)),
          (ang)whole(fix16_deg_to_rad(fix16_from_dbl(s->deg)) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival DEGREES[] = {
-    ROW(CHEAPER, false, degrees_16, "16-bit angle", "the look of a 16-bit machine"),
-    ROW(CHEAPER, false, degrees_float, "float32", "pictures that turn"),
-    ROW(CHEAPER, false, degrees_cut, "double, cut", "nobody: 180° must be half a turn"),
-    ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "up to 2³¹°: it differs in ties alone"),
-    ROW(ENGINE, false, degrees_engine, "trig_from_degrees", "every scene; any finite number of degrees"),
-    ROW(ORACLE, false, degrees_106, "106 bits", "oracles"),
-    ROW(LIBRARY, false, degrees_libm, "through radians, double", "nobody: three roundings"),
-    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "nobody"),
-    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "nobody: π/180 has 11 bits there"),
+    ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 bits of 32", "the look of a 16-bit machine"),
+    ROW(CHEAPER, false, degrees_float, "float32", "8 bits of 32", "pictures that turn"),
+    ROW(CHEAPER, false, degrees_cut, "double, cut", "half a unit, towards 0", "nobody: 180° must be half a turn"),
+    ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "ties; more than 2³¹°",
+        "up to 2³¹°: it differs in ties alone"),
+    ROW(ENGINE, false, degrees_engine, "trig_from_degrees", "nothing", "every scene; any finite number of degrees"),
+    ROW(ORACLE, false, degrees_106, "106 bits", "time", "oracles"),
+    ROW(LIBRARY, false, degrees_libm, "through radians, double", "two more roundings; time", "nobody: three roundings"),
+    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 bits of 32; time", "nobody"),
+    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time",
+        "nobody: π/180 has 11 bits there"),
 };
 ROWS(rivals_degrees, DEGREES);
+
+/* ---- angles: a difference, and degrees of one ---- */
+
+/* As degrees from -180 to 180, in angs. */
+static inline ang angs_of(double deg)
+{
+    return (ang)whole(deg * (4294967296.0 / 360));
+}
+
+RIVAL(difference_16, (ang)(((ang)s->a >> 16) - (s->dir >> 16)) << 16)
+RIVAL(difference_engine, (ang)trig_difference(s->dir, (ang)s->a))
+RIVAL_AS(difference_double, (int64_t)remainder(s->other - s->deg, 360), angs_of(remainder(s->other - s->deg, 360)))
+RIVAL_AS(difference_float, (int64_t)remainderf((float)s->other - (float)s->deg, 360),
+         angs_of((double)remainderf((float)s->other - (float)s->deg, 360)))
+
+static const struct rival DIFFERENCE[] = {
+    ROW(ENGINE, false, difference_engine, "trig_difference", "nothing",
+        "every scene; nothing is cheaper than to subtract"),
+    ROW(DEARER, false, difference_16, "16-bit angles", "16 bits of 32", "the look of a 16-bit machine"),
+    ROW(DEARER, false, difference_double, "double degrees, remainder", "time", "scripts"),
+    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 bits of 32; time", "nobody"),
+};
+ROWS(rivals_difference, DIFFERENCE);
+
+/* In 2^-29 degrees, of which every angle has a whole number. */
+#define IN_DEGREES(id, DEGREES) RIVAL_AS(id, (int64_t)(DEGREES), whole((DEGREES)*536870912.0))
+
+static inline double degrees_lfm_of(fix16_t rad)
+{
+    fix16_t deg = fix16_rad_to_deg(rad);
+
+    return (deg < 0 ? deg + 360 * 65536 : deg) / 65536.0;
+}
+
+IN_DEGREES(to_degrees_float, (double)((float)s->dir *(360 / 4294967296.0f)))
+IN_DEGREES(to_degrees_engine, trig_to_degrees(s->dir))
+IN_DEGREES(to_degrees_lfm, degrees_lfm_of(s->rad))
+
+static const struct rival TO_DEGREES[] = {
+    ROW(CHEAPER, false, to_degrees_float, "float32", "8 bits of 32", "pictures that turn"),
+    ROW(ENGINE, false, to_degrees_engine, "trig_to_degrees", "nothing", "every scene; all 2³² come back (section 7)"),
+    ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "nobody"),
+};
+ROWS(rivals_to_degrees, TO_DEGREES);
 
 /* ---- tables ---- */
 

@@ -11,9 +11,12 @@
 struct sample {
     fx a, b, t;
     ang dir;
-    int32_t rad;    /* dir as radians in Q15.16, -pi to pi */
-    double radians; /* dir likewise */
+    int32_t rad; /* dir as radians in Q15.16, -pi to pi */
     double deg;
+    union {
+        double radians; /* dir likewise */
+        double other;   /* division: 65536 / b; difference: degrees of the other angle */
+    };
 };
 
 /* An oracle is too slow to stand in a plot with the others. */
@@ -22,9 +25,9 @@ enum rival_kind { CHEAPER, ENGINE, DEARER, LIBRARY, ORACLE };
 struct rival {
     enum rival_kind kind;
     bool host; /* its results are the C library's, so its errors depend on the machine */
-    const char *name;
+    const char *name, *trade;
     void (*run)(void *data);                           /* LAB_VALUES samples, for lab_time */
-    void (*at)(const struct sample *s, int64_t out[]); /* one sample, in the last bits of the engine's result */
+    void (*at)(const struct sample *s, int64_t out[]); /* one, in the engine's last bits; NULL: another question */
     const char *who;
 };
 
@@ -34,9 +37,9 @@ struct rivals {
 };
 
 /* Arguments: a, b; sqrt and rsqrt a; sin, cos and polar dir, polar's speed a; atan2, hypot and normalise x = a, y = b;
- * lerp a, b, t; degrees deg. polar and normalise have two results. */
+ * lerp a, b, t; degrees deg; difference from dir to a, as degrees from deg to other; to_degrees dir. polar and normalise have two results. */
 extern const struct rivals rivals_mul, rivals_div, rivals_sqrt, rivals_rsqrt, rivals_hypot, rivals_sin, rivals_cos,
-    rivals_atan2, rivals_polar, rivals_normalise, rivals_lerp, rivals_degrees;
+    rivals_atan2, rivals_polar, rivals_normalise, rivals_lerp, rivals_degrees, rivals_difference, rivals_to_degrees;
 
 /* Fills the tables of those that look things up. */
 void rivals_begin(void);

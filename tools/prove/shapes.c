@@ -3,7 +3,6 @@
  *
  *     shapes [--sample] [--only SHAPE] [--threads N]     30 million cases a shape; --sample: 100,000
  *     shapes --shortcuts                                 what a cheaper circle test gets wrong
- *     shapes --cost                                      ns a call
  *
  * Cases come from fixed seeds, a chunk a seed, so that neither the number of threads nor the order of chunks shows. A
  * third of a chunk is near contact: of a case and a neighbour with the other answer, which differ in one argument, that
@@ -15,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "../../src/base/geom.h"
 #include "shapes_oracle.h"
@@ -652,104 +650,9 @@ static bool shortcuts(int64_t runs)
     return shown;
 }
 
-/* ---- cost ---- */
-
-enum { SCENE = 65536, ROUNDS = 41 };
-
-/* Bullets seen from a player; more than a branch predictor learns. */
-struct scene {
-    fx x[SCENE], y[SCENE], vx[SCENE], vy[SCENE], r[SCENE], hw[SCENE], hh[SCENE];
-};
-
-static void set_scene(struct scene *s, bool near)
-{
-    struct dice d = { near };
-    int64_t c[2] = { near ? 8 : 192, near ? 8 : 224 };
-
-    for (int i = 0; i < SCENE; i++) {
-        s->x[i] = (fx)between(&d, -c[0] * PIXEL, c[0] * PIXEL);
-        s->y[i] = (fx)between(&d, -c[1] * PIXEL, c[1] * PIXEL);
-        s->vx[i] = (fx)between(&d, -4 * PIXEL, 4 * PIXEL);
-        s->vy[i] = (fx)between(&d, -4 * PIXEL, 4 * PIXEL);
-        s->r[i] = (fx)between(&d, PIXEL, 8 * PIXEL);
-        s->hw[i] = (fx)between(&d, PIXEL, 8 * PIXEL);
-        s->hh[i] = (fx)between(&d, PIXEL, 8 * PIXEL);
-    }
-}
-
-#define LOOP(name, test)                                                                                               \
-    static uint32_t name(const struct scene *s)                                                                        \
-    {                                                                                                                  \
-        const fx px = 4321, py = -1234, pr = 2 * 65536;                                                                \
-        uint32_t hits = 0;                                                                                             \
-        for (int i = 0; i < SCENE; i++)                                                                                \
-            hits += test;                                                                                              \
-        return hits;                                                                                                   \
-    }
-#define START_X ((int64_t)s->x[i] - px - s->vx[i])
-#define START_Y ((int64_t)s->y[i] - py - s->vy[i])
-LOOP(cost_circles, geom_circles(s->x[i], s->y[i], px, py, s->r[i] + pr))
-LOOP(cost_boxes, geom_boxes(s->x[i], s->y[i], s->hw[i], s->hh[i], px, py, pr, pr))
-LOOP(cost_circle_box, geom_circle_box(px, py, pr, s->x[i], s->y[i], s->hw[i], s->hh[i]))
-LOOP(cost_swept_circles, geom_swept_circles(START_X, START_Y, s->vx[i], s->vy[i], (int64_t)s->r[i] + pr))
-LOOP(cost_capsule,
-     geom_capsule_circle(s->x[i], s->y[i], s->x[i] + 16 * s->vx[i], s->y[i] + 16 * s->vy[i], s->r[i], px, py, pr))
-LOOP(cost_swept_circle_box, geom_swept_circle_box(START_X, START_Y, s->vx[i], s->vy[i], pr, s->hw[i], s->hh[i]))
-LOOP(cost_swept_boxes,
-     geom_swept_boxes(START_X, START_Y, s->vx[i], s->vy[i], (int64_t)s->hw[i] + pr, (int64_t)s->hh[i] + pr))
-
-static uint32_t (*const COSTS[SHAPE_COUNT])(const struct scene *) = {
-    cost_circles,          cost_boxes,       cost_circle_box, cost_swept_circles, cost_capsule,
-    cost_swept_circle_box, cost_swept_boxes,
-};
-
-static double seconds(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
-/* Rounds alternate between the shapes, so that a busy machine slows all of them alike. */
-static void cost_table(const char *title, bool near)
-{
-    static struct scene scene;
-    static double ns[SHAPE_COUNT][ROUNDS];
-    uint32_t hits[SHAPE_COUNT];
-
-    set_scene(&scene, near);
-    for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i < SHAPE_COUNT; i++) {
-            double from = seconds();
-
-            hits[i] = COSTS[i](&scene);
-            ns[i][round] = (seconds() - from) * 1e9 / SCENE;
-        }
-    printf("\n%-16s %8s %8s %8s %8s %8s\n", title, "ns", "25 %", "75 %", "ratio", "hits %");
-    for (int i = 0; i < SHAPE_COUNT; i++) {
-        qsort(ns[i], ROUNDS, sizeof **ns, by_value);
-        printf("%-16s %8.2f %8.2f %8.2f %8.2f %8.1f\n", SHAPES[i].name, ns[i][ROUNDS / 2], ns[i][ROUNDS / 4],
-               ns[i][3 * ROUNDS / 4], ns[i][ROUNDS / 2] / ns[0][ROUNDS / 2], percent(hits[i], SCENE));
-    }
-}
-
-static void cost(void)
-{
-    cost_table("sparse field", false);
-    cost_table("all near", true);
-}
-
 static int usage(void)
 {
-    fprintf(stderr, "shapes [--sample] [--only SHAPE] [--threads N] | --shortcuts | --cost\n");
+    fprintf(stderr, "shapes [--sample] [--only SHAPE] [--threads N] | --shortcuts\n");
     return 2;
 }
 
@@ -766,8 +669,6 @@ int main(int argc, char **argv)
             only = argv[++i];
         else if (strcmp(argv[i], "--threads") == 0 && i + 1 < argc)
             threads = atoi(argv[++i]);
-        else if (strcmp(argv[i], "--cost") == 0 && argc == 2)
-            return cost(), 0;
         else if (strcmp(argv[i], "--shortcuts") == 0 && argc == 2)
             return !shortcuts(1000000);
         else
