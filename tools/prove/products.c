@@ -19,7 +19,7 @@ static inline void check_ratio(struct tally *t, i128 num, u128 den, int64_t r, i
     bool beyond = (r == FX_MAX && over >= 0) || (r == FX_MIN && over <= 0);
 
     if (twice < den || (twice == den && (r % 2 == 0 || beyond)))
-        tally_right(t, over == 0 ? 0.5 : (double)(int64_t)((den - twice) >> 1) / (double)(int64_t)den, a, b);
+        tally_right(t, over == 0 ? 0.5 : (double)(int64_t)(den - twice) / (double)(int64_t)den / 2, a, b);
     else if (beyond)
         tally_right(t, 0.5, a, b);
     else
