@@ -383,12 +383,15 @@ static bool above_middle(int32_t r, fx x, uint64_t square)
 /* x / sqrt(square), given 2^16 / sqrt(square) to 50 bits: 2^-30 of a unit in the product. */
 static fx unit_part(fx x, uint64_t square, double scale)
 {
-    double guess = fabs((double)x) * scale;
-    int32_t r = (int32_t)guess;
-    double rest = guess - r;
+    double guess = x * scale;
+    int64_t r = fx_nearest(guess);
 
-    r += fabs(rest - 0.5) < 5e-7 ? above_middle(r, x, square) : rest > 0.5;
-    return (fx)negate_if(x < 0, r);
+    if (!FX_USUAL(fabs(guess - (double)r) < 0.4999995)) {
+        int32_t low = (int32_t)fabs(guess);
+
+        return (fx)negate_if(x < 0, low + above_middle(low, x, square));
+    }
+    return (fx)r;
 }
 
 void trig_normalise(fx x, fx y, fx *ux, fx *uy)
