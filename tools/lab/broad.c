@@ -635,7 +635,7 @@ static void print_shots(void)
     }
     lab_claim(lab_exact() || most < 1, "a grid for shots and enemies is faster at every size");
     lab_text(
-        "The grid is faster at every size, by %s to %s times; the reject beats testing every pair from about %s on. "
+        "The grid is faster at every size, by %s to %s times; the reject beats testing every pair from %s on. "
         "But a game has 10 to 100 shots and up to 30 enemies on the screen. The engine has no grid, because at "
         "256 × 64 it would save %s µs of %s, and it would be one more structure to build every frame. The engine also "
         "looks up kinds and shapes, which the rivals here need not, so the grid looks better than it would be.",

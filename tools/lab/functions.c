@@ -67,10 +67,19 @@ static void draw_mul(struct rng *r, struct sample *s)
     s->b = within(r, rng_below(r, 2) ? 1 : 16);
 }
 
+/* 1/16 to 64 px. */
+static fx medium(struct rng *r)
+{
+    fx high = any_size(r, 10) << 12;
+
+    return high | (fx)rng_below(r, 4096);
+}
+
 static void draw_div(struct rng *r, struct sample *s)
 {
     s->a = within(r, 512);
-    s->b = (any_size(r, 10) << 12 | (fx)rng_below(r, 4096)) * (rng_below(r, 2) ? 1 : -1); /* 1/16 to 64 px */
+    s->b = medium(r);
+    s->b *= rng_below(r, 2) ? 1 : -1;
     s->other = 65536.0 / s->b;
 }
 
@@ -98,7 +107,7 @@ static void draw_angle(struct rng *r, struct sample *s)
 static void draw_polar(struct rng *r, struct sample *s)
 {
     draw_angle(r, s);
-    s->a = any_size(r, 10) << 12 | (fx)rng_below(r, 4096);
+    s->a = medium(r);
 }
 
 static void set_difference(struct sample *s, ang from, ang to)

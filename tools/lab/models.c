@@ -59,10 +59,12 @@ static struct board *close_crowd(const struct choice *c, int n)
     b->bullet_kinds.flags[kind] = c->flags;
     engine_player(b, PX(2), PX(160), PX(120), PX(1), 0);
     b->player_kinds.graze[0] = PX(16);
-    for (int i = 0; i < n; i++)
-        engine_bullet(&b->bullets, kind, PX(160) + (fx)rng_below(&r, 48 * FX_ONE) - PX(24),
-                      PX(120) + (fx)rng_below(&r, 48 * FX_ONE) - PX(24), (fx)rng_below(&r, 6 * FX_ONE) - PX(3),
-                      (fx)rng_below(&r, 6 * FX_ONE) - PX(3));
+    for (int i = 0; i < n; i++) {
+        fx v[4];
+        for (int k = 0; k < 4; k++)
+            v[k] = (fx)rng_below(&r, (k < 2 ? 48 : 6) * FX_ONE) - PX(k < 2 ? 24 : 3);
+        engine_bullet(&b->bullets, kind, PX(160) + v[0], PX(120) + v[1], v[2], v[3]);
+    }
     return b;
 }
 

@@ -313,7 +313,7 @@ static struct leader leader_to(double px, double py, struct area a)
     double ex = px < a.x0 ? a.x0 - 2 : px > a.x1 ? a.x1 + 2 : px, ey = py < a.y0 ? a.y0 : py > a.y1 ? a.y1 : py;
     double far = sqrt((ex - px) * (ex - px) + (ey - py) * (ey - py));
 
-    return (struct leader){ px, py, ex, ey, far > 20 ? (int)(far / 3) : 0 };
+    return (struct leader){ px, py, ex, ey, far > 13 ? (int)(far / 3) : 0 };
 }
 
 static struct area leader_step(const struct leader *l, int i)
@@ -429,17 +429,24 @@ static int next_of_front(double y)
     return best;
 }
 
-/* A line in steps through the points that nothing beats in both. */
+/* A line in steps through the points that nothing beats in both; names keep off it. */
 static void draw_front(void)
 {
-    int i = next_of_front(HUGE_VAL);
+    int i = next_of_front(HUGE_VAL), next = next_of_front(plot.y[i]);
 
+    if (next < 0)
+        return;
     text(RIGHT_POINTS, TOP - 11, "end", 12, "#8f6b1f", false, "the line joins what nothing beats in both");
-    fprintf(plot.f, "<path fill=\"none\" stroke=\"#c9a04a\" stroke-width=\"1.2\" d=\"M%.1f,%d",
-            place(&plot.ax, plot.x[i]), TOP);
-    for (; i >= 0; i = next_of_front(plot.y[i]))
-        fprintf(plot.f, "H%.1fV%.1f", place(&plot.ax, plot.x[i]), place_y(plot.y[i]));
-    fprintf(plot.f, "H%d\"/>\n", RIGHT_POINTS);
+    fprintf(plot.f, "<path fill=\"none\" stroke=\"#c9a04a\" stroke-width=\"1.2\" d=\"M%.1f,%.1f",
+            place(&plot.ax, plot.x[i]), place_y(plot.y[i]));
+    for (; next >= 0; i = next, next = next_of_front(plot.y[i])) {
+        double x0 = place(&plot.ax, plot.x[i]), y0 = place_y(plot.y[i]);
+        double x1 = place(&plot.ax, plot.x[next]), y1 = place_y(plot.y[next]);
+        fprintf(plot.f, "H%.1fV%.1f", x1, y1);
+        take(x0, y0 - 1, x1, y0 + 1);
+        take(x1 - 1, y0, x1 + 1, y1);
+    }
+    fprintf(plot.f, "\"/>\n");
 }
 
 static void draw_line(int i)
