@@ -169,7 +169,7 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 
 /*
  * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
- * ray than 2^-89 of its length (make prove), so the 120 bits decide.
+ * ray than 2^-90 of its length (make prove), so the 120 bits decide.
  */
 static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
@@ -277,7 +277,7 @@ ang trig_atan2(fx y, fx x)
 
 /*
  * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
- * such product of m <= 2^31 is nearer to a half than 2^-65 (make prove); the series is off by 2^-89 of a unit at most.
+ * such product of m <= 2^31 is nearer to a half than 2^-66 (make prove); the series is off by 2^-89 of a unit at most.
  */
 static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
