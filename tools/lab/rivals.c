@@ -394,7 +394,7 @@ RIVAL(sin_lfmp, fix16_sin_parabola(s->rad))
 
 static const struct rival SIN[] = {
     ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "the look of an 8-bit machine; sparks"),
-    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06", "sway for show"),
+    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06 of 1", "sway for show"),
     ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves whose error need not be even"),
     ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: for them it is exact"),
     ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
