@@ -448,7 +448,7 @@ struct motion_world board_world(const struct board *b, bool shots)
     struct motion_world w = { &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock };
 
     if (shots) {
-        w.kinds = &b->shot_kinds;
+        w.kinds = NULL;
         w.targets = (struct targets){ &b->enemies.s, b->enemies.x, b->enemies.y, NULL };
     }
     return w;

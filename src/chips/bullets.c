@@ -260,7 +260,7 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
 {
     const struct steps *s = w->steps;
 
-    if (s->does[st] & DOES_KIND) {
+    if (s->does[st] & DOES_KIND && w->kinds) {
         b->kind[i] = s->kind[st];
         b->bank[i] = w->kinds->bank[s->kind[st]];
     }

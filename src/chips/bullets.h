@@ -81,7 +81,7 @@ struct targets {
 struct motion_world {
     const struct motions *motions;
     const struct steps *steps;
-    const struct bullet_kinds *kinds;
+    const struct bullet_kinds *kinds; /* those that steps name; NULL: a step's kind is passed over, as shots do */
     struct targets targets;
     uint32_t clock;
 };

@@ -139,12 +139,13 @@ static void inside(fx x, fx y, const char *what, uint32_t i)
 }
 
 /* What every frame must leave. */
-static void check_pool(const struct bullets *s, const char *what)
+static void check_pool(const struct bullets *s, const struct bullet_kinds *k, const char *what)
 {
     const fx most = (fx)MAX_SPEED << 16;
 
     EACH_LIVE (i, &s->s) {
         inside(s->x[i], s->y[i], what, i);
+        assert_true(s->kind[i] < k->s.live);
         assert_true(s->speed[i] <= most && s->speed[i] >= -most);
         assert_true(s->vx[i] <= most + 1 && s->vx[i] >= -most - 1 && s->vy[i] <= most + 1 && s->vy[i] >= -most - 1);
     }
@@ -194,8 +195,8 @@ static void test_scripts(void **state)
             rig_pads(&r, pads);
             if (board_tick(rig.b, pads)->fault)
                 fail_msg("seed %d, frame %d: %s", seed, f, rig_fault(&rig)->message);
-            check_pool(&rig.b->bullets, "bullet");
-            check_pool(&rig.b->shots, "shot");
+            check_pool(&rig.b->bullets, &rig.b->bullet_kinds, "bullet");
+            check_pool(&rig.b->shots, &rig.b->shot_kinds, "shot");
             check_hits();
         }
         rig_picture(&rig);
