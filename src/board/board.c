@@ -266,6 +266,18 @@ static void enemy_left(void *context, uint32_t i)
     board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
+void board_watch(struct board *b, board_lap *lap, void *context)
+{
+    b->hand->lap = lap;
+    b->hand->lap_context = context;
+}
+
+static void over(const struct board *b, enum board_phase phase)
+{
+    if (b->hand->lap)
+        b->hand->lap(b->hand->lap_context, phase);
+}
+
 /* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
 static int move_all(lua_State *L)
 {
@@ -280,6 +292,7 @@ static int move_all(lua_State *L)
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
     vm_charge(L, b->bullets.ran + b->shots.ran);
+    over(b, PHASE_MOTION);
     hit_run(b);
     return 0;
 }
@@ -301,9 +314,12 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
         enemies_count(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);
+    over(b, PHASE_SCRIPTS);
     if (!b->core.frozen)
         fine = fine && vm_call(b, move_all);
+    over(b, PHASE_HITS);
     fine = fine && vm_call(b, events_run);
+    over(b, PHASE_EVENTS);
     if (fine) {
         if (!b->core.frozen)
             pal_step(&b->pal);
@@ -314,6 +330,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
         else
             vm_call(b, vm_collect);
     }
+    over(b, PHASE_REST);
     h->out.log_size = h->log_size;
     return &h->out;
 }

@@ -116,6 +116,20 @@ void board_count(struct board *b, bool on);
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
+/* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
+ * called when each phase is over, in this order (while the game is frozen, motion is left out). It must not touch the
+ * board. NULL: nobody asks, as after power-on and after a restore. */
+enum board_phase {
+    PHASE_SCRIPTS, /* input, and the tasks' turns */
+    PHASE_MOTION,  /* everything moves; what left the keep box is gone */
+    PHASE_HITS,    /* all collisions */
+    PHASE_EVENTS,  /* what they led to, and the scripts' handlers */
+    PHASE_REST,    /* palette, the Lua collector */
+    PHASES
+};
+typedef void board_lap(void *context, enum board_phase over);
+void board_watch(struct board *b, board_lap *lap, void *context);
+
 /* Work counters for benches: what the last frame moved, tested, hit and grazed. Derived, never hashed. */
 struct board_counts {
     uint64_t moved, tested, hit, grazed;

@@ -50,6 +50,8 @@ struct hand {
     char log[4096];
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
     bool deep;               /* it was in many nested calls */
+    board_lap *lap;          /* of board_watch; may be NULL */
+    void *lap_context;
 };
 
 struct board {
