@@ -284,11 +284,13 @@ static int move_all(lua_State *L)
     struct board *b = vm_board(L);
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
+    struct watch watch[PADS];
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
     enemies_move(&b->enemies, &b->keep, enemy_left, b);
-    bullets_move(&b->shots, &ws, &b->keep);
-    bullets_move(&b->bullets, &w, &b->keep);
+    bullets_move(&b->shots, &ws, &b->keep, NULL);
+    hit_watch(b, watch);
+    bullets_move(&b->bullets, &w, &b->keep, watch);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
     vm_charge(L, b->bullets.ran + b->shots.ran);

@@ -4,9 +4,10 @@
  * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
  * exact shape test (geom.h) looks at that whole way. A kind with swept = false is tested where it stands.
  *
- * Before the test of bullets stands a reject in 32-bit modular arithmetic over blocks of 64: (u32)(x - (px - reach)) > 2
- * * reach never drops a bullet that is near for reach <= 2^30, because such a distance cannot wrap. `reach` covers the
- * largest radius, the graze ring, and both movements.
+ * Of bullets only those are tested that the move found near a player (`near` in bullets.h). `reach` covers the largest
+ * radius, the graze ring and the player's movement. Enemies are sieved for a shot in 32-bit modular arithmetic over
+ * blocks of 64: (u32)(x - (px - reach)) > 2 * reach never drops a near one for reach <= 2^30, because such a distance
+ * cannot wrap.
  */
 #include "hit.h"
 #include <string.h>
@@ -65,69 +66,54 @@ static fx size(fx v)
     return v < 0 ? -v : v;
 }
 
-/* The largest half extent and the fastest bullet bound how far from the player a bullet can matter. */
-static fx reach_of(const struct board *b, const struct body *c, fx graze)
+/* How far from the player the end of a bullet's way can be that touches it, but for the bullet's own movement. */
+static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
     fx most = 0;
 
     for (uint32_t i = 0; i < k->s.live; i++)
         most = larger(most, k->shape[i] == SHAPE_BOX ? larger(k->a[i], k->b[i]) : k->a[i]);
-    return fx_add(fx_add(most, larger(c->a, graze)), larger(size(c->mx), size(c->my)));
+    return (int64_t)most + larger(c->a, graze) + larger(size(c->mx), size(c->my));
 }
 
-/* near[i] is 1 where bullet i's way of this frame may come within reach of (px, py). */
-static int32_t near_block(const fx *restrict x, const fx *restrict y, const fx *restrict vx, const fx *restrict vy,
-                          uint8_t *restrict near, fx px, fx py, fx reach)
+/* May the bullet's way of this frame come within reach of the player, on both axes? */
+static bool within(const struct body *bullet, const struct body *c, int64_t reach)
 {
-    int32_t any = 0;
-    const uint32_t left = (uint32_t)px - (uint32_t)reach, top = (uint32_t)py - (uint32_t)reach;
-    const uint32_t wide = 2u * (uint32_t)reach;
+    int64_t dx = (int64_t)bullet->x - c->x, dy = (int64_t)bullet->y - c->y;
 
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        uint32_t ax = (uint32_t)(vx[i] < 0 ? -vx[i] : vx[i]), ay = (uint32_t)(vy[i] < 0 ? -vy[i] : vy[i]);
-        uint32_t dx = (uint32_t)x[i] - left + ax, dy = (uint32_t)y[i] - top + ay;
-        int32_t n = (dx <= wide + 2 * ax) & (dy <= wide + 2 * ay);
-        near[i] = (uint8_t)n;
-        any |= n;
-    }
-    return any;
+    return (dx < 0 ? -dx : dx) <= reach + size(bullet->mx) && (dy < 0 ? -dy : dy) <= reach + size(bullet->my);
 }
 
-static void bullet_against(struct board *b, uint32_t p, const struct body *c, const struct body *ring, uint32_t i)
+static void bullet_against(struct board *b, uint32_t p, const struct body *c, const struct body *ring, int64_t reach,
+                           uint32_t i)
 {
     struct body bullet = flying(&b->bullets, &b->bullet_kinds, i);
     uint8_t flags = b->bullet_kinds.flags[b->bullets.kind[i]];
-    int64_t who = board_handle(b, H_PLAYER, (int32_t)p);
 
+    if (!within(&bullet, c, reach))
+        return;
     b->counts.tested++;
     if (touch(&bullet, c, flags & KIND_SWEPT)) {
         b->counts.hit++;
-        board_event(b, EV_HIT, who, board_handle(b, H_BULLET, (int32_t)i));
+        board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_BULLET, (int32_t)i));
     } else if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
                touch(&bullet, ring, flags & KIND_SWEPT)) {
         b->counts.grazed++;
-        board_event(b, EV_GRAZE, who, board_handle(b, H_BULLET, (int32_t)i));
+        board_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_BULLET, (int32_t)i));
     }
 }
 
 static void bullets_against(struct board *b, uint32_t p, const struct body *c, fx graze)
 {
     const struct bullets *s = &b->bullets;
+    int64_t reach = reach_of(b, c, graze);
     struct body ring = *c;
-    fx reach = reach_of(b, c, graze);
-    uint8_t near[SLOTS_BLOCK];
 
     ring.a = graze;
-    for (uint32_t i = 0; i < s->s.top; i += SLOTS_BLOCK) {
-        if (reach > MOST_REACH)
-            memset(near, 1, sizeof near);
-        else if (!near_block(s->x + i, s->y + i, s->vx + i, s->vy + i, near, c->x, c->y, reach))
-            continue;
-        for (uint32_t k = 0; k < SLOTS_BLOCK; k++)
-            if (near[k] && s->s.used[i / 64] >> k & 1)
-                bullet_against(b, p, c, &ring, i + k);
-    }
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        for (uint64_t m = s->near[block * PADS + p] & s->s.used[block]; m; m &= m - 1)
+            bullet_against(b, p, c, &ring, reach, block * SLOTS_BLOCK + lowest_bit(m));
 }
 
 static void enemies_against(struct board *b, uint32_t p, const struct body *c)
@@ -218,20 +204,34 @@ static void shots_against_enemies(struct board *b)
     }
 }
 
-void hit_run(struct board *b)
+static struct body pilot(const struct board *b, uint32_t p)
 {
-    for (uint32_t p = 0; p < PADS; p++) {
-        const struct player *pl = &b->player;
-        uint16_t kind = pl->kind[p];
-        if (!pl->in[p])
-            continue;
-        struct body c = { .shape = SHAPE_CIRCLE,
-                          .a = b->player_kinds.radius[kind],
+    const struct player *pl = &b->player;
+
+    return (struct body){ .shape = SHAPE_CIRCLE,
+                          .a = b->player_kinds.radius[pl->kind[p]],
                           .x = pl->x[p],
                           .y = pl->y[p],
                           .mx = pl->x[p] - pl->was_x[p],
                           .my = pl->y[p] - pl->was_y[p] };
-        bullets_against(b, p, &c, b->player_kinds.graze[kind]);
+}
+
+void hit_watch(const struct board *b, struct watch watch[PADS])
+{
+    for (uint32_t p = 0; p < PADS; p++) {
+        struct body c = pilot(b, p);
+        fx graze = b->player_kinds.graze[b->player.kind[p]];
+        watch[p] = (struct watch){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1 };
+    }
+}
+
+void hit_run(struct board *b)
+{
+    for (uint32_t p = 0; p < PADS; p++) {
+        struct body c = pilot(b, p);
+        if (!b->player.in[p])
+            continue;
+        bullets_against(b, p, &c, b->player_kinds.graze[b->player.kind[p]]);
         enemies_against(b, p, &c);
     }
     shots_against_enemies(b);

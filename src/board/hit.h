@@ -10,6 +10,9 @@
 
 #include "machine.h"
 
+/* What bullets_move must find for hit_run: the bullets near each player, who has moved already. */
+void hit_watch(const struct board *b, struct watch watch[PADS]);
+
 void hit_run(struct board *b);
 
 #endif

@@ -1,7 +1,12 @@
 /*
- * bullets.c - see bullets.h. The move runs over blocks of 64 with restrict parameters and a constant trip count, the
- * form that gcc and clang vectorise at -O2 without flags; only blocks where something left the keep box are looked at
- * twice.
+ * bullets.c - see bullets.h.
+ *
+ * One pass over the blocks of 64 runs programs, moves, and asks of each bullet two questions at once: is it outside the
+ * keep box, is it near a player? Its loops have restrict parameters and a constant trip count, the form that gcc and
+ * clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
+ *
+ * A range is asked about in one subtraction and one signed comparison: lo <= v <= lo + size, of which size < 2^32, is
+ * (uint32_t)(v - lo) <= size, and a comparison of unsigned numbers is one of signed numbers when 2^31 is added to both.
  */
 #include "bullets.h"
 #include <string.h>
@@ -36,6 +41,11 @@ static const struct column columns[] = {
     COLUMN(bullets, x_more),
     COLUMN(bullets, y_more),
     COLUMNS(bullets, rounds, MOTION_DEPTH),
+    DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
+    DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
+    DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
+    DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
+    DERIVED_REGISTER(bullets, fastest, "a bound that decides only who is looked at more closely"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
 };
@@ -46,12 +56,37 @@ const struct chip shots_chip = { "shots", columns, COUNT(columns), false, false 
 const struct chip bullet_kinds_chip = { "bullet_kinds", kind_columns, COUNT(kind_columns), true, false };
 const struct chip shot_kinds_chip = { "shot_kinds", kind_columns, COUNT(kind_columns), true, false };
 
+/* The bit of slot i in its block's word. */
+static uint64_t bit(uint32_t i)
+{
+    return 1ull << (i % SLOTS_BLOCK);
+}
+
+/* Whether the program of bullet i is looked at each frame, at the clock `end`, or not at all. */
+static void rest(struct bullets *b, uint32_t i, bool busy, bool idle)
+{
+    uint32_t block = i / SLOTS_BLOCK;
+
+    b->busy[block] = busy ? b->busy[block] | bit(i) : b->busy[block] & ~bit(i);
+    b->idle[block] = idle ? b->idle[block] | bit(i) : b->idle[block] & ~bit(i);
+}
+
+/* Inside every keep box, so that a block with dead slots is not looked at for them. */
 static void park(struct bullets *b, uint32_t i)
 {
-    b->x[i] = b->y[i] = PARK;
+    b->x[i] = b->y[i] = 0;
     b->vx[i] = b->vy[i] = 0;
     b->motion[i] = 0;
     b->flags[i] = 0;
+    rest(b, i, false, false);
+}
+
+/* The block from slot `first` on comes into use. */
+static void open_block(struct bullets *b, uint32_t first)
+{
+    b->busy[first / SLOTS_BLOCK] = b->idle[first / SLOTS_BLOCK] = 0;
+    for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)
+        park(b, i);
 }
 
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
@@ -61,8 +96,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
 
     if (i == NO_SLOT)
         return i;
-    for (uint32_t k = top; k < b->s.top; k++)
-        park(b, k);
+    if (top < b->s.top)
+        open_block(b, top);
     b->x[i] = shape->x;
     b->y[i] = shape->y;
     b->dir[i] = shape->dir;
@@ -88,10 +123,24 @@ void bullets_drop(struct bullets *b, uint32_t i)
     park(b, i);
 }
 
+static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
+{
+    fx ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, a = ax > ay ? ax : ay;
+
+    b->vx[i] = vx;
+    b->vy[i] = vy;
+    if (a > b->fastest)
+        b->fastest = a;
+}
+
 void bullets_steer(struct bullets *b, uint32_t i)
 {
-    if (!(b->flags[i] & BULLET_FINE)) /* those, `fly` steers */
-        trig_polar(b->speed[i], b->dir[i], &b->vx[i], &b->vy[i]);
+    fx vx, vy;
+
+    if (b->flags[i] & BULLET_FINE) /* those, `fly` steers */
+        return;
+    trig_polar(b->speed[i], b->dir[i], &vx, &vy);
+    set_velocity(b, i, vx, vy);
 }
 
 static int64_t clamp_pace(int64_t v)
@@ -160,10 +209,8 @@ void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
     if (b->speed[i] > most) {
         b->speed[i] = most;
         bullets_steer(b, i);
-    } else {
-        b->vx[i] = x;
-        b->vy[i] = y;
-    }
+    } else
+        set_velocity(b, i, x, y);
 }
 
 void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
@@ -201,20 +248,33 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     b->end[i] = 0;
     b->from[i] = 0;
     b->mute[i] = 0;
+    rest(b, i, motion || fine, false);
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
+}
+
+/* Squared distance; positions are within the world: below 2^63. */
+static uint64_t apart(const struct targets *t, uint32_t i, fx x, fx y)
+{
+    int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
+
+    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
 int32_t targets_nearest(const struct targets *t, fx x, fx y)
 {
+    uint32_t end = t->s->used ? t->s->top : t->s->live;
     uint64_t best = UINT64_MAX;
     int32_t found = NO_SLOT;
-    uint32_t end = t->s->used ? t->s->top : t->s->live;
 
-    for (uint32_t i = slots_next(t->s, 0); i < end; i = slots_next(t->s, i + 1)) {
+    for (uint32_t i = 0; i < end; i++) {
+        if (t->s->used && !(t->s->used[i / SLOTS_BLOCK] & bit(i))) {
+            if (!t->s->used[i / SLOTS_BLOCK])
+                i |= SLOTS_BLOCK - 1;
+            continue;
+        }
         if (t->in && !t->in[i])
             continue;
-        int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
-        uint64_t d = (uint64_t)(dx * dx) + (uint64_t)(dy * dy); /* positions are within the world: below 2^63 */
+        uint64_t d = apart(t, i, x, y);
         if (d < best) {
             best = d;
             found = (int32_t)i;
@@ -301,15 +361,13 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
 static void fly(struct bullets *b, uint32_t i)
 {
     int64_t x, y, dx, dy, to = b->way[i] + b->pace[i];
-
     fx nx, ny;
 
     trig_stride(b->way[i], to, b->dir[i], &dx, &dy);
     bullets_place(b, i, &x, &y);
     nx = split(x + dx, &b->x_more[i]);
     ny = split(y + dy, &b->y_more[i]);
-    b->vx[i] = nx - b->x[i];
-    b->vy[i] = ny - b->y[i];
+    set_velocity(b, i, nx - b->x[i], ny - b->y[i]);
     b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
 }
 
@@ -326,6 +384,8 @@ static void loop_step(struct bullets *b, const struct steps *s, uint32_t i, uint
         b->pc[i]++;
 }
 
+enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+
 /* Runs bullet i's program for this frame. */
 static void run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
@@ -337,7 +397,6 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
         bool begun = b->mute[i] & STEP_BEGUN;
 
         b->ran++;
-
         if (s->does[st] & (DOES_LOOP | DOES_NEXT)) {
             loop_step(b, s, i, st);
             continue;
@@ -353,7 +412,12 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
         }
         if (n && b->end[i] != w->clock) {
             b->mute[i] |= STEP_BEGUN;
-            drive(b, w, i, st, n - (b->end[i] - w->clock) + 1, n);
+            if (s->does[st] & DOES_DRIVE)
+                drive(b, w, i, st, n - (b->end[i] - w->clock) + 1, n);
+            else if (!(b->flags[i] & BULLET_FINE)) {
+                b->due[i] = (uint8_t)b->end[i];
+                rest(b, i, false, true);
+            }
             return;
         }
         if (!n)
@@ -361,46 +425,13 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
         b->mute[i] = 0;
         b->pc[i]++;
     }
-    if (!(b->flags[i] & BULLET_FINE))
+    if (!(b->flags[i] & BULLET_FINE)) {
         b->motion[i] = 0;
-}
-
-static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t first)
-{
-    uint16_t any = 0;
-
-    for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)
-        any |= b->motion[i];
-    if (!any)
-        return;
-    for (uint64_t m = b->s.used[first / 64]; m; m &= m - 1) {
-        uint32_t i = first + lowest_bit(m);
-        if (b->motion[i])
-            run_program(b, w, i);
-        if (b->flags[i] & BULLET_FINE)
-            fly(b, i);
+        rest(b, i, false, false);
     }
 }
 
-/* Moves one block; out[k] is 1 for those outside keep. Returns non-zero when there is any. */
-static int32_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
-                          uint8_t *restrict out, const struct box *keep)
-{
-    const struct box k = *keep;
-    int32_t any = 0;
-
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t nx = x[i] + vx[i], ny = y[i] + vy[i];
-        int32_t far = (nx < k.x0) | (nx > k.x1) | (ny < k.y0) | (ny > k.y1);
-        x[i] = nx;
-        y[i] = ny;
-        out[i] = (uint8_t)far;
-        any |= far;
-    }
-    return any;
-}
-
-/* A bit for each byte of out that is 1. */
+/* A bit for each byte of out, of which each is 0 or 1. */
 static uint64_t gather(const uint8_t *out)
 {
     uint64_t m = 0;
@@ -410,25 +441,211 @@ static uint64_t gather(const uint8_t *out)
     return m;
 }
 
-static uint32_t count_bits(uint64_t w)
+static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uint8_t now)
 {
-    w -= w >> 1 & 0x5555555555555555u;
-    w = (w & 0x3333333333333333u) + (w >> 2 & 0x3333333333333333u);
-    return (uint32_t)(((w + (w >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
+    uint8_t any = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        uint8_t is = due[i] == now;
+        out[i] = is;
+        any |= is;
+    }
+    return any;
 }
 
-void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep)
+/* Those of a block whose waiting is over. */
+static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];
+    uint64_t found = 0;
 
+    if (!due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
+        return 0;
+    for (uint64_t m = gather(out) & b->idle[block]; m; m &= m - 1)
+        if (b->end[block * SLOTS_BLOCK + lowest_bit(m)] == clock)
+            found |= m & -m;
+    return found;
+}
+
+static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block)
+{
+    uint64_t now = b->idle[block] ? awake(b, block, w->clock) : 0;
+
+    b->busy[block] |= now;
+    b->idle[block] &= ~now;
+    for (uint64_t m = b->busy[block]; m; m &= m - 1) {
+        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
+        if (b->motion[i])
+            run_program(b, w, i);
+        if (b->flags[i] & BULLET_FINE)
+            fly(b, i);
+    }
+}
+
+/* A range of places a comparison on each axis away; see the top of the file. */
+struct range {
+    uint32_t x, y;
+    int32_t w, h;
+};
+
+enum { SIGN = -0x7fffffff - 1 };
+
+static struct range range_of(int64_t x, int64_t y, uint32_t w, uint32_t h)
+{
+    return (struct range){ (uint32_t)x ^ (uint32_t)SIGN, (uint32_t)y ^ (uint32_t)SIGN, (int32_t)(w ^ (uint32_t)SIGN),
+                           (int32_t)(h ^ (uint32_t)SIGN) };
+}
+
+static struct range keep_range(const struct box *k)
+{
+    return range_of(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
+}
+
+/* Whoever ends its move in it may be near. */
+static struct range watch_range(const struct watch *w, fx fastest)
+{
+    int64_t reach = w->reach + fastest;
+
+    if (w->reach < 0) /* one place, where nobody is */
+        return range_of(FX_MIN, FX_MIN, 0, 0);
+    if (reach > FX_MAX) /* 2 * reach would wrap */
+        return range_of(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
+    return range_of(w->x - reach, w->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
+}
+
+#define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
+
+/* Moves one block; out[k] is 1 for those outside keep or inside near. Returns 0: there is none, else out is set; 2 or
+ * more: some are outside keep. */
+static int32_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
+                          uint8_t *restrict out, const struct range *keep, const struct range *near)
+{
+    const struct range k = *keep, n = *near;
+    int32_t special[SLOTS_BLOCK], any = 0, lost = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        int32_t nx = x[i] + vx[i], ny = y[i] + vy[i];
+        int32_t far = OUTSIDE(nx, k.x, k.w) | OUTSIDE(ny, k.y, k.h);
+        int32_t away = OUTSIDE(nx, n.x, n.w) | OUTSIDE(ny, n.y, n.h);
+        x[i] = nx;
+        y[i] = ny;
+        special[i] = far | ~away;
+        any |= special[i];
+        lost |= far;
+    }
+    if (any)
+        for (int i = 0; i < SLOTS_BLOCK; i++)
+            out[i] = (uint8_t)(special[i] & 1);
+    return (any & 1) | (lost & 2);
+}
+
+static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out, const struct range *near)
+{
+    const struct range n = *near;
+    int32_t any = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        int32_t is = ~(OUTSIDE(x[i], n.x, n.w) | OUTSIDE(y[i], n.y, n.h)) & 1;
+        out[i] = (uint8_t)is;
+        any |= is;
+    }
+    return any;
+}
+
+static void watch_block(struct bullets *b, const struct watch *w, uint32_t block, uint32_t p)
+{
+    uint32_t first = block * SLOTS_BLOCK;
+    uint8_t out[SLOTS_BLOCK];
+    struct range r = watch_range(w, b->fastest);
+    bool some = w->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
+
+    b->near[block * PADS + p] = some ? gather(out) : 0;
+}
+
+void bullets_watch(struct bullets *b, const struct watch watch[PADS])
+{
+    for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++)
+        for (uint32_t p = 0; p < PADS; p++)
+            watch_block(b, &watch[p], block, p);
+}
+
+/* Of those that a moved block names: drops who is outside keep, and returns the others. */
+static uint64_t drop_lost(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep)
+{
+    uint64_t left = named;
+
+    for (uint64_t m = named & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
+        uint32_t i = first + lowest_bit(m);
+        fx x = b->x[i], y = b->y[i];
+        if (x < keep->x0 || x > keep->x1 || y < keep->y0 || y > keep->y1) {
+            bullets_drop(b, i);
+            b->moved++;
+            left &= ~(m & -m);
+        }
+    }
+    return left;
+}
+
+/* The bound on speeds follows slowly: it is found anew every FASTEST_AGE frames. */
+enum { FASTEST_AGE = 64 };
+
+static fx fastest_block(const fx *restrict vx, const fx *restrict vy)
+{
+    fx most = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
+        most = ax > most ? ax : most;
+        most = ay > most ? ay : most;
+    }
+    return most;
+}
+
+static fx fastest_of(const struct bullets *b)
+{
+    fx most = 0;
+
+    for (uint32_t i = 0; i < b->s.top; i += SLOTS_BLOCK) {
+        fx v = fastest_block(b->vx + i, b->vy + i);
+        most = v > most ? v : most;
+    }
+    return most;
+}
+
+void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
+                  const struct watch watch[PADS])
+{
+    static const struct watch nobody[PADS] = { { .reach = -1 }, { .reach = -1 } };
+    uint8_t out[SLOTS_BLOCK];
+    struct range kept = keep_range(keep), near;
+    fx fastest = -1;
+
+    if (!watch)
+        watch = nobody;
+    if (w->clock % FASTEST_AGE == 0)
+        b->fastest = fastest_of(b);
     b->moved = 0;
     b->ran = 0;
-    for (uint32_t i = 0; i < b->s.top; i += SLOTS_BLOCK) {
-        run_programs(b, w, i);
-        b->moved += count_bits(b->s.used[i / 64]);
-        if (move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, keep))
-            for (uint64_t m = gather(out) & b->s.used[i / 64]; m; m &= m - 1)
-                bullets_drop(b, i + lowest_bit(m));
+    for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
+        uint32_t i = block * SLOTS_BLOCK;
+        uint64_t named = 0;
+
+        if (b->busy[block] | b->idle[block])
+            run_programs(b, w, block);
+        if (b->fastest != fastest) { /* a program may have made one faster */
+            fastest = b->fastest;
+            near = watch_range(&watch[0], fastest);
+        }
+        int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
+        if (some) {
+            named = gather(out);
+            if (some & 2)
+                named = drop_lost(b, named, i, keep);
+        }
+        b->near[block * PADS] = watch[0].reach < 0 ? 0 : named;
+        for (uint32_t p = 1; p < PADS; p++)
+            watch_block(b, &watch[p], block, p);
     }
+    b->moved += b->s.live;
     slots_trim(&b->s);
 }

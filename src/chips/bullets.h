@@ -3,8 +3,8 @@
  * floor: chips    used by: board/
  *
  * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
- * program also runs it (motion.h). Dead slots below top are parked: far outside, standing still, so that loops need not
- * test them.
+ * program also runs it (motion.h); while it only waits, nobody looks at it. Dead slots below top are parked: standing
+ * still in the field's corner, so that loops need not test them.
  *
  * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more (x and y being the
  * nearest fx), of its speed in pace. Each frame it goes on by pace along dir, and vx, vy are what that comes to in whole
@@ -14,6 +14,7 @@
 #define CHIPS_BULLETS_H
 
 #include "../base/fx.h"
+#include "../base/pads.h"
 #include "../base/trig.h"
 #include "motion.h"
 #include "slots.h"
@@ -66,8 +67,22 @@ struct bullets {
     int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
+
+    /* Of each block of 64, a bit a slot. Bits of dead slots may be left over in `near`. */
+    uint64_t *busy; /* has a program to run this frame, or is fine */
+    uint64_t *idle; /* its program does nothing until the clock is `end` */
+    uint64_t *near; /* PADS words: may be near that player this frame */
+    uint8_t *due;   /* of an idle bullet: the low byte of `end` */
+    fx fastest;     /* no |vx| or |vy| is above it */
     uint32_t moved; /* bullets moved this frame */
     uint64_t ran;   /* motion steps run this frame */
+};
+
+/* A player whose neighbours a move is to find: bullets that end it within `reach` and their own speed of (x, y), on both
+ * axes. Negative: none. */
+struct watch {
+    fx x, y;
+    int64_t reach;
 };
 
 /* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */
@@ -103,8 +118,13 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
 /* Gone, without a trace. */
 void bullets_drop(struct bullets *b, uint32_t i);
 
-/* Runs the motion programs in slot order, moves every bullet, drops those outside keep. */
-void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep);
+/* Runs the motion programs in slot order, moves every bullet, drops those outside keep and sets `near`: of every live
+ * bullet that the watch asks for, and some others. watch NULL: nobody's. */
+void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
+                  const struct watch watch[PADS]);
+
+/* Sets `near` alone, from where the bullets are. */
+void bullets_watch(struct bullets *b, const struct watch watch[PADS]);
 
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);

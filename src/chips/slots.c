@@ -18,6 +18,12 @@ static uint64_t aligned(uint64_t n)
     return (n + ALIGN - 1) / ALIGN * ALIGN;
 }
 
+/* Values a column holds for so many slots, a multiple of SLOTS_BLOCK (a list has no blocks). */
+static uint64_t values(const struct column *c, uint64_t slots)
+{
+    return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
+}
+
 uint64_t slots_size(const struct chip *chip, uint32_t cap)
 {
     uint64_t room = blocks(cap), size = 0;
@@ -26,7 +32,7 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap)
         size = aligned(room / 8) + aligned(room * 4);
     for (int i = 0; i < chip->count; i++)
         if (!chip->columns[i].reg)
-            size += aligned(room * chip->columns[i].width * chip->columns[i].n);
+            size += aligned(values(&chip->columns[i], room) * chip->columns[i].width);
     return size;
 }
 
@@ -50,13 +56,12 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **n
     }
     for (int i = 0; i < chip->count; i++) {
         const struct column *c = &chip->columns[i];
-        uint64_t bytes = (uint64_t)c->width * c->n;
         void *at = (uint8_t *)self + c->at;
 
         if (c->reg)
-            memset(at, 0, bytes);
+            memset(at, 0, (size_t)c->width * c->n);
         else {
-            void *column = carve(next, room * bytes);
+            void *column = carve(next, values(c, room) * c->width);
             memcpy(at, &column, sizeof column);
         }
     }
@@ -209,7 +214,7 @@ static size_t walk(const struct chip *chip, const void *self, uint8_t *save, con
         else {
             const struct column *c = &chip->columns[i];
             memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
-            piece.n = (size_t)(chip->list ? s->live : s->top) * c->width * c->n;
+            piece.n = (size_t)values(c, chip->list ? s->live : s->top) * c->width;
         }
         if (save && piece.n)
             memcpy(save + at, piece.p, piece.n);

@@ -31,35 +31,41 @@ struct column {
     uint8_t width; /* bytes of one value: 1, 2, 4 or 8 */
     uint16_t n;    /* values a slot; a register's count of values */
     bool reg;      /* a register of the chip, not a column */
+    bool block;    /* n values a block of SLOTS_BLOCK slots, not a slot */
     enum column_kind kind;
     const char *why; /* of a derived column */
 };
 
 #define COLUMN(chip, name)                                                                                             \
     {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, COL_GAME, 0                    \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, false, COL_GAME, 0             \
     }
 #define COLUMNS(chip, name, n)                                                                                         \
     {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, COL_GAME, 0                    \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, false, COL_GAME, 0             \
     }
 #define DERIVED(chip, name, why)                                                                                       \
     {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, COL_DERIVED, why               \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, false, COL_DERIVED, why        \
+    }
+#define DERIVED_BLOCKS(chip, name, n, why)                                                                             \
+    {                                                                                                                  \
+#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, true, COL_DERIVED, why         \
     }
 #define REGISTER(chip, name)                                                                                           \
     {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, COL_GAME, 0                       \
+#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, false, COL_GAME, 0                \
     }
 #define REGISTERS(chip, name)                                                                                          \
     {                                                                                                                  \
 #name, offsetof(struct chip, name),                                                                            \
             sizeof((struct chip *)0)                                                                                   \
-                ->name[0], sizeof((struct chip *)0)->name / sizeof((struct chip *)0)->name[0], true, COL_GAME, 0       \
+                ->name[0],                                                                                             \
+                       sizeof((struct chip *)0)->name / sizeof((struct chip *)0)->name[0], true, false, COL_GAME, 0    \
     }
 #define DERIVED_REGISTER(chip, name, why)                                                                              \
     {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, COL_DERIVED, why                  \
+#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, false, COL_DERIVED, why           \
     }
 
 struct slots {

@@ -11,7 +11,7 @@ static fx px(double v)
 
 /* ---- slots ---- */
 
-static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, COL_GAME, NULL } };
+static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, false, COL_GAME, NULL } };
 static const struct chip thing_chip = { "things", thing_columns, 1, false, false };
 struct thing {
     struct slots s;
@@ -164,7 +164,7 @@ static void test_bullets(void **state)
         assert_int_equal(b->bullets.s.used[0] >> 2 & 1, at[i].in);
         if (at[i].in)
             bullets_drop(&b->bullets, 2);
-        assert_int_equal(b->bullets.x[2], PARK);
+        assert_int_equal(b->bullets.x[2], 0);
         assert_int_equal(b->bullets.vx[2] | b->bullets.vy[2], 0);
     }
     /* vx, vy and dir, speed; at speed 0 dir stays */

@@ -101,6 +101,7 @@ uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx v
 
     s->vx[i] = vx;
     s->vy[i] = vy;
+    s->fastest = (fx)MAX_SPEED << 16; /* a bound for every velocity */
     return i;
 }
 
@@ -123,13 +124,17 @@ void engine_move(struct board *b, const struct box *keep)
         .motions = &b->motions, .steps = &b->steps, .kinds = &b->bullet_kinds, .clock = b->core.clock
     };
 
-    bullets_move(&b->bullets, &w, keep);
+    bullets_move(&b->bullets, &w, keep, NULL);
     b->core.clock++;
 }
 
 uint32_t engine_hits(struct board *b)
 {
+    struct watch watch[PADS];
+
     b->events.n = 0;
+    hit_watch(b, watch);
+    bullets_watch(&b->bullets, watch);
     hit_run(b);
     return b->events.n;
 }
