@@ -8,38 +8,10 @@
  */
 #include "blit.h"
 #include "../src/base/trig.h"
+#include "words.h"
 #include <assert.h>
 #include <stdbool.h>
 #include <string.h>
-
-#define BYTES(b) ((uint64_t)(b)*0x0101010101010101u)
-
-static inline uint64_t load(const uint8_t *p)
-{
-    uint64_t v;
-
-    memcpy(&v, p, sizeof v);
-    return v;
-}
-
-static inline void store(uint8_t *p, uint64_t v)
-{
-    memcpy(p, &v, sizeof v);
-}
-
-/* 255 in every byte that is not 0 in s. */
-static inline uint64_t opaque(uint64_t s)
-{
-    uint64_t top = (((s & BYTES(0x7f)) + BYTES(0x7f)) | s) & BYTES(0x80);
-
-    return top | (top - (top >> 7));
-}
-
-/* s + add in each byte, modulo 256. */
-static inline uint64_t add_bytes(uint64_t s, uint64_t add)
-{
-    return ((s & BYTES(0x7f)) + (add & BYTES(0x7f))) ^ ((s ^ add) & BYTES(0x80));
-}
 
 static inline uint64_t reverse(uint64_t v)
 {
@@ -174,59 +146,6 @@ void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t
         paint(&j, 2);
     else
         paint(&j, j.words);
-}
-
-/* An image made ready for many copies: its opaque pixels in as few words as cover them, wherever those begin. */
-enum { BATCH_WORDS = 192, BATCH_MIN = 8 };
-struct stamp {
-    ptrdiff_t at[BATCH_WORDS]; /* from the sprite's top left corner, in the surface */
-    uint64_t keep[BATCH_WORDS], colour[BATCH_WORDS];
-    int n;
-};
-
-/* False: too many words. */
-static bool stamp_make(struct stamp *stamp, const struct image *image, int fb_pitch, uint64_t add)
-{
-    stamp->n = 0;
-    for (int y = 0; y < image->h; y++) {
-        const uint8_t *row = image->pix + (ptrdiff_t)y * image->pitch;
-        for (int x = 0; x < image->w; x++) {
-            if (row[x] == 0)
-                continue;
-            if (stamp->n == BATCH_WORDS)
-                return false;
-            uint8_t b[8] = { 0 };
-            memcpy(b, row + x, (size_t)(image->w - x < 8 ? image->w - x : 8));
-            uint64_t s = load(b), mask = opaque(s);
-            stamp->at[stamp->n] = (ptrdiff_t)y * fb_pitch + x;
-            stamp->keep[stamp->n] = ~mask;
-            stamp->colour[stamp->n++] = add_bytes(s, add) & mask;
-            x += 7;
-        }
-    }
-    return true;
-}
-
-void blit_batch(struct fb *fb, const struct image *image, const int32_t *xy, size_t n, uint8_t bank)
-{
-    struct stamp stamp;
-
-    if (n < BATCH_MIN || !stamp_make(&stamp, image, fb->pitch, BYTES((uint8_t)(bank * 16)))) {
-        for (size_t i = 0; i < n; i++)
-            blit_sprite(fb, image, xy[2 * i], xy[2 * i + 1], bank, 0);
-        return;
-    }
-    int words = stamp.n;
-    for (size_t i = 0; i < n; i++) {
-        int32_t x = xy[2 * i], y = xy[2 * i + 1];
-        if (!is_safe(fb, image, x, y)) {
-            blit_clipped(fb, image, x, y, bank, 0);
-            continue;
-        }
-        uint8_t *d = fb->pix + y * fb->pitch + x;
-        for (int k = 0; k < words; k++)
-            store(d + stamp.at[k], (load(d + stamp.at[k]) & stamp.keep[k]) | stamp.colour[k]);
-    }
 }
 
 /* From the point to the farthest corner of pixel (x, y), squared, in half pixels. */

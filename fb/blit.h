@@ -24,10 +24,6 @@ enum {
  * become 0, and is drawn. flags: BLIT_. Any x, y; w or h of 0 draws nothing. */
 void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags);
 
-/* Draws one image at n places, xy[2 * i] and xy[2 * i + 1], in order: n calls of blit_sprite without flags, only
- * faster. */
-void blit_batch(struct fb *fb, const struct image *image, const int32_t *xy, size_t n, uint8_t bank);
-
 /* The size of a picture that holds all opaque pixels of an image turned any way about its point (ox, oy), in half
  * pixels from its top left corner (w, h is its middle), when that point is put in the picture's middle. The parities
  * are such that the image's pixels fall on pixels when the turn is 0. */

@@ -10,7 +10,6 @@
  */
 #include "bullets.h"
 #include <string.h>
-#include "../base/bytes.h"
 
 static const struct column kind_columns[] = {
     COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),      COLUMN(bullet_kinds, b),
@@ -431,16 +430,6 @@ static void run_program(struct bullets *b, const struct motion_world *w, uint32_
     }
 }
 
-/* A bit for each byte of out, of which each is 0 or 1. */
-static uint64_t gather(const uint8_t *out)
-{
-    uint64_t m = 0;
-
-    for (int i = 0; i < 8; i++)
-        m |= (get64(out + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
-    return m;
-}
-
 static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uint8_t now)
 {
     uint8_t any = 0;
@@ -461,7 +450,7 @@ static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 
     if (!due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
         return 0;
-    for (uint64_t m = gather(out) & b->idle[block]; m; m &= m - 1)
+    for (uint64_t m = slots_gather(out) & b->idle[block]; m; m &= m - 1)
         if (b->end[block * SLOTS_BLOCK + lowest_bit(m)] == clock)
             found |= m & -m;
     return found;
@@ -559,7 +548,7 @@ static void watch_block(struct bullets *b, const struct watch *w, uint32_t block
     struct range r = watch_range(w, b->fastest);
     bool some = w->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
 
-    b->near[block * PADS + p] = some ? gather(out) : 0;
+    b->near[block * PADS + p] = some ? slots_gather(out) : 0;
 }
 
 void bullets_watch(struct bullets *b, const struct watch watch[PADS])
@@ -638,7 +627,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         }
         int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
         if (some) {
-            named = gather(out);
+            named = slots_gather(out);
             if (some & 2)
                 named = drop_lost(b, named, i, keep);
         }

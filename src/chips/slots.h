@@ -19,6 +19,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../base/bytes.h"
 
 enum column_kind {
     COL_GAME,    /* hashed */
@@ -134,6 +135,16 @@ static inline uint32_t lowest_bit(uint64_t w)
         n++;
     return n;
 #endif
+}
+
+/* A bit for each byte of a block, of which each is 0 or 1: what a loop that the compiler vectorises can hand on. */
+static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
+{
+    uint64_t m = 0;
+
+    for (int i = 0; i < 8; i++)
+        m |= (get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
+    return m;
 }
 
 /* Snapshots of the columns (the struct itself is copied with the board). Returns bytes; buf NULL only counts. */

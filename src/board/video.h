@@ -1,0 +1,36 @@
+/*
+ * video.h - what the makers of the picture share.
+ * floor: board    used by: board/ tools/ tests/
+ */
+#ifndef BOARD_VIDEO_H
+#define BOARD_VIDEO_H
+
+#include "../../fb/blit.h"
+#include "machine.h"
+
+/* Where and onto what a part of the picture is drawn. */
+struct canvas {
+    const struct board *b;
+    struct fb *fb;
+    int x, y; /* of the field on the screen */
+    void *scratch;
+    int coats;
+    uint64_t drawn, hidden; /* pictures; of those, what later ones cover was skipped */
+};
+
+/* Bullets are drawn front to back when they would cover the field so many times. Measured: docs/speed.md. */
+enum { VIDEO_COATS = 20, VIDEO_NO_COATS = -1 };
+
+/* board_draw with another VIDEO_COATS; the picture is the same. VIDEO_NO_COATS: never front to back. */
+struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int coats);
+
+/* Picture number of a sprite that has stood for `age` frames and looks along dir. */
+struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
+
+/* Bullets or shots. Kinds in the draw order, then slots. */
+void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k);
+
+/* Bytes of scratch that video_bullets needs. */
+size_t video_bullets_scratch(const struct board *b);
+
+#endif
