@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../fb/blit.h"
+#include "../../fb/stamp.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 
@@ -238,31 +238,147 @@ static void nothing_to_draw(void **state)
         blit_sprite(&b->fb, &b->image, 9, 9, 1, flags);
     }
     expect(b);
-    b->image.h = 8;
-    blit_batch(&b->fb, &b->image, NULL, 0, 1);
-    expect(b);
 }
 
-static void batches_are_sprites(void **state)
+/* A list of places, between them what is none; stamps stop there. */
+static void stamps_are_sprites(void **state)
 {
     struct bed *b = *state;
-    int32_t xy[2 * PLACES];
+    static struct stamp stamp;
+    uint32_t list[PLACES];
+    long drawn = 0, refused = 0;
 
-    for (int k = 0; k < 2500; k++) {
+    for (int k = 0; k < 6000; k++) {
         size_t n = rng_below(&b->r, PLACES + 1);
-        uint8_t bank = (uint8_t)rng_below(&b->r, 16);
         random_image(b, 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE),
-                     1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE));
+                     k % 3 ? 8 : 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE));
         random_clip(b);
+        if (!stamp_make(&stamp, &b->fb, &b->image, 0xffff)) {
+            assert_true(b->image.w / 8 * b->image.h > STAMP_WORDS / 2); /* only what is large is refused */
+            refused++;
+            continue;
+        }
+        struct stamp_corners c = stamp_corners(&b->fb, b->image.w, b->image.h);
         begin(b);
         for (size_t i = 0; i < n; i++) {
-            xy[2 * i] = any_place(&b->r, W, b->image.w);
-            xy[2 * i + 1] = any_place(&b->r, H, b->image.h);
-            paint(b, xy[2 * i], xy[2 * i + 1], bank, 0);
+            int x = any_place(&b->r, W, b->image.w), y = any_place(&b->r, H, b->image.h);
+            uint32_t dx = (uint32_t)x - (uint32_t)c.x0, dy = (uint32_t)y - (uint32_t)c.y0;
+            uint8_t bank = (uint8_t)rng_below(&b->r, 16);
+            list[i] = STAMP_OTHER | (uint32_t)i;
+            if (dx < c.wide && dy < c.high) {
+                list[i] = stamp_place(&b->fb, dx, dy, bank);
+                paint(b, x, y, bank, 0);
+                drawn++;
+            }
         }
-        blit_batch(&b->fb, &b->image, xy, n, bank);
+        for (size_t i = 0; i < n; i++) {
+            i += stamp_over(&b->fb, &stamp, list + i, n - i);
+            if (i < n)
+                assert_int_equal(list[i], STAMP_OTHER | i);
+        }
         expect(b);
     }
+    print_message("# %ld drawn, %ld refused\n", drawn, refused);
+    assert_true(drawn > 10000 && refused > 10);
+}
+
+/* No pixel of a layer may be drawn as 0. */
+static void random_solid(struct bed *b, int w, int h, bool holes)
+{
+    random_image(b, w, h);
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++) {
+            uint8_t *p = &b->pix[y * b->image.pitch + x];
+            *p = (uint8_t)(*p % 16 ? *p : holes ? 0 : 1);
+        }
+}
+
+/* Pixels that nothing was drawn on, of what a picture within [x0, x1) x [y0, y1) of (x, y) could show. */
+static bool may_be_seen(const struct layer *l, int x, int y, int x0, int y0, int x1, int y1)
+{
+    for (int v = y + y0; v < y + y1; v++)
+        for (int u = x + x0; u < x + x1; u++)
+            if (u >= 0 && u < l->fb.w && v >= 0 && v < l->fb.h && !l->fb.pix[v * l->fb.pitch + u])
+                return true;
+    return false;
+}
+
+static void check_cells(struct bed *b, const struct layer *l)
+{
+    static uint8_t seen[1024];
+    struct layer_cells cells;
+    int x0 = (int)rng_below(&b->r, 12) - 6, y0 = (int)rng_below(&b->r, 12) - 6;
+    int x1 = x0 + 1 + (int)rng_below(&b->r, 16), y1 = y0 + 1 + (int)rng_below(&b->r, 16);
+    fx x[64], y[64];
+    uint32_t at[64];
+
+    assert_true(layer_cells_size(l->fb.w, l->fb.h) <= sizeof seen);
+    layer_find_cells(l, &cells, seen, x0, y0, x1, y1);
+    for (int i = 0; i < 64; i++) {
+        x[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 160 << 16) - (40 << 16) : (fx)rng_next(&b->r);
+        y[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 120 << 16) - (40 << 16) : (fx)rng_next(&b->r);
+    }
+    layer_cells_at(&cells, x, y, at);
+    for (int i = 0; i < 64; i++)
+        if (!seen[at[i]])
+            assert_false(may_be_seen(l, x[i] >> 16, y[i] >> 16, x0, y0, x1, y1));
+}
+
+/* Front to back on a layer, then back to front by the painter. */
+static void layers_are_sprites(void **state)
+{
+    struct bed *b = *state;
+    enum { MOST = 400 };
+    static struct stamp stamp;
+    static struct {
+        int x, y;
+        uint32_t place;
+    } at[MOST];
+    uint32_t list[MOST];
+    uint8_t *mem = malloc(layer_size(W, H));
+    long hidden = 0, shown = 0, covered = 0;
+
+    assert_non_null(mem);
+    fb_clip_all(&b->fb);
+    for (int k = 0; k < 1200; k++) {
+        int n = 1 + (int)rng_below(&b->r, k % 2 || k % 8 == 4 ? MOST : 60),
+            w = k % 8 == 4 ? FB_GUARD : 1 + (int)rng_below(&b->r, FB_GUARD);
+        struct layer l;
+        bool one_by_one = k % 7 == 0;
+        random_solid(b, w, k % 8 == 4 ? FB_GUARD : k % 3 ? 8 : 1 + (int)rng_below(&b->r, FB_GUARD), k % 4);
+        layer_init(&l, mem, W, H);
+        struct stamp_corners c = stamp_corners(&l.fb, w, b->image.h);
+        assert_true(stamp_make(&stamp, &l.fb, &b->image, 0xffff));
+        for (int i = 0; i < n; i++) {
+            uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
+            at[i].x = (int)dx + c.x0;
+            at[i].y = (int)dy + c.y0;
+            list[i] = at[i].place = stamp_place(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
+        }
+        noise(b);
+        begin(b);
+        for (int i = 0; i < n; i++)
+            paint(b, at[i].x, at[i].y, (uint8_t)(at[i].place >> 28), 0);
+        size_t half = (size_t)n / 2, pixels = 1 + (size_t)rng_below(&b->r, 64);
+        if (one_by_one)
+            for (int i = n; i-- > 0;)
+                layer_sprite(&l, &b->image, list[i], pixels);
+        else {
+            layer_stamp(&l, &stamp, list + half, (size_t)n - half, pixels);
+            layer_map(&l);
+            check_cells(b, &l);
+            layer_stamp(&l, &stamp, list, half, pixels);
+        }
+        layer_show(&l, &b->fb, 0, 0);
+        for (int y = 0; y < H; y++)
+            assert_memory_equal(b->fb.pix + y * b->fb.pitch, b->want[y], W);
+        hidden += (long)l.hidden;
+        shown += n - (long)l.hidden;
+        covered += l.covered;
+    }
+    free(mem);
+    print_message("# %ld hidden, %ld shown, %ld covered\n", hidden, shown, covered);
+    assert_true(hidden > 10000 && shown > 10000 && covered > 50);
 }
 
 enum { SIDE = 48 }; /* of pictures that hold any turned image of up to 24 x 24 */
@@ -463,7 +579,8 @@ int main(void)
         cmocka_unit_test(sprites_at_every_edge),
         cmocka_unit_test(banks_wrap),
         cmocka_unit_test(nothing_to_draw),
-        cmocka_unit_test(batches_are_sprites),
+        cmocka_unit_test(stamps_are_sprites),
+        cmocka_unit_test(layers_are_sprites),
         cmocka_unit_test(turn_of_nothing_is_the_image),
         cmocka_unit_test(quarters_are_exact),
         cmocka_unit_test(turns_about_the_point),
