@@ -16,9 +16,9 @@
 #include <string.h>
 
 enum {
-    MANY = 4,   /* fewer shots are not worth a sort */
-    A_CELL = 1, /* enemies a cell: fewer make empty cells, more make long scans */
-    STEP = 4,   /* enemies a scan looks at without a branch */
+    MANY = 4,      /* fewer shots are not worth a sort */
+    A_CELL = 1,    /* enemies a cell: fewer make empty cells, more make long scans */
+    SMALLEST = 16, /* cells are 2^16 wide, a pixel, at the least */
     MOST_CELLS = 3 * (MAX_ENEMIES / A_CELL + 2),
     NOBODY = MAX_ENEMIES
 };
@@ -32,13 +32,14 @@ struct crowd {
     int64_t left, top;        /* the grid's corner, an fx */
     int64_t wide, high;       /* of the grid */
     int64_t reach_x, reach_y; /* most that an enemy extends from where it was, in fx */
-    int64_t core;             /* whoever was that near to an enemy touched it, in fx; negative: an enemy touches nothing */
+    int64_t core; /* whoever was that near to an enemy touched it, in fx; negative: an enemy touches nothing */
     int up, shift_x, shift_y; /* cells are 2^shift wide */
-    int32_t cols, rows;
+    int64_t half_x, half_y;   /* half a cell */
+    int64_t cols, rows;
     uint32_t ranks; /* all bits of ranks */
     bool dense;
-    int64_t x[MAX_ENEMIES + STEP], y[MAX_ENEMIES + STEP]; /* the last STEP are one of the others */
-    uint64_t rank[MAX_ENEMIES + STEP];
+    int64_t x[MAX_ENEMIES], y[MAX_ENEMIES];
+    uint64_t rank[MAX_ENEMIES];
     uint16_t slot[MAX_ENEMIES];     /* by rank */
     uint16_t begin[MOST_CELLS + 1]; /* of each cell; the last: n */
     uint64_t sure[MAX_KINDS];       /* a shot of that kind touches what was less far, squared, in the grid */
@@ -51,8 +52,8 @@ struct search {
     struct body shot;
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
-    int64_t x0, y0, x1, y1; /* the box that what it touches was in */
-    uint64_t best;          /* the square of the distance of what was found */
+    int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
+    uint64_t best;          /* the square of the distance of what was found, in fx */
     uint64_t found;         /* its rank */
 };
 
@@ -81,6 +82,18 @@ static inline int32_t clamp(int64_t v, int32_t lo, int32_t hi)
     return v < lo ? lo : v > hi ? hi : (int32_t)v;
 }
 
+/* Is it, a square, less than the square of d? For 0 <= d < 2^32. */
+static inline bool less_far(uint64_t best, int64_t d)
+{
+    return best < (uint64_t)d * (uint64_t)d;
+}
+
+/* v in units of the grid. */
+static inline int64_t scaled(const struct crowd *c, int64_t v)
+{
+    return (int64_t)((uint64_t)v << c->up);
+}
+
 /* ---- the grid ---- */
 
 /* Half the height of a kind's shape. */
@@ -89,8 +102,14 @@ static inline fx half_height(uint8_t shape, fx a, fx b)
     return shape == SHAPE_BOX ? b : a;
 }
 
-/* Lists those that can be hit, and measures them: *across and *down are the size of the box they were in. */
-static void gather(struct crowd *c, const struct board *b, int64_t *across, int64_t *down)
+/* Where they were, and the size of the box around that. */
+struct places {
+    fx x[MAX_ENEMIES], y[MAX_ENEMIES];
+    int64_t across, down;
+};
+
+/* Lists those that can be hit, and measures them. */
+static void gather(struct crowd *c, const struct board *b, struct places *was)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -107,7 +126,9 @@ static void gather(struct crowd *c, const struct board *b, int64_t *across, int6
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
             assert(n < MAX_ENEMIES);
-            c->slot[n++] = (uint16_t)i;
+            c->slot[n] = (uint16_t)i;
+            was->x[n] = x;
+            was->y[n++] = y;
             left = x < left ? x : left;
             right = x > right ? x : right;
             top = y < top ? y : top;
@@ -122,8 +143,8 @@ static void gather(struct crowd *c, const struct board *b, int64_t *across, int6
     c->reach_x = reach_x;
     c->reach_y = reach_y;
     c->core = core;
-    *across = (int64_t)right - left;
-    *down = (int64_t)bottom - top;
+    was->across = (int64_t)right - left;
+    was->down = (int64_t)bottom - top;
 }
 
 /* Halves the cells, the wider side first, while no more than so many are needed for a box of this size. */
@@ -131,58 +152,56 @@ static void divide(struct crowd *c, int64_t across, int64_t down, uint32_t cells
 {
     int x = 31, y = 31;
 
-    for (bool wider = true; x > 0; wider = x >= y) {
+    for (bool wider = true; x > SMALLEST; wider = x >= y) {
         uint64_t cols = (uint64_t)(across >> (x - wider)) + 1, rows = (uint64_t)(down >> (y - !wider)) + 1;
         if (cols * rows > cells)
             break;
         x -= wider;
         y -= !wider;
     }
-    c->cols = (int32_t)(across >> x) + 3;
-    c->rows = (int32_t)(down >> y) + 3;
+    c->cols = (across >> x) + 3;
+    c->rows = (down >> y) + 3;
     c->left -= (int64_t)1 << x;
     c->top -= (int64_t)1 << y;
     c->up = 0;
     while (c->n >> 2 * c->up)
         c->up++;
-    int64_t wide = (int64_t)c->cols << x, high = (int64_t)c->rows << y;
+    int64_t wide = c->cols << x, high = c->rows << y;
     c->dense = most(wide, high) << c->up <= (int64_t)1 << 31 && c->reach_x * 2 > (int64_t)1 << x &&
                c->reach_y * 2 > (int64_t)1 << y;
     c->up = c->dense ? c->up : 0;
     c->ranks = ((uint32_t)1 << 2 * c->up) - 1;
     c->shift_x = x + c->up;
     c->shift_y = y + c->up;
+    c->half_x = (int64_t)1 << c->shift_x >> 1;
+    c->half_y = (int64_t)1 << c->shift_y >> 1;
     c->wide = wide << c->up;
     c->high = high << c->up;
 }
 
 /* A counting sort. */
-static void sort(struct crowd *c, const struct enemies *e)
+static void sort(struct crowd *c, const struct places *was)
 {
     uint16_t cell[MAX_ENEMIES], *begin = c->begin;
-    const uint32_t cells = (uint32_t)(c->cols * c->rows), n = c->n;
+    const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
+    const int64_t left = c->left, top = c->top, cols = c->cols;
+    const int up = c->up, shift_x = c->shift_x - up, shift_y = c->shift_y - up;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
-    for (uint32_t i = 0; i < n; i++) {
-        int64_t x = (e->was_x[c->slot[i]] - c->left) << c->up, y = (e->was_y[c->slot[i]] - c->top) << c->up;
-        cell[i] = (uint16_t)((y >> c->shift_y) * c->cols + (x >> c->shift_x));
+    for (size_t i = 0; i < n; i++) {
+        cell[i] = (uint16_t)(((was->y[i] - top) >> shift_y) * cols + ((was->x[i] - left) >> shift_x));
         begin[cell[i]]++;
     }
-    for (uint32_t i = 0; i <= cells; i++) {
+    for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
         begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
     }
-    for (uint32_t i = n; i-- > 0;) {
+    for (size_t i = n; i-- > 0;) {
         uint32_t at = --begin[cell[i]];
-        c->x[at] = (e->was_x[c->slot[i]] - c->left) << c->up;
-        c->y[at] = (e->was_y[c->slot[i]] - c->top) << c->up;
+        c->x[at] = (was->x[i] - left) << up;
+        c->y[at] = (was->y[i] - top) << up;
         c->rank[at] = i;
-    }
-    for (uint32_t i = n; i < n + STEP; i++) {
-        c->x[i] = c->x[0];
-        c->y[i] = c->y[0];
-        c->rank[i] = c->rank[0];
     }
 }
 
@@ -198,7 +217,7 @@ static void touched(struct search *s, int32_t row, int32_t from, int32_t to)
         uint64_t rank = s->c->rank[i];
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
-        int64_t dx = s->x - x, dy = s->y - y;
+        int64_t dx = (s->x - x) >> s->c->up, dy = (s->y - y) >> s->c->up;
         uint64_t d = (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
         if (d > s->best || (d == s->best && rank > s->found))
             continue;
@@ -215,12 +234,11 @@ static bool reach(struct search *s)
 {
     const struct crowd *c = s->c;
     const struct body *p = &s->shot;
-    const int64_t one = (int64_t)1 << c->up;
-    int64_t x = (p->x - c->left) * one, mx = p->mx * one, ex = (p->a + c->reach_x) * one;
-    int64_t y = (p->y - c->top) * one, my = p->my * one, ey = (half_height(p->shape, p->a, p->b) + c->reach_y) * one;
+    int64_t x = scaled(c, p->x - c->left), ex = scaled(c, p->a + c->reach_x);
+    int64_t y = scaled(c, p->y - c->top), ey = scaled(c, half_height(p->shape, p->a, p->b) + c->reach_y);
 
-    s->x = x - mx;
-    s->y = y - my;
+    s->x = x - scaled(c, p->mx);
+    s->y = y - scaled(c, p->my);
     s->x0 = most(least(x, s->x) - ex, 0);
     s->x1 = least(most(x, s->x) + ex, c->wide - 1);
     s->y0 = most(least(y, s->y) - ey, 0);
@@ -257,7 +275,10 @@ static void search_rings(struct search *s)
                                 x1 < right ? ((int64_t)(x1 + 1) << shift_x) - s->x : far),
                           least(y0 > top ? s->y - ((int64_t)y0 << shift_y) : far,
                                 y1 < bottom ? ((int64_t)(y1 + 1) << shift_y) - s->y : far));
-        if (d == far || s->best < (uint64_t)d * (uint64_t)d)
+        if (d == far)
+            return;
+        d = least(d >> s->c->up, UINT32_MAX);
+        if (less_far(s->best, d))
             return;
     }
 }
@@ -284,54 +305,44 @@ static inline uint64_t key(const struct crowd *c, size_t i, int64_t x, int64_t y
     return (uint64_t)(dx * dx + dy * dy) | c->rank[i];
 }
 
-/*
- * The lowest key of a run of cells, or best. In steps, for a loop that mostly ends at the same turn is foreseen; the next
- * cells that it comes into are as good as any.
- */
+/* The lowest key of a run of cells, or best. */
 static inline uint64_t lowest(const struct crowd *c, size_t i, size_t end, int64_t x, int64_t y, uint64_t best)
 {
-    for (; i < end; i += STEP)
-        best = lower(best, lower(lower(key(c, i, x, y), key(c, i + 1, x, y)),
-                                 lower(key(c, i + 2, x, y), key(c, i + 3, x, y))));
+    for (; i < end; i++)
+        best = lower(best, key(c, i, x, y));
     return best;
 }
 
 /* The same for the cells that are h or less around the corner (col, row). */
-static uint64_t lowest_around(const struct crowd *c, int32_t col, int32_t row, int32_t h, int64_t x, int64_t y)
+static uint64_t lowest_around(const struct crowd *c, int64_t col, int64_t row, int64_t h, int64_t x, int64_t y)
 {
-    const int32_t from = col > h ? col - h : 0, to = col + h < c->cols ? col + h : c->cols;
-    const int32_t end = row + h < c->rows ? row + h : c->rows;
+    const int64_t from = most(col - h, 0), to = least(col + h, c->cols), end = least(row + h, c->rows);
     uint64_t best = UINT64_MAX;
 
-    for (int32_t r = row > h ? row - h : 0; r < end; r++)
+    for (int64_t r = most(row - h, 0); r < end; r++)
         best = lowest(c, c->begin[r * c->cols + from], c->begin[r * c->cols + to], x, y, best);
     return best;
-}
-
-/* Is the distance squared less than d squared? */
-static inline bool less_far(uint64_t best, int64_t d)
-{
-    return best < (uint64_t)(d * d);
 }
 
 /* The rank of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
 static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i)
 {
     const struct bullets *s = &b->shots;
-    const int64_t cell_x = (int64_t)1 << c->shift_x, cell_y = (int64_t)1 << c->shift_y;
-    const int64_t x = ((int64_t)s->x[i] - s->vx[i] - c->left) << c->up;
-    const int64_t y = ((int64_t)s->y[i] - s->vy[i] - c->top) << c->up;
-    const int64_t col = (x + cell_x / 2) >> c->shift_x, row = (y + cell_y / 2) >> c->shift_y;
+    const int64_t half_x = c->half_x, half_y = c->half_y;
+    const int64_t x = scaled(c, (int64_t)s->x[i] - s->vx[i] - c->left), ahead_x = x + half_x;
+    const int64_t y = scaled(c, (int64_t)s->y[i] - s->vy[i] - c->top), ahead_y = y + half_y;
+    const int64_t col = ahead_x >> c->shift_x, row = ahead_y >> c->shift_y; /* of the nearest corner of four cells */
 
     if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 1) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 1))
         return NOBODY;
-    const uint16_t *above = c->begin + (row - 1) * c->cols + col, *below = above + c->cols;
-    const int64_t off_x = size(x - (col << c->shift_x)), off_y = size(y - (row << c->shift_y));
+    const uint16_t *below = c->begin + row * c->cols + col, *above = below - c->cols;
+    const int64_t off_x = size((ahead_x & (2 * half_x - 1)) - half_x);
+    const int64_t off_y = size((ahead_y & (2 * half_y - 1)) - half_y);
     uint64_t best = lowest(c, above[-1], above[1], x, y, UINT64_MAX);
     best = lowest(c, below[-1], below[1], x, y, best);
-    if (!less_far(best, least(cell_x - off_x, cell_y - off_y))) {
-        best = lowest_around(c, (int32_t)col, (int32_t)row, 2, x, y);
-        if (!less_far(best, least(2 * cell_x - off_x, 2 * cell_y - off_y)))
+    if (!less_far(best, least(2 * half_x - off_x, 2 * half_y - off_y))) {
+        best = lowest_around(c, col, row, 2, x, y);
+        if (!less_far(best, least(4 * half_x - off_x, 4 * half_y - off_y)))
             return NOBODY;
     }
     uint32_t rank = (uint32_t)best & c->ranks;
@@ -341,30 +352,42 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
     return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? rank : NOBODY;
 }
 
-/* Shapes hold a circle: those that start where the circles meet touch. */
+/* A circle fits into each shape; swept shots touch whom their circle touched before they moved. */
 static void judge(struct crowd *c, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t a = k->a[i], h = half_height(k->shape[i], k->a[i], k->b[i]), r = least(a, h);
-        bool round = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && r >= 0 && c->core >= 0;
-        r = least((r + c->core) << c->up, ((int64_t)1 << 32) - 1);
-        c->sure[i] = round ? (uint64_t)r * (uint64_t)r : 0;
+        int64_t core = least(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
+        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && c->core >= 0;
+        uint64_t r = sure ? (uint64_t)least(scaled(c, core + c->core), UINT32_MAX) : 0;
+        c->sure[i] = r * r;
     }
+}
+
+/* Raises the event: board_event's way, without a call but where there is no room. */
+static inline void hit(struct board *b, uint32_t shot, uint32_t foe)
+{
+    struct events *e = &b->events;
+    int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot), whom = handle_of(H_ENEMY, b->enemies.s.gen[foe], foe);
+
+    if (e->n < e->cap)
+        e->list[e->n++] = (struct event){ .kind = EV_SHOT, .a = who, .b = whom };
+    else
+        board_event(b, EV_SHOT, who, whom);
 }
 
 void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
     struct crowd c;
-    int64_t across, down;
+    struct places was;
 
     if (!s->live || !b->enemies.s.live)
         return;
-    gather(&c, b, &across, &down);
+    gather(&c, b, &was);
     if (!c.n)
         return;
-    divide(&c, across, down, s->live < MANY ? 1 : c.n / A_CELL);
-    sort(&c, &b->enemies);
+    divide(&c, was.across, was.down, s->live < MANY ? 1 : c.n / A_CELL);
+    sort(&c, &was);
     if (c.dense)
         judge(&c, &b->shot_kinds);
     for (uint32_t word = 0; word < s->top / 64; word++)
@@ -373,7 +396,6 @@ void hit_shots(struct board *b)
             uint32_t rank = c.dense ? target_nearest(b, &c, i) : NOBODY;
             rank = rank == NOBODY ? target_by_rings(b, &c, i) : rank;
             if (rank != NOBODY)
-                board_event(b, EV_SHOT, handle_of(H_SHOT, s->gen[i], i),
-                            handle_of(H_ENEMY, b->enemies.s.gen[c.slot[rank]], c.slot[rank]));
+                hit(b, i, c.slot[rank]);
         }
 }
