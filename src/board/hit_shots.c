@@ -88,6 +88,11 @@ static inline bool less_far(uint64_t best, int64_t d)
     return best < (uint64_t)d * (uint64_t)d;
 }
 
+static inline uint64_t squares(int64_t dx, int64_t dy)
+{
+    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
+}
+
 /* v in units of the grid. */
 static inline int64_t scaled(const struct crowd *c, int64_t v)
 {
@@ -218,7 +223,7 @@ static void touched(struct search *s, int32_t row, int32_t from, int32_t to)
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
         int64_t dx = (s->x - x) >> s->c->up, dy = (s->y - y) >> s->c->up;
-        uint64_t d = (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
+        uint64_t d = squares(dx, dy);
         if (d > s->best || (d == s->best && rank > s->found))
             continue;
         struct body e = enemy(s->b, s->c->slot[rank]);
@@ -248,14 +253,16 @@ static bool reach(struct search *s)
 
 /*
  * Rings of cells around the shot's, or around the cell of the box that is next to it. After each: how near could an enemy
- * be that is in the box and outside of the rings?
+ * be that is in the box and outside of the rings? A shot outside of the box is a gap away from all that is in it.
  */
 static void search_rings(struct search *s)
 {
-    const int shift_x = s->c->shift_x, shift_y = s->c->shift_y;
+    const int shift_x = s->c->shift_x, shift_y = s->c->shift_y, up = s->c->up;
     const int32_t left = (int32_t)(s->x0 >> shift_x), right = (int32_t)(s->x1 >> shift_x);
     const int32_t top = (int32_t)(s->y0 >> shift_y), bottom = (int32_t)(s->y1 >> shift_y);
     const int32_t x = clamp(s->x >> shift_x, left, right), y = clamp(s->y >> shift_y, top, bottom);
+    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0) >> up;
+    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0) >> up;
     const int64_t far = INT64_MAX;
 
     for (int32_t r = 0;; r++) {
@@ -271,14 +278,11 @@ static void search_rings(struct search *s)
             if (x1 <= right)
                 touched(s, row, x1, x1);
         }
-        int64_t d = least(least(x0 > left ? s->x - ((int64_t)x0 << shift_x) : far,
-                                x1 < right ? ((int64_t)(x1 + 1) << shift_x) - s->x : far),
-                          least(y0 > top ? s->y - ((int64_t)y0 << shift_y) : far,
-                                y1 < bottom ? ((int64_t)(y1 + 1) << shift_y) - s->y : far));
-        if (d == far)
-            return;
-        d = least(d >> s->c->up, UINT32_MAX);
-        if (less_far(s->best, d))
+        int64_t dx = least(x0 > left ? s->x - ((int64_t)x0 << shift_x) : far,
+                           x1 < right ? ((int64_t)(x1 + 1) << shift_x) - s->x : far);
+        int64_t dy = least(y0 > top ? s->y - ((int64_t)y0 << shift_y) : far,
+                           y1 < bottom ? ((int64_t)(y1 + 1) << shift_y) - s->y : far);
+        if ((dx == far || s->best < squares(dx >> up, gap_y)) && (dy == far || s->best < squares(dy >> up, gap_x)))
             return;
     }
 }
