@@ -2,9 +2,9 @@
  * hit_shots.c - see hit_parts.h.
  *
  * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
- * before their moves are sorted into the cells of a grid, and a shot searches it in rings of cells around its own, until
- * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
- * the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ * before their moves are sorted into the cells of a grid, and a shot searches it in rings of cells around its own,
+ * until what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of
+ * a box: the shot's way, grown by its extent and by the largest extent and move of an enemy.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
  * one of them. There the two by two cells around the shot are looked at first, without branches and without testing
@@ -252,8 +252,9 @@ static bool reach(struct search *s)
 }
 
 /*
- * Rings of cells around the shot's, or around the cell of the box that is next to it. After each: how near could an enemy
- * be that is in the box and outside of the rings? A shot outside of the box is a gap away from all that is in it.
+ * Rings of cells around the shot's, or around the cell of the box that is next to it. After each: how near could an
+ * enemy be that is in the box and outside of the rings? A shot outside of the box is a gap away from all that is in it.
+ * Positions in the world and ways of MAX_SPEED keep every distance here below 2^32.
  */
 static void search_rings(struct search *s)
 {
