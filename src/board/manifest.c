@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/bytes.h"
+#include "../chips/enemies.h"
 
 enum { FORMAT = 1 }; /* the first word of the lump */
 
@@ -31,7 +32,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("field.margin", margin, 0, 1024),
     NUMBER("board.bullets", bullets, 0, 1 << 22),
     NUMBER("board.shots", shots, 0, 1 << 16),
-    NUMBER("board.enemies", enemies, 0, 1 << 12),
+    NUMBER("board.enemies", enemies, 0, MAX_ENEMIES),
     NUMBER("board.sparks", sparks, 0, 1 << 22),
     NUMBER("board.sprites", sprites, 0, 1 << 16),
     NUMBER("board.motions", motions, 0, 4095),

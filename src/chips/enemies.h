@@ -16,7 +16,9 @@ enum {
     ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1, /* it died or left, and goes once its handlers have been told */
 
-    SAFE_FOREVER = -1
+    SAFE_FOREVER = -1,
+
+    MAX_ENEMIES = 4096
 };
 
 enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };

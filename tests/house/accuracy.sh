@@ -54,13 +54,14 @@ mkdir -p "$tree/src/board"
 ln -s "$PWD/fb" "$tree/fb"
 ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
 cp src/board/*.h "$tree/src/board"
-sed 's/= swept ?/= false ?/g' src/board/hit.c >"$tree/src/board/hit.c"
+cp src/board/hit.c src/board/hit_shots.c "$tree/src/board"
+sed 's/= swept ?/= false ?/g' src/board/hit_parts.h >"$tree/src/board/hit_parts.h"
 unswept() {
-    ! cmp -s src/board/hit.c "$tree/src/board/hit.c" || return 2
+    ! cmp -s src/board/hit_parts.h "$tree/src/board/hit_parts.h" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/lab" "$tree/src/board/hit.c" "$OUT"/tools/lab/*.o \
-        $(find "$OUT/src" -name '*.o' ! -name hit.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
+        -o "$scratch/lab" "$tree"/src/board/hit*.c "$OUT"/tools/lab/*.o \
+        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
         "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }

@@ -12,7 +12,7 @@ __extension__ typedef __int128 wide;
 
 /* What the reference has come across. */
 static struct {
-    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, several;
+    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties;
 } seen;
 
 static wide square(wide v)
@@ -106,6 +106,12 @@ static struct thing pilot(const struct board *b, uint32_t p, wide r)
     return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p] };
 }
 
+/* On one axis: is the way from v to e more than half away from 0? */
+static bool passes_by(wide v, wide e, wide half)
+{
+    return (v > half && e > half) || (v < -half && e < -half);
+}
+
 /* The sum of the two shapes as a box with round corners, around the origin; the difference of their places moves. */
 static bool meets(struct thing p, struct thing q, bool swept)
 {
@@ -118,6 +124,8 @@ static bool meets(struct thing p, struct thing q, bool swept)
         return false;
     if (!swept)
         return near_box(ex, ey, hw, hh, r);
+    if (passes_by(x, ex, hw + r) || passes_by(y, ey, hh + r))
+        return false;
     return segment_near_box(x, y, ex - x, ey - y, hw, hh, r);
 }
 
@@ -191,12 +199,14 @@ static void reference(const struct board *b)
         uint32_t found = 0;
         EACH_LIVE (e, &b->enemies.s) {
             struct thing f = foe(b, e);
+            apart = square(shot.was_x - f.was_x) + square(shot.was_y - f.was_y);
+            if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING)
+                continue;
             if (!meets(shot, f, b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT)) {
                 seen.shot_misses++;
                 continue;
             }
-            seen.several += best >= 0;
-            apart = square(shot.was_x - f.was_x) + square(shot.was_y - f.was_y);
+            seen.ties += apart == best;
             if (best < 0 || apart < best) {
                 best = apart;
                 found = e;
