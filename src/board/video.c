@@ -53,12 +53,22 @@ static struct image picture(const struct sprite *s, uint32_t age, bool turns, an
     return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
 }
 
-static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip)
+/* blend: index + 1, 0: opaque. */
+static void paint(struct canvas *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip, unsigned blend)
+{
+    if (blend)
+        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
+    else
+        blit_sprite(c->fb, img, x, y, bank, flip);
+}
+
+static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                unsigned blend)
 {
     const struct sprite *s = &c->b->pictures[sprite];
     struct image img = picture(s, age, false, 0);
 
-    blit_sprite(c->fb, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip);
+    paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
     c->drawn++;
 }
 
@@ -75,7 +85,7 @@ static void draw_sprites(struct canvas *c, int layer)
             at.x = at.y = 0;
         }
         put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
-            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y));
+            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
         if (s->flags[i] & SPRITE_SCREEN)
             fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
         c->drawn++;
@@ -87,7 +97,8 @@ static void draw_enemies(struct canvas *c)
     const struct enemies *e = &c->b->enemies;
 
     EACH_LIVE (i, &e->s)
-        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0);
+        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0,
+            (c->b->enemy_kinds.flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
 }
 
 /* A player that cannot be hit blinks. */
@@ -97,7 +108,7 @@ static void draw_players(struct canvas *c)
 
     for (uint32_t i = 0; i < PADS; i++)
         if (p->in[i] && !(p->safe[i] >> 2 & 1))
-            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0);
+            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
 }
 
 static void draw_sparks(struct canvas *c)
@@ -109,7 +120,8 @@ static void draw_sparks(struct canvas *c)
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
         put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-            c->b->spark_kinds.bank[kind], 0);
+            c->b->spark_kinds.bank[kind] & SPARK_BANK, 0,
+            (c->b->spark_kinds.bank[kind] & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
 }
 
@@ -151,12 +163,12 @@ static void sort_by_kind(const struct bullets *s, const struct bullet_kinds *k, 
 }
 
 static void draw_turning(struct canvas *c, const struct bullets *s, const struct sprite *pic, bool turns,
-                         const uint32_t *slots, uint32_t n)
+                         unsigned blend, const uint32_t *slots, uint32_t n)
 {
     for (uint32_t k = 0; k < n; k++) {
         uint32_t i = slots[k];
         struct image img = picture(pic, c->b->core.clock - s->born[i], turns, s->dir[i]);
-        blit_sprite(c->fb, &img, c->x + fx_floor(s->x[i]) - pic->ox, c->y + fx_floor(s->y[i]) - pic->oy, s->bank[i], 0);
+        paint(c, &img, c->x + fx_floor(s->x[i]) - pic->ox, c->y + fx_floor(s->y[i]) - pic->oy, s->bank[i], 0, blend);
     }
 }
 
@@ -191,8 +203,9 @@ static void draw_bullets(struct canvas *c, const struct bullets *s, const struct
         const uint32_t *slots = l->slots + l->start[kind];
         const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
         bool turns = k->flags[kind] & KIND_TURNS && pic->rotations > 1;
-        if (turns || pic->frames > 1)
-            draw_turning(c, s, pic, turns, slots, n);
+        unsigned blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+        if (turns || pic->frames > 1 || blend)
+            draw_turning(c, s, pic, turns, blend, slots, n);
         else if (n)
             draw_alike(c, s, pic, slots, n, l->xy);
         c->drawn += n;
