@@ -389,6 +389,9 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_SPRITE:
         push_from(L, sprites, 3);
         break;
+    case A_BLEND:
+        lua_pushstring(L, one_in(2) ? "glow" : "ghost");
+        break;
     case A_BUTTON:
         push_from(L, buttons, PAD_BUTTONS);
         break;
