@@ -63,6 +63,7 @@ static const char world[] =
 static struct rig_game g;
 static struct rig rig;
 static struct rng rng;
+static const struct api_entry *entry; /* being called */
 
 static uint64_t below(uint64_t n)
 {
@@ -329,7 +330,10 @@ static void push_value(lua_State *L, const struct api_param *p)
         lua_pushnumber(L, one_in(3) ? (double)(int64_t)rng_next(&rng) : (double)below(72000) / 100 - 360);
         break;
     case A_STR:
-        push_word(L);
+        if (entry && !strcmp(entry->name, "rom.text") && one_in(4)) /* of all words, only one is a file's name */
+            lua_pushliteral(L, "words.txt");
+        else
+            push_word(L);
         break;
     case A_BOOL:
         lua_pushboolean(L, one_in(2));
@@ -457,8 +461,7 @@ struct tally {
     int good, faults;
 };
 
-static const struct api_entry *entry; /* being called */
-static const struct api_prop *prop;   /* or being read and written */
+static const struct api_prop *prop; /* or being read and written */
 static enum handle_kind prop_kind;
 static bool returned;
 
