@@ -89,7 +89,7 @@ static inline void rig_write(struct rig_game *g, struct lump *lumps, int n)
         fail_msg("%s", err);
 }
 
-/* Small capacities; sprites "dot", "arrow", "wink"; blends "ghost", "glow" of nonsense. */
+/* Small capacities; sprites "dot", "arrow", "wink". */
 static inline struct manifest rig_manifest(void)
 {
     struct manifest m;
@@ -113,7 +113,6 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
 {
     enum { MOST = 64 };
     static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[96 * CART_GLYPH];
-    static uint8_t blend[2][CART_BLEND];
     static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
     struct manifest own = m ? *m : rig_manifest();
     char names[MOST][80];
@@ -125,18 +124,12 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
         palette[i] = (uint8_t)(i * 37 + i / 3);
     for (int i = 0; i < 96 * CART_GLYPH; i++)
         font[i] = (uint8_t)((i * 5 + i / 64 * 3) % 16);
-    for (int i = 0; i < CART_BLEND; i++) {
-        blend[0][i] = (uint8_t)(i * 13 + i / 256 * 7 + 1);
-        blend[1][i] = (uint8_t)(i * 5 + i / 256 * 11 + 2);
-    }
     rig_sprite(dot, 8, 1, 1, 1, 0);
     rig_sprite(arrow, 16, 1, 1, 16, 0);
     rig_sprite(wink, 8, 4, 3, 1, 0);
     lumps[k++] = (struct lump){ "manifest", manifest, sizeof manifest };
     lumps[k++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[k++] = (struct lump){ "palette/other", palette, sizeof palette };
-    lumps[k++] = (struct lump){ "blend/ghost", blend[0], CART_BLEND };
-    lumps[k++] = (struct lump){ "blend/glow", blend[1], CART_BLEND };
     lumps[k++] = (struct lump){ "font", font, sizeof font };
     lumps[k++] = (struct lump){ "gfx/dot", dot, sizeof dot };
     lumps[k++] = (struct lump){ "gfx/arrow", arrow, sizeof arrow };
@@ -177,6 +170,27 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
             snprintf(prelude, sizeof prelude, "string.sys = ... %.*s", (int)std_scripts[i].size,
                      (const char *)std_scripts[i].data);
     rig_scripts(g, m, scripts, 2);
+}
+
+/* Puts two blends into a game, "ghost" and "glow", whose tables are nonsense. */
+static inline void rig_blends(struct rig_game *g)
+{
+    enum { MOST = 64 };
+    static uint8_t blend[2][CART_BLEND];
+    struct rig_game had = *g;
+    struct lump lumps[MOST];
+    int n = (int)had.image.rom.count;
+
+    for (int i = 0; i < CART_BLEND; i++) {
+        blend[0][i] = (uint8_t)(i * 13 + i / 256 * 7 + 1);
+        blend[1][i] = (uint8_t)(i * 5 + i / 256 * 11 + 2);
+    }
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    lumps[n++] = (struct lump){ "blend/ghost", blend[0], CART_BLEND };
+    lumps[n++] = (struct lump){ "blend/glow", blend[1], CART_BLEND };
+    rig_write(g, lumps, n);
+    free(had.image.bytes);
 }
 
 /* Packs roms/NAME. */
