@@ -1,8 +1,8 @@
 /*
- * blit.c - see blit.h. Eight pixels at a time, or two times eight: a row of the picture is copied into 64-bit words, the
- * mask is made from the bytes that are zero, the whole word is recoloured, and the result is written back. No step moves
- * bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside the sprite
- * are those that were read.
+ * blit.c - see blit.h. Eight pixels at a time, or two times eight: a row of the picture is copied into 64-bit words,
+ * the mask is made from the bytes that are zero, the whole word is recoloured, and the result is written back. No step
+ * moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside the
+ * sprite are those that were read.
  *
  * A word may hang over the sprite's edge by up to 7 pixels: fb.h's band and slack are there for it.
  */
@@ -86,8 +86,8 @@ static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t a
         cover(d, load(s), add);
 }
 
-/* Whole words; words a row is a constant in the calls that matter. Here and below all of a job is copied first: for all a
- * compiler knows, what is drawn lies over it. */
+/* Whole words; words a row is a constant in the calls that matter. Here and below all of a job is copied first: for all
+ * a compiler knows, what is drawn lies over it. */
 static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;

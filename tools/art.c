@@ -1,6 +1,6 @@
 /*
- * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art OUTDIR
- * bench` the bench's; and `art OUTDIR glow` what the sandbox has of its own.
+ * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
+ * OUTDIR bench` the bench's; and `art OUTDIR glow` what the sandbox has of its own.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to

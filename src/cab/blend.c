@@ -1,7 +1,7 @@
 /*
  * blend.c - see blend.h. 65536 colours are looked for among 241. The colour cube is cut into cells, and each cell in
- * which a colour is looked for gets a list of the entries that can be nearest to one there: an entry whose distance from
- * the cell's nearest point is above another's from its farthest is none of them. So a search looks at some thirty
+ * which a colour is looked for gets a list of the entries that can be nearest to one there: an entry whose distance
+ * from the cell's nearest point is above another's from its farthest is none of them. So a search looks at some thirty
  * entries and finds what a look at all would find.
  */
 #include "blend.h"
