@@ -1,8 +1,8 @@
 /*
- * blit.c - see blit.h. Eight pixels at a time: a row of the picture is copied into 64-bit words, the mask is made from
- * the bytes that are zero, the whole word is recoloured, and the result is written back. No step moves bits from one
- * byte to another, so the byte order of the host does not matter. Bytes written back outside the sprite are those that
- * were read.
+ * blit.c - see blit.h. Eight pixels at a time, or two times eight: a row of the picture is copied into 64-bit words,
+ * the mask is made from the bytes that are zero, the whole word is recoloured, and the result is written back. No step
+ * moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside the
+ * sprite are those that were read.
  *
  * A word may hang over the sprite's edge by up to 7 pixels: fb.h's band and slack are there for it.
  */
@@ -20,12 +20,24 @@ static inline uint64_t reverse(uint64_t v)
     return v << 32 | v >> 32;
 }
 
-static inline void blend(uint8_t *d, uint64_t s, uint64_t add)
+static inline void cover(uint8_t *d, uint64_t s, uint64_t add)
 {
     uint64_t mask = opaque(s);
 
     store(d, (load(d) & ~mask) | (add_bytes(s, add) & mask));
 }
+
+/* Sixteen pixels at once, in a form that compilers turn into vector instructions of the plainest kind: a select by
+ * mask, no branch, a constant count. */
+static inline void cover_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
+{
+    for (int k = 0; k < 16; k++) {
+        uint8_t mask = (uint8_t)(0 - (s[k] != 0)), colour = (uint8_t)(s[k] + add);
+        d[k] = (uint8_t)(d[k] ^ ((d[k] ^ colour) & mask));
+    }
+}
+
+enum { TURNED = 1024 }; /* bytes */
 
 /* What is to be drawn: words of source rows, and where they go. Flipped, words go from right to left. */
 struct job {
@@ -37,55 +49,138 @@ struct job {
     uint64_t add;
 };
 
-/* Whole words; words a row is a constant in the calls that matter. */
-static inline void paint(const struct job *j, int words)
+/* Whole words of one row. */
+static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t add)
+{
+    for (; words > 1; words -= 2, s += 16, d += 16)
+        cover_pair(d, s, (uint8_t)add);
+    if (words > 0)
+        cover(d, load(s), add);
+}
+
+/* Whole words; words a row is a constant in the calls that matter. Here and below all of a job is copied first: for all
+ * a compiler knows, what is drawn lies over it. */
+static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;
     uint8_t *d = j->d;
+    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
     uint64_t add = j->add;
 
-    for (int y = j->rows; y > 0; y--, s += j->s_row, d += j->d_row)
-        for (int k = 0; k < words; k++)
-            blend(d + 8 * k, load(s + 8 * k), add);
+    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
+        paint_row(d, s, words, add);
+}
+
+static inline void paint(const struct job *j)
+{
+    if (j->words == 1)
+        paint_rows(j, 1);
+    else if (j->words == 2)
+        paint_rows(j, 2);
+    else
+        paint_rows(j, j->words);
+}
+
+static inline void paint_flipped_words(const struct job *j)
+{
+    const uint8_t *s = j->s;
+    uint8_t *d = j->d;
+    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
+    uint64_t add = j->add;
+    int words = j->words;
+
+    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row) {
+        const uint8_t *from = s;
+        uint8_t *to = d;
+        for (int k = words; k > 0; k--, from += 8, to -= 8)
+            cover(to, reverse(load(from)), add);
+    }
+}
+
+/* Long rows are turned round first, several before the first is painted: processors are slow at loading sixteen bytes
+ * that have just been stored as two words. */
+static void paint_turned(const struct job *j)
+{
+    uint8_t turned[TURNED];
+    int row = 8 * j->words, most = TURNED / row;
+    const uint8_t *s = j->s;
+    struct job t = *j;
+
+    t.s = turned;
+    t.s_row = row;
+    t.d -= row - 8;
+    for (int left = j->rows; left > 0; left -= t.rows, t.d += t.rows * t.d_row) {
+        t.rows = left < most ? left : most;
+        for (int y = 0; y < t.rows; y++, s += j->s_row)
+            for (int k = 0; k < row; k += 8)
+                store(turned + y * row + row - 8 - k, reverse(load(s + k)));
+        paint(&t);
+    }
 }
 
 static void paint_flipped(const struct job *j)
 {
-    const uint8_t *s = j->s;
-    uint8_t *d = j->d;
+    if (j->words > 4 && j->words <= TURNED / 8)
+        paint_turned(j);
+    else
+        paint_flipped_words(j);
+}
 
-    for (int y = j->rows; y > 0; y--, s += j->s_row, d += j->d_row)
-        for (int k = 0; k < j->words; k++)
-            blend(d - 8 * k, reverse(load(s + 8 * k)), j->add);
+/* Word k of every row, of which `mask` is drawn. */
+static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
+{
+    const uint8_t *s = j->s + 8 * k;
+    uint8_t *d = flip ? j->d - 8 * k : j->d + 8 * k;
+    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
+    uint64_t add = j->add;
+
+    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
+        cover(d, flip ? reverse(load(s) & mask) : load(s) & mask, add);
 }
 
 /* As above with the first and last word of a row cut. */
-static void paint_cut(const struct job *j, bool flip)
+static void paint_cut(struct job *j, bool flip)
 {
-    for (int y = 0; y < j->rows; y++) {
-        const uint8_t *s = j->s + y * j->s_row;
-        uint8_t *d = j->d + y * j->d_row;
-        for (int k = 0; k < j->words; k++) {
-            uint64_t v = load(s + 8 * k);
-            v &= k == 0 ? j->first : ~(uint64_t)0;
-            v &= k == j->words - 1 ? j->last : ~(uint64_t)0;
-            blend(flip ? d - 8 * k : d + 8 * k, flip ? reverse(v) : v, j->add);
-        }
+    if (j->words == 1) {
+        paint_column(j, 0, j->first & j->last, flip);
+        return;
     }
+    paint_column(j, 0, j->first, flip);
+    paint_column(j, j->words - 1, j->last, flip);
+    j->words -= 2;
+    j->s += 8;
+    j->d += flip ? -8 : 8;
+    if (flip)
+        paint_flipped(j);
+    else
+        paint(j);
 }
 
-/* 255 in bytes [from, to) of a word, in the order of memory. */
-static uint64_t byte_range(int from, int to)
-{
-    uint8_t b[8];
+/* 255 in bytes [from, 8) of a word, in the order of memory; and in [0, to). */
+static const uint8_t edge[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255 };
 
-    for (int i = 0; i < 8; i++)
-        b[i] = i >= from && i < to ? 255 : 0;
-    return load(b);
+static uint64_t bytes_from(int from)
+{
+    return load(edge + 8 - from);
+}
+
+static uint64_t bytes_to(int to)
+{
+    return load(edge + 16 - to);
 }
 
 /* The part of an image inside the clip. */
-static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, int64_t y, uint8_t bank, unsigned flags)
+struct part {
+    int from, to; /* columns of the image */
+    int rows;
+    const uint8_t *s; /* the first of these rows, from its column 0 */
+    ptrdiff_t s_row;
+    int64_t at; /* where the whole row would begin, from fb->pix */
+};
+
+/* False: nothing is inside. */
+static bool visible_part(struct part *p, const struct fb *fb, const struct image *image, int64_t x, int64_t y,
+                         unsigned flags)
 {
     int64_t left = fb->x0 > x ? fb->x0 - x : 0, top = fb->y0 > y ? fb->y0 - y : 0; /* columns, rows of the sprite */
     int64_t right = fb->x1 - x < image->w ? fb->x1 - x : image->w;
@@ -93,24 +188,36 @@ static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, in
     bool flip_x = flags & BLIT_FLIP_X, flip_y = flags & BLIT_FLIP_Y;
 
     if (left >= right || top >= bottom)
+        return false;
+    p->from = (int)(flip_x ? image->w - right : left);
+    p->to = (int)(flip_x ? image->w - left : right);
+    p->rows = (int)(bottom - top);
+    p->s = image->pix + (flip_y ? image->h - 1 - top : top) * image->pitch;
+    p->s_row = flip_y ? -image->pitch : image->pitch;
+    p->at = (y + top) * fb->pitch + x;
+    return true;
+}
+
+static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, int64_t y, uint8_t bank, unsigned flags)
+{
+    bool flip = flags & BLIT_FLIP_X;
+    struct part p;
+
+    if (!visible_part(&p, fb, image, x, y, flags))
         return;
-    int from = (int)(flip_x ? image->w - right : left),
-        to = (int)(flip_x ? image->w - left : right); /* of the source */
-    int word = from / 8, last = (to - 1) / 8;
-    int64_t row = flip_y ? image->h - 1 - top : top;
-    int64_t column = flip_x ? image->w - 8 - 8 * word : 8 * word; /* of the sprite, where that word goes */
+    int word = p.from / 8, last = (p.to - 1) / 8;
     struct job j = {
-        .d = fb->pix + (y + top) * fb->pitch + (x + column),
-        .s = image->pix + row * image->pitch + 8 * word,
+        .d = fb->pix + p.at + (flip ? image->w - 8 - 8 * word : 8 * word),
+        .s = p.s + 8 * word,
         .d_row = fb->pitch,
-        .s_row = flip_y ? -image->pitch : image->pitch,
+        .s_row = p.s_row,
         .words = last - word + 1,
-        .rows = (int)(bottom - top),
-        .first = byte_range(from - 8 * word, 8),
-        .last = byte_range(0, to - 8 * last),
+        .rows = p.rows,
+        .first = bytes_from(p.from - 8 * word),
+        .last = bytes_to(p.to - 8 * last),
         .add = BYTES((uint8_t)(bank * 16)),
     };
-    paint_cut(&j, flip_x);
+    paint_cut(&j, flip);
 }
 
 static bool is_safe(const struct fb *fb, const struct image *image, int x, int y)
@@ -118,34 +225,124 @@ static bool is_safe(const struct fb *fb, const struct image *image, int x, int y
     return x >= fb->sx0 && x <= fb->sx1 - image->w && y >= fb->sy0 && y <= fb->sy1 - image->h;
 }
 
-void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)
+/* One opaque pixel through a blend's table. */
+static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
 {
-    if (!is_safe(fb, image, x, y)) {
-        blit_clipped(fb, image, x, y, bank, flags);
+    *d = table[(size_t)*d << 8 | colour];
+}
+
+/* The opaque ones of eight. Written out: gcc leaves a loop as it is. */
+static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uint8_t *table)
+{
+    if (opaque(load(s)) == ~(uint64_t)0) {
+        mix(d, (uint8_t)(s[0] + add), table);
+        mix(d + 1, (uint8_t)(s[1] + add), table);
+        mix(d + 2, (uint8_t)(s[2] + add), table);
+        mix(d + 3, (uint8_t)(s[3] + add), table);
+        mix(d + 4, (uint8_t)(s[4] + add), table);
+        mix(d + 5, (uint8_t)(s[5] + add), table);
+        mix(d + 6, (uint8_t)(s[6] + add), table);
+        mix(d + 7, (uint8_t)(s[7] + add), table);
         return;
     }
-    struct job j = {
+    if (s[0])
+        mix(d, (uint8_t)(s[0] + add), table);
+    if (s[1])
+        mix(d + 1, (uint8_t)(s[1] + add), table);
+    if (s[2])
+        mix(d + 2, (uint8_t)(s[2] + add), table);
+    if (s[3])
+        mix(d + 3, (uint8_t)(s[3] + add), table);
+    if (s[4])
+        mix(d + 4, (uint8_t)(s[4] + add), table);
+    if (s[5])
+        mix(d + 5, (uint8_t)(s[5] + add), table);
+    if (s[6])
+        mix(d + 6, (uint8_t)(s[6] + add), table);
+    if (s[7])
+        mix(d + 7, (uint8_t)(s[7] + add), table);
+}
+
+/* n pixels of a row. */
+static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
+{
+    for (; n >= 8; n -= 8, s += 8, d += 8)
+        if (load(s) != 0)
+            mix_word(d, s, add, table);
+    for (; n > 0; n--, s++, d++)
+        if (*s)
+            mix(d, (uint8_t)(*s + add), table);
+}
+
+/* The same from right to left: d is where the first goes. */
+static inline void mix_row_flipped(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
+{
+    for (; n >= 8; n -= 8, s += 8, d -= 8) {
+        if (load(s) == 0)
+            continue;
+        for (int k = 0; k < 8; k++)
+            if (s[k])
+                mix(d - k, (uint8_t)(s[k] + add), table);
+    }
+    for (; n > 0; n--, s++, d--)
+        if (*s)
+            mix(d, (uint8_t)(*s + add), table);
+}
+
+void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
+                  const uint8_t table[65536])
+{
+    bool flip = flags & BLIT_FLIP_X;
+    uint8_t add = (uint8_t)(bank * 16);
+    struct part p;
+
+    if (!visible_part(&p, fb, image, x, y, flags))
+        return;
+    uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
+    const uint8_t *s = p.s + p.from;
+    ptrdiff_t d_row = fb->pitch;
+    int n = p.to - p.from;
+    for (int row = p.rows; row > 0; row--, d += d_row, s += p.s_row)
+        if (flip)
+            mix_row_flipped(d, s, n, add, table);
+        else
+            mix_row(d, s, n, add, table);
+}
+
+/* All of an image. */
+static inline struct job whole_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
+                                   unsigned flags)
+{
+    ptrdiff_t last = flags & BLIT_FLIP_Y ? (ptrdiff_t)(image->h - 1) * image->pitch : 0;
+
+    return (struct job){
         .d = fb->pix + y * fb->pitch + x,
-        .s = image->pix,
+        .s = image->pix + last,
         .d_row = fb->pitch,
-        .s_row = image->pitch,
+        .s_row = flags & BLIT_FLIP_Y ? -image->pitch : image->pitch,
         .words = (image->w + 7) / 8,
         .rows = image->h,
         .add = BYTES((uint8_t)(bank * 16)),
     };
-    if (flags & BLIT_FLIP_Y) {
-        j.s += (ptrdiff_t)(image->h - 1) * image->pitch;
-        j.s_row = -image->pitch;
+}
+
+static void blit_flipped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)
+{
+    struct job j = whole_job(fb, image, x + image->w - 8, y, bank, flags);
+
+    paint_flipped(&j);
+}
+
+void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)
+{
+    if (!is_safe(fb, image, x, y))
+        blit_clipped(fb, image, x, y, bank, flags);
+    else if (flags & BLIT_FLIP_X)
+        blit_flipped(fb, image, x, y, bank, flags);
+    else {
+        struct job j = whole_job(fb, image, x, y, bank, flags);
+        paint(&j);
     }
-    if (flags & BLIT_FLIP_X) {
-        j.d += image->w - 8;
-        paint_flipped(&j);
-    } else if (j.words == 1)
-        paint(&j, 1);
-    else if (j.words == 2)
-        paint(&j, 2);
-    else
-        paint(&j, j.words);
 }
 
 /* From the point to the farthest corner of pixel (x, y), squared, in half pixels. */

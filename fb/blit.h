@@ -24,6 +24,11 @@ enum {
  * become 0, and is drawn. flags: BLIT_. Any x, y; w or h of 0 draws nothing. */
 void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags);
 
+/* The same, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite would
+ * have put there. */
+void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
+                  const uint8_t table[65536]);
+
 /* The size of a picture that holds all opaque pixels of an image turned any way about its point (ox, oy), in half
  * pixels from its top left corner (w, h is its middle), when that point is put in the picture's middle. The parities
  * are such that the image's pixels fall on pixels when the turn is 0. */

@@ -1,6 +1,6 @@
 /*
- * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art OUTDIR
- * bench` the bench's.
+ * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
+ * OUTDIR bench` the bench's; and `art OUTDIR glow` what the sandbox has of its own.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
@@ -29,6 +29,8 @@ static const struct picture GAME[] = {
 };
 static const struct picture BENCH[] = { { "discs", art_bench }, { "font", art_font }, { NULL, NULL } };
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
+
+static const struct picture LIGHT[] = { { "glow", art_glow }, { NULL, NULL } };
 
 static bool write_png(const char *dir, const char *name, const uint8_t *rgba, int w, int h)
 {
@@ -90,14 +92,14 @@ int main(int argc, char **argv)
 {
     uint32_t rgb[256];
     if (argc < 2 || argc > 3) {
-        fprintf(stderr, "usage: art OUTDIR [card | bench | sheet]\n");
+        fprintf(stderr, "usage: art OUTDIR [card | bench | glow | sheet]\n");
         return 2;
     }
     const char *dir = argv[1];
     bool card = argc == 3 && !strcmp(argv[2], "card"), look = argc == 3 && !strcmp(argv[2], "sheet"), ok = true;
-    bool bench = argc == 3 && !strcmp(argv[2], "bench");
+    bool bench = argc == 3 && !strcmp(argv[2], "bench"), glow = argc == 3 && !strcmp(argv[2], "glow");
     art_palette(rgb);
-    for (const struct picture *p = card ? CARD : bench ? BENCH : GAME; p->name && ok; p++) {
+    for (const struct picture *p = card ? CARD : bench ? BENCH : glow ? LIGHT : GAME; p->name && ok; p++) {
         struct sheet s = p->make();
         ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
         sheet_free(&s);

@@ -88,5 +88,6 @@ struct sheet art_logo(void);
 struct sheet art_font(void);
 struct sheet art_card(void);
 struct sheet art_bench(void);
+struct sheet art_glow(void);
 
 #endif

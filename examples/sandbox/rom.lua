@@ -2,7 +2,9 @@
 return {
   title = "Sandbox", author = "The Curtain authors",
   palette = "art/palette.png", font = "art/font.png",
+  blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {
+    glow    = { file = "art/glow.png",    bank = 0 },
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },
     sparks  = { file = "art/sparks.png",  bank = 0 },
@@ -18,6 +20,8 @@ return {
     dart  = { sheet = "shots",   x = 0,   y = 0,   w = 16, h = 16, rotations = 32 },
     glint = { sheet = "sparks",  x = 0,   y = 0,   w = 12, h = 12, frames = 4, every = 4 },
     halo  = { sheet = "sparks",  x = 0,   y = 16,  w = 48, h = 48, frames = 4, every = 5 },
+    lamp  = { sheet = "glow",    x = 0,   y = 0,   w = 128, h = 128 },
+    ember = { sheet = "glow",    x = 128, y = 0,   w = 24, h = 24 },
     ship  = { sheet = "heron",   x = 0,   y = 0,   w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },
     wisp  = { sheet = "enemies", x = 0,   y = 0,   w = 20, h = 22, frames = 4, every = 5 },
     jelly = { sheet = "enemies", x = 0,   y = 32,  w = 36, h = 44, frames = 4, every = 9, origin = { 18, 17 } },

@@ -33,6 +33,7 @@ enum api_type {
     A_PLAYER_KIND,
     A_SPARK_KIND,
     A_SPRITE,
+    A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_BUTTON,
     A_PAD, /* a player: 1, 2 or a player's handle; 0: the handle of nobody, as player.nearest may return */
     A_EASE,

@@ -74,14 +74,14 @@ static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "graze", A_BOOL, OPT, 0, 0, NULL, "true" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },         { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "damage", A_INT, OPT, 0, 1000000, "hp", "1" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 /* Declares a kind of bullets or shots; extra is graze or damage. */
@@ -99,7 +99,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     k->a[i] = a;
     k->b[i] = b;
     k->bank[i] = (uint8_t)v[3].i;
-    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0));
+    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0) | v[7].i * KIND_BLEND_ONE);
     return i;
 }
 

@@ -154,6 +154,26 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
     api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
+/* There are few: an error names them all. */
+static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    luaL_Buffer list;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a blend's name");
+    v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
+    if (v->i > 0)
+        return;
+    luaL_buffinit(L, &list);
+    for (int i = 0; i < cart->blends; i++) {
+        luaL_addstring(&list, i ? ", " : " (it has ");
+        luaL_addstring(&list, cart_blend_name(cart, i));
+    }
+    luaL_addstring(&list, cart->blends ? ")" : " (it has none)");
+    luaL_pushresult(&list);
+    api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), lua_tostring(L, -1));
+}
+
 /* One word of a fixed list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
                        const char *const *words, int n)
@@ -264,6 +284,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         break;
     case A_SPRITE:
         check_sprite(L, entry, p, at, v);
+        break;
+    case A_BLEND:
+        check_blend(L, entry, p, at, v);
         break;
     case A_BUTTON:
         check_word(L, entry, p, at, v, buttons, PAD_BUTTONS);

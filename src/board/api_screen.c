@@ -14,7 +14,7 @@ static const struct api_param put[] = {
     { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
@@ -28,15 +28,16 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
         s->y[i] = v[2].f;
         s->bank[i] = (uint8_t)v[3].i;
         s->layer[i] = (uint8_t)v[4].i;
-        s->flags[i] = (uint8_t)((v[5].i ? SPRITE_SCREEN : 0) | (v[6].i ? SPRITE_FLIP_X : 0) |
-                                (v[7].i ? SPRITE_FLIP_Y : 0) | (v[8].i ? SPRITE_HIDDEN : 0));
+        s->flags[i] =
+            (uint8_t)((v[5].i ? SPRITE_SCREEN : 0) | (v[6].i ? SPRITE_FLIP_X : 0) | (v[7].i ? SPRITE_FLIP_Y : 0) |
+                      (v[8].i ? SPRITE_HIDDEN : 0) | v[9].i * SPRITE_BLEND_ONE);
         s->born[i] = b->core.clock;
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
 }
 
-enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, PROPS };
+enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
@@ -48,6 +49,7 @@ static const struct api_prop props[PROPS] = {
     { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
     { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
+    { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -68,6 +70,12 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         return;
     case P_BANK:
         return lua_pushinteger(L, s->bank[i]);
+    case P_BLEND:
+        if (s->flags[i] & SPRITE_BLEND)
+            lua_pushstring(L, cart_blend_name(&b->cart, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
+        else
+            lua_pushnil(L);
+        return;
     default:
         return lua_pushboolean(L, s->flags[i] & flag_of[p]);
     }
@@ -92,6 +100,9 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         break;
     case P_BANK:
         s->bank[i] = (uint8_t)v->i;
+        break;
+    case P_BLEND:
+        s->flags[i] = (uint8_t)((s->flags[i] & ~SPRITE_BLEND) | v->i * SPRITE_BLEND_ONE);
         break;
     default:
         s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
@@ -121,6 +132,7 @@ static const struct api_param spark_def[] = {
     { "gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0" },
     { "drag", A_FX, OPT, 0, 1, "of the speed a frame", "0" },
     { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 static int spark_define(lua_State *L, struct board *b, struct api_value *v)
@@ -136,7 +148,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     k->life[i] = (uint16_t)v[2].i;
     k->gravity[i] = v[3].f;
     k->drag[i] = v[4].f;
-    k->bank[i] = (uint8_t)v[5].i;
+    k->bank[i] = (uint8_t)(v[5].i | v[6].i * SPARK_BLEND_ONE);
     return 0;
 }
 

@@ -76,6 +76,22 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
     return cart_palette(c, "main") != NULL ? true : fail(err, err_size, "no lump \"palette/main\"");
 }
 
+static bool open_blends(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
+    if (c->blends > CART_MAX_BLENDS)
+        return fail(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
+    for (int i = 0; i < c->blends; i++) {
+        rom_lump(c->rom, c->first_blend + i, &l);
+        if (l.size != CART_BLEND)
+            return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size, CART_BLEND);
+        c->blend[i] = l.data;
+    }
+    return true;
+}
+
 static bool open_font(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
@@ -172,8 +188,8 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
-    return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) && open_font(cart, err, err_size) &&
-           open_sprites(cart, err, err_size);
+    return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
+           open_blends(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -194,13 +210,33 @@ const char *cart_sprite_name(const struct cart *cart, int i)
     return l.name + strlen("gfx/");
 }
 
-int cart_find_sprite(const struct cart *cart, const char *name)
+/* The lump folder + name, counted from the folder's first; -1: none. */
+static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
 {
     char full[ROM_NAME];
-    int n = snprintf(full, sizeof full, "gfx/%s", name);
+    int n = snprintf(full, sizeof full, "%s%s", folder, name);
     int i = n > 0 && n < ROM_NAME ? rom_find(cart->rom, full) : -1;
 
-    return i < 0 ? -1 : i - cart->first_sprite;
+    return i < 0 ? -1 : i - first;
+}
+
+int cart_find_sprite(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "gfx/", name, cart->first_sprite);
+}
+
+const char *cart_blend_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->blends);
+    rom_lump(cart->rom, cart->first_blend + i, &l);
+    return l.name + strlen("blend/");
+}
+
+int cart_find_blend(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "blend/", name, cart->first_blend);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)

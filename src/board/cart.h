@@ -5,6 +5,8 @@
  * Lumps:  manifest        manifest.h
  *         script/X.lua    scripts of the game; script/@std/X.lua the standard library
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
+ *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
+ *                         most CART_MAX_BLENDS of them
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
@@ -24,7 +26,9 @@
 enum {
     CART_GFX_HEADER = 24,
     CART_PALETTE = 768, /* bytes */
-    CART_GLYPH = 64,    /* bytes */
+    CART_BLEND = 65536, /* bytes */
+    CART_MAX_BLENDS = 3,
+    CART_GLYPH = 64, /* bytes */
     CART_FIRST_CHAR = 32,
     CART_MAX_GLYPHS = 224,
     CART_MAX_SIDE = 1024, /* px of a sprite's picture */
@@ -37,7 +41,9 @@ struct cart {
     struct manifest m;
     int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
     int first_palette, palettes;
-    const uint8_t *glyphs; /* NULL: no font */
+    int first_blend, blends;
+    const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
+    const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
 };
 
@@ -56,6 +62,10 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 void cart_sprite(const struct cart *cart, int i, struct sprite *out);
 const char *cart_sprite_name(const struct cart *cart, int i);
 int cart_find_sprite(const struct cart *cart, const char *name);
+
+/* Blend i, 0 <= i < blends: its name without "blend/"; the index of a name, or -1. */
+const char *cart_blend_name(const struct cart *cart, int i);
+int cart_find_blend(const struct cart *cart, const char *name);
 
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);

@@ -52,10 +52,22 @@ struct manifest {
 };
 
 /* What rom.lua says of the art; only the packer sees it. Files are paths in the game's folder. */
-enum { MAX_ART_PALETTES = 64, MAX_ART_SHEETS = 256, MAX_ART_SPRITES = 4096, ART_NAME = 32, ART_FILE = 96 };
+enum {
+    MAX_ART_PALETTES = 64,
+    MAX_ART_BLENDS = 3,
+    MAX_ART_SHEETS = 256,
+    MAX_ART_SPRITES = 4096,
+    ART_NAME = 32,
+    ART_FILE = 96
+};
 
 struct art_palette {
     char name[ART_NAME], file[ART_FILE];
+};
+
+struct art_blend {
+    char name[ART_NAME];
+    int32_t mix; /* percent of the upper colour, 1 to 99; 0: the sum */
 };
 
 struct art_sheet {
@@ -75,9 +87,10 @@ struct art_sprite {
 struct art {
     char palette[ART_FILE], font[ART_FILE]; /* "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
+    struct art_blend blends[MAX_ART_BLENDS];
     struct art_sheet sheets[MAX_ART_SHEETS];
     struct art_sprite sprites[MAX_ART_SPRITES];
-    int n_palettes, n_sheets, n_sprites; /* each ascending by name */
+    int n_palettes, n_blends, n_sheets, n_sprites; /* each ascending by name */
 };
 
 /* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they

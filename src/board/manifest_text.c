@@ -458,6 +458,42 @@ static void read_palettes(const struct at *root, struct art *art)
     lua_pop(a.lua, 1);
 }
 
+/* "add", or { mix = percent }. */
+static int32_t read_blend(const struct at *a, const char *name)
+{
+    static const char *const names[] = { "mix", NULL };
+    char path[MAX_PATH];
+    struct at one;
+    int32_t mix = 0;
+
+    path_of(a, name, path);
+    get(a, name);
+    if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), "add") == 0) {
+        lua_pop(a->lua, 1);
+        return 0;
+    }
+    if (!lua_istable(a->lua, -1))
+        bad(a->lua, path, "expected \"add\" or { mix = percent }, got %s", got(a->lua));
+    lua_pop(a->lua, 1);
+    get_table(a, name, &one);
+    only(&one, names);
+    need_whole(&one, "mix", 1, 99, &mix);
+    lua_pop(a->lua, 1);
+    return mix;
+}
+
+static void read_blends(const struct at *root, struct art *art)
+{
+    struct at a;
+
+    if (!get_table(root, "blends", &a))
+        return;
+    art->n_blends = keys(&a, art->blends, MAX_ART_BLENDS, sizeof art->blends[0], ART_NAME);
+    for (int i = 0; i < art->n_blends; i++)
+        art->blends[i].mix = read_blend(&a, art->blends[i].name);
+    lua_pop(a.lua, 1);
+}
+
 static void read_sheets(const struct at *root, struct art *art)
 {
     static const char *const names[] = { "file", "bank", NULL };
@@ -545,10 +581,10 @@ static void read_sprites(const struct at *root, struct art *art)
 
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
-    static const char *const names[] = { "id",      "title",        "author",     "version", "entry",
-                                         "screen",  "field",        "board",      "palette", "palettes",
-                                         "font",    "sheets",       "sprites",    "dip",     "players",
-                                         "extends", "difficulties", "difficulty", NULL };
+    static const char *const names[] = { "id",      "title",   "author",       "version",    "entry",
+                                         "screen",  "field",   "board",        "palette",    "palettes",
+                                         "blends",  "font",    "sheets",       "sprites",    "dip",
+                                         "players", "extends", "difficulties", "difficulty", NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -557,6 +593,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_difficulties(root, m);
     read_dips(root, m);
     read_palettes(root, art);
+    read_blends(root, art);
     read_sheets(root, art);
     read_sprites(root, art);
 }

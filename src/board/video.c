@@ -19,12 +19,21 @@ struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang d
     return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
 }
 
-static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip)
+void video_paint(struct canvas *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip, unsigned blend)
+{
+    if (blend)
+        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
+    else
+        blit_sprite(c->fb, img, x, y, bank, flip);
+}
+
+static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                unsigned blend)
 {
     const struct sprite *s = &c->b->pictures[sprite];
     struct image img = video_image(s, age, false, 0);
 
-    blit_sprite(c->fb, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip);
+    video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
     c->drawn++;
 }
 
@@ -41,7 +50,7 @@ static void draw_sprites(struct canvas *c, int layer)
             at.x = at.y = 0;
         }
         put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
-            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y));
+            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
         if (s->flags[i] & SPRITE_SCREEN)
             fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
         c->drawn++;
@@ -53,7 +62,8 @@ static void draw_enemies(struct canvas *c)
     const struct enemies *e = &c->b->enemies;
 
     EACH_LIVE (i, &e->s)
-        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0);
+        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0,
+            (c->b->enemy_kinds.flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
 }
 
 /* A player that cannot be hit blinks. */
@@ -63,7 +73,7 @@ static void draw_players(struct canvas *c)
 
     for (uint32_t i = 0; i < PADS; i++)
         if (p->in[i] && !(p->safe[i] >> 2 & 1))
-            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0);
+            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
 }
 
 static void draw_sparks(struct canvas *c)
@@ -75,7 +85,8 @@ static void draw_sparks(struct canvas *c)
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
         put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-            c->b->spark_kinds.bank[kind], 0);
+            c->b->spark_kinds.bank[kind] & SPARK_BANK, 0,
+            (c->b->spark_kinds.bank[kind] & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
 }
 

@@ -27,6 +27,10 @@ struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256]
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
 
+/* One picture. blend: a blend's index + 1, 0: opaque. */
+void video_paint(struct canvas *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
+                 unsigned blend);
+
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k);
 

@@ -2,7 +2,7 @@
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
  * A counting sort lists every kind's bullets in slot order, as places (stamp.h) of a picture they all show, which is then
- * stamped in one batch; or by slot, where bullets are turned or animated, or hang over the clip's edge. When there are so
+ * stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's edge. When there are so
  * many that they cover the field many times over, they are drawn front to back on a layer of the field's size: first the
  * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
@@ -20,7 +20,8 @@ enum {
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns, alike; /* alike: all show one picture */
+    bool turns, alike; /* alike: all show one picture, opaque */
+    unsigned blend;    /* index + 1, 0: opaque */
     uint32_t n;
     size_t pixels; /* that are opaque */
     uint32_t list; /* index of its part of the list */
@@ -127,7 +128,8 @@ static void find_style(const struct canvas *c, const struct bullet_kinds *k, uin
 
     style->pic = pic;
     style->turns = k->flags[kind] & KIND_TURNS && pic->rotations > 1;
-    style->alike = !style->turns && pic->frames == 1;
+    style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+    style->alike = !style->turns && pic->frames == 1 && !style->blend;
     style->pixels = opaque_pixels(&image);
 }
 
@@ -310,7 +312,7 @@ static void draw_other(struct canvas *c, const struct bullets *s, const struct l
     int x, y;
 
     corner(t, l, s, i, &x, &y);
-    blit_sprite(c->fb, &image, x, y, s->bank[i], 0);
+    video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
 static void draw_place(struct canvas *c, const struct style *style, uint32_t place)
@@ -456,14 +458,14 @@ static void draw_layered(struct canvas *c, const struct bullets *s, struct lists
     c->hidden += s->s.live - drawn + layer.hidden;
 }
 
-/* How many pixels all of them have; 0 when a picture is too large for a layer's band. */
+/* How many pixels all of them have; 0 when one is too large for a layer's band, or needs what is under it. */
 static uint64_t pixels_of_all(const struct lists *l)
 {
     uint64_t sum = 0;
 
     for (uint32_t o = 0; o < l->kinds; o++) {
         const struct style *style = &l->style[l->order[o]];
-        if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD)
+        if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
             return 0;
         sum += style->n * (uint64_t)style->pixels;
     }

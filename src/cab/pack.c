@@ -16,6 +16,7 @@
 #include "../board/cart.h"
 #include "../board/script.h"
 #include "art.h"
+#include "blend.h"
 #include "files.h"
 #include "png.h"
 
@@ -333,6 +334,20 @@ static bool add_palettes(struct packer *p)
     return true;
 }
 
+static bool add_blends(struct packer *p)
+{
+    for (int i = 0; i < p->art.n_blends; i++) {
+        uint8_t *table = malloc(CART_BLEND);
+        if (table == NULL || !blend_make(p->palette, p->art.blends[i].mix, table)) {
+            free(table);
+            return fail(p->err, p->err_size, "out of memory");
+        }
+        if (!add(p, "blend/", p->art.blends[i].name, table, CART_BLEND))
+            return false;
+    }
+    return true;
+}
+
 static bool add_font(struct packer *p)
 {
     const char *file = p->art.font;
@@ -379,7 +394,7 @@ static bool add_sheet(struct packer *p, int sheet)
 
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_font(p))
+    if (!add_palettes(p) || !add_blends(p) || !add_font(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))

@@ -24,6 +24,8 @@ enum {
     KIND_TURNS = 1 << 1, /* the picture points along dir */
 
     KIND_SWEPT = 1 << 2, /* hits look at the whole way of a frame, not at its end alone */
+    KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
+    KIND_BLEND_ONE = 1 << 3,
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,

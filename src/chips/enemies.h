@@ -12,6 +12,8 @@
 enum {
     ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
     ENEMY_SWEPT = 1 << 1, /* of a kind: a player meets the whole way of its frame, not its end alone */
+    ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
+    ENEMY_BLEND_ONE = 1 << 2,
 
     ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1, /* it died or left, and goes once its handlers have been told */

@@ -10,6 +10,12 @@
 #include "motion.h"
 #include "slots.h"
 
+enum {
+    SPARK_BANK = 15,      /* of a kind's `bank`: banks to add */
+    SPARK_BLEND = 3 << 4, /* how it is drawn, in units of SPARK_BLEND_ONE: 0 opaque, else blend + 1 */
+    SPARK_BLEND_ONE = 1 << 4
+};
+
 /* What spark.def declares. */
 struct spark_kinds {
     struct slots s;
@@ -17,7 +23,7 @@ struct spark_kinds {
     uint16_t *life; /* frames */
     fx *gravity;    /* px/frame more downwards, a frame */
     fx *drag;       /* share of the velocity lost a frame, 0 to 1 */
-    uint8_t *bank;
+    uint8_t *bank;  /* and blend: SPARK_ */
 };
 
 struct sparks {

@@ -18,6 +18,8 @@ enum {
     SPRITE_FLIP_Y = 1 << 1,
     SPRITE_HIDDEN = 1 << 2,
     SPRITE_SCREEN = 1 << 3, /* placed on the screen instead of the field */
+    SPRITE_BLEND = 3 << 4,  /* how it is drawn, in units of SPRITE_BLEND_ONE: 0 opaque, else blend + 1 */
+    SPRITE_BLEND_ONE = 1 << 4,
 };
 
 struct sprites {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/ are what tools/art.c draws, pixel by pixel, with gcc and with clang.
+# art.sh - the pictures in roms/ and the sandbox's own are what tools/art.c draws, pixel by pixel, with gcc and clang.
 . "$(dirname "$0")/../tap.sh"
 
 compare() { # WHAT ROM MODE
@@ -13,6 +13,11 @@ compare() { # WHAT ROM MODE
     same "$2 has no picture that $1 does not draw" "$(ls "$repo/roms/$2/art")" "$(ls "$dir")"
 }
 
+glow() { # WHAT
+    mkdir -p "$1-glow" && "./$1" "$1-glow" glow &&
+        python3 "$repo/tests/golden/png.py" "$repo/examples/sandbox/art/glow.png" "$1-glow/glow.png" difference.png
+}
+
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
@@ -20,5 +25,6 @@ for cc in gcc clang; do
     compare art-$cc glasstide
     compare art-$cc testcard card
     compare art-$cc bench bench
+    holds "the sandbox's glow is what art-$cc draws" glow art-$cc
 done
 finish

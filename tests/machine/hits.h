@@ -130,7 +130,7 @@ static bool meets(struct thing p, struct thing q, bool swept)
 }
 
 /* hit_run after things were put in places by hand, without a move that found who is near. */
-static void hit_now(struct board *b)
+static inline void hit_now(struct board *b)
 {
     struct watch watch[PADS];
 

@@ -172,6 +172,27 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
     rig_scripts(g, m, scripts, 2);
 }
 
+/* Puts two blends into a game, "ghost" and "glow", whose tables are nonsense. */
+static inline void rig_blends(struct rig_game *g)
+{
+    enum { MOST = 64 };
+    static uint8_t blend[2][CART_BLEND];
+    struct rig_game had = *g;
+    struct lump lumps[MOST];
+    int n = (int)had.image.rom.count;
+
+    for (int i = 0; i < CART_BLEND; i++) {
+        blend[0][i] = (uint8_t)(i * 13 + i / 256 * 7 + 1);
+        blend[1][i] = (uint8_t)(i * 5 + i / 256 * 11 + 2);
+    }
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    lumps[n++] = (struct lump){ "blend/ghost", blend[0], CART_BLEND };
+    lumps[n++] = (struct lump){ "blend/glow", blend[1], CART_BLEND };
+    rig_write(g, lumps, n);
+    free(had.image.bytes);
+}
+
 /* Packs roms/NAME. */
 static inline void rig_folder(struct rig_game *g, const char *name)
 {

@@ -63,6 +63,7 @@ static const char world[] =
 static struct rig_game g;
 static struct rig rig;
 static struct rng rng;
+static const struct api_entry *entry; /* being called */
 
 static uint64_t below(uint64_t n)
 {
@@ -329,7 +330,10 @@ static void push_value(lua_State *L, const struct api_param *p)
         lua_pushnumber(L, one_in(3) ? (double)(int64_t)rng_next(&rng) : (double)below(72000) / 100 - 360);
         break;
     case A_STR:
-        push_word(L);
+        if (entry && !strcmp(entry->name, "rom.text") && one_in(4)) /* of all words, only one is a file's name */
+            lua_pushliteral(L, "words.txt");
+        else
+            push_word(L);
         break;
     case A_BOOL:
         lua_pushboolean(L, one_in(2));
@@ -388,6 +392,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_SPRITE:
         push_from(L, sprites, 3);
+        break;
+    case A_BLEND:
+        lua_pushstring(L, one_in(2) ? "glow" : "ghost");
         break;
     case A_BUTTON:
         push_from(L, buttons, PAD_BUTTONS);
@@ -454,8 +461,7 @@ struct tally {
     int good, faults;
 };
 
-static const struct api_entry *entry; /* being called */
-static const struct api_prop *prop;   /* or being read and written */
+static const struct api_prop *prop; /* or being read and written */
 static enum handle_kind prop_kind;
 static bool returned;
 
@@ -821,6 +827,7 @@ static int setup(void **state)
     m.dips[0].hi = 9;
     m.lua_kib = 512;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
+    rig_blends(&g);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

@@ -128,7 +128,8 @@ static int any_place(struct rng *r, int side, int size)
     }
 }
 
-static void paint(struct bed *b, int64_t x, int64_t y, uint8_t bank, unsigned flags)
+/* table: of a blend; NULL: none. */
+static void paint_through(struct bed *b, int64_t x, int64_t y, uint8_t bank, unsigned flags, const uint8_t *table)
 {
     const struct image *im = &b->image;
 
@@ -137,9 +138,16 @@ static void paint(struct bed *b, int64_t x, int64_t y, uint8_t bank, unsigned fl
             int64_t px = x + (flags & BLIT_FLIP_X ? im->w - 1 - u : u);
             int64_t py = y + (flags & BLIT_FLIP_Y ? im->h - 1 - v : v);
             uint8_t c = im->pix[v * im->pitch + u];
-            if (c != 0 && px >= b->fb.x0 && px < b->fb.x1 && py >= b->fb.y0 && py < b->fb.y1)
-                b->want[py][px] = (uint8_t)(c + bank * 16);
+            if (c == 0 || px < b->fb.x0 || px >= b->fb.x1 || py < b->fb.y0 || py >= b->fb.y1)
+                continue;
+            c = (uint8_t)(c + bank * 16);
+            b->want[py][px] = table ? table[b->want[py][px] * 256 + c] : c;
         }
+}
+
+static void paint(struct bed *b, int64_t x, int64_t y, uint8_t bank, unsigned flags)
+{
+    paint_through(b, x, y, bank, flags, NULL);
 }
 
 /* The picture is as wanted; bytes outside the safe rectangle, before and after the surface too, are as they were. The
@@ -238,6 +246,114 @@ static void nothing_to_draw(void **state)
         blit_sprite(&b->fb, &b->image, 9, 9, 1, flags);
     }
     expect(b);
+}
+
+/* Rows shorter and longer than those that are turned round before they are painted, and more of them than are turned at
+ * once. */
+static void flipped_rows_of_any_length(void **state)
+{
+    (void)state;
+    static const int widths[] = { 31, 32, 33, 40, 41, 127, 511, 512, 513, 1015, 1016, 1017, 1023, 1024, 1025, 1040 };
+    enum { LONG = 1040, ROWS = 37 };
+    uint8_t *pix = malloc(LONG * ROWS), *mem = malloc(fb_size(LONG, ROWS));
+    struct rng r;
+    struct fb fb;
+
+    assert_non_null(pix);
+    assert_non_null(mem);
+    rng_seed(&r, 4);
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        int w = widths[i], pitch = (w + 7) / 8 * 8;
+        memset(pix, 0, LONG * ROWS);
+        for (int y = 0; y < ROWS; y++)
+            for (int x = 0; x < w; x++)
+                pix[y * pitch + x] = (uint8_t)rng_next(&r) & 15;
+        struct image image = { pix, w, ROWS, pitch };
+        fb_init(&fb, mem, LONG, ROWS);
+        blit_sprite(&fb, &image, 0, 0, 2, BLIT_FLIP_X);
+        for (int y = 0; y < ROWS; y++)
+            for (int x = 0; x < LONG; x++) {
+                int c = x < w ? pix[y * pitch + w - 1 - x] : 0;
+                assert_int_equal(fb.pix[y * fb.pitch + x], c ? c + 32 : 0);
+            }
+    }
+    free(pix);
+    free(mem);
+}
+
+/* Any table, also one that makes opaque pixels 0 and lets none stand. */
+static void random_table(struct bed *b, uint8_t *table)
+{
+    for (int i = 0; i < 65536; i++)
+        table[i] = (uint8_t)rng_next(&b->r);
+}
+
+static void blended_sprites(void **state)
+{
+    struct bed *b = *state;
+    uint8_t *table = malloc(65536);
+
+    assert_non_null(table);
+    random_table(b, table);
+    for (int w = 1; w <= MAX_SIDE; w++)
+        for (int k = 0; k < 400; k++) {
+            if (k % 8 == 0)
+                random_image(b, w, 1 + (int)rng_below(&b->r, k % 16 ? 20 : MAX_SIDE));
+            int x = any_place(&b->r, W, b->image.w), y = any_place(&b->r, H, b->image.h);
+            uint8_t bank = (uint8_t)rng_below(&b->r, 256);
+            random_clip(b);
+            begin(b);
+            paint_through(b, x, y, bank, (unsigned)k % 4, table);
+            blit_blended(&b->fb, &b->image, x, y, bank, (unsigned)k % 4, table);
+            expect(b);
+        }
+    free(table);
+}
+
+/* What lies under a pixel, and what is drawn over it: all pairs. */
+static void blended_pairs(void **state)
+{
+    struct bed *b = *state;
+    uint8_t *table = malloc(65536);
+    uint8_t one = 7;
+
+    assert_non_null(table);
+    random_table(b, table);
+    b->image = (struct image){ NULL, 1, 1, 8 };
+    fb_clip_all(&b->fb);
+    for (int under = 0; under < 256; under++)
+        for (int bank = 0; bank < 16; bank++) {
+            uint8_t row[8] = { one };
+            b->image.pix = row;
+            b->fb.pix[0] = (uint8_t)under;
+            blit_blended(&b->fb, &b->image, 0, 0, (uint8_t)bank, 0, table);
+            assert_int_equal(b->fb.pix[0], table[under * 256 + (one + bank * 16) % 256]);
+        }
+    free(table);
+}
+
+static void blended_nothing(void **state)
+{
+    struct bed *b = *state;
+    uint8_t *table = calloc(1, 65536);
+
+    assert_non_null(table);
+    random_image(b, 24, 8);
+    fb_clip(&b->fb, 4, 4, 0, 9);
+    begin(b);
+    for (unsigned flags = 0; flags < 4; flags++)
+        blit_blended(&b->fb, &b->image, 0, 0, 1, flags, table);
+    expect(b);
+    fb_clip_all(&b->fb);
+    begin(b);
+    for (unsigned flags = 0; flags < 4; flags++) {
+        b->image.w = 0, b->image.h = 8;
+        blit_blended(&b->fb, &b->image, 9, 9, 1, flags, table);
+        b->image.w = 24, b->image.h = 0;
+        blit_blended(&b->fb, &b->image, 9, 9, 1, flags, table);
+    }
+    expect(b);
+    free(table);
 }
 
 /* A list of places, between them what is none; stamps stop there. */
@@ -579,6 +695,10 @@ int main(void)
         cmocka_unit_test(sprites_at_every_edge),
         cmocka_unit_test(banks_wrap),
         cmocka_unit_test(nothing_to_draw),
+        cmocka_unit_test(flipped_rows_of_any_length),
+        cmocka_unit_test(blended_sprites),
+        cmocka_unit_test(blended_pairs),
+        cmocka_unit_test(blended_nothing),
         cmocka_unit_test(stamps_are_sprites),
         cmocka_unit_test(layers_are_sprites),
         cmocka_unit_test(turn_of_nothing_is_the_image),

@@ -97,6 +97,7 @@ static const char lanterns[] =
     "  board = { bullets = 100, shots = 0, enemies = 5, sparks = 0, sprites = 7, motions = 0, tasks = 9,\n"
     "            lua_kib = 512.0 },\n"
     "  palette = 'art/palette.png', font = 'art/font.png', palettes = { dusk = 'art/dusk.png' },\n"
+    "  blends = { haze = { mix = 99 }, glow = 'add', ghost = { mix = 1 } },\n"
     "  sheets = { small = { file = 'art/small.png', bank = 4 }, big = { file = 'art/big.png' } },\n"
     "  sprites = { wisp = { sheet = 'small', y = 16, w = 24, h = 20, frames = 4, every = 5 },\n"
     "              rice = { sheet = 'small', x = 16, w = 13, h = 12, rotations = 32 },\n"
@@ -174,6 +175,13 @@ static void test_art(void **state)
     assert_int_equal(a->n_palettes, 1);
     assert_string_equal(a->palettes[0].name, "dusk");
     assert_string_equal(a->palettes[0].file, "art/dusk.png");
+    assert_int_equal(a->n_blends, 3);
+    assert_string_equal(a->blends[0].name, "ghost");
+    assert_int_equal(a->blends[0].mix, 1);
+    assert_string_equal(a->blends[1].name, "glow");
+    assert_int_equal(a->blends[1].mix, 0);
+    assert_string_equal(a->blends[2].name, "haze");
+    assert_int_equal(a->blends[2].mix, 99);
     assert_int_equal(a->n_sheets, 2);
     assert_string_equal(a->sheets[0].name, "big");
     assert_int_equal(a->sheets[0].bank, 0);
@@ -323,6 +331,18 @@ static void test_art_errors(void **state)
     entry_refused("palettes = { a = 'x/../y' }",
                   "palettes.a: expected a file inside the folder (letters, digits, _ - . /), got \"x/../y\"");
     entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is that of `palette`");
+    entry_refused("blends = 'add'", "blends: expected a table, got \"add\"");
+    entry_refused("blends = { 'add' }", "blends: expected only names as keys, got 1");
+    entry_refused("blends = { ['a b'] = 'add' }", "blends: \"a b\": expected a name of letters, digits, _ - . and /");
+    entry_refused("blends = { a = 'add', b = 'add', c = 'add', d = 'add' }", "blends: expected at most 3 entries");
+    entry_refused("blends = { a = 'mix' }", "blends.a: expected \"add\" or { mix = percent }, got \"mix\"");
+    entry_refused("blends = { a = 50 }", "blends.a: expected \"add\" or { mix = percent }, got 50");
+    entry_refused("blends = { a = {} }", "blends.a.mix: expected a whole number from 1 to 99, got nil");
+    entry_refused("blends = { a = { mix = 0 } }", "blends.a.mix: expected a whole number from 1 to 99, got 0");
+    entry_refused("blends = { a = { mix = 100 } }", "blends.a.mix: expected a whole number from 1 to 99, got 100");
+    entry_refused("blends = { a = { mix = 2.5 } }", "blends.a.mix: expected a whole number from 1 to 99, got 2.5");
+    entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown name");
+    entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown name (did you mean \"mix\"?)");
     entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
     entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\"");
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",

@@ -342,6 +342,30 @@ static void test_palette(void **state)
     rom_image_free(&image);
 }
 
+/* Same palette, same tables; and the table is that of the game's palette. */
+static void test_blends(void **state)
+{
+    struct rom_image image, again;
+    struct lump l;
+
+    (void)state;
+    put_game("return { palette = 'p.png', blends = { glow = 'add', ghost = { mix = 30 } } }");
+    put_palette("p.png");
+    image = packed(false);
+    again = packed(false);
+    assert_int_equal(image.size, again.size);
+    assert_memory_equal(image.bytes, again.bytes, image.size);
+    l = find(&image.rom, "blend/glow");
+    assert_int_equal(l.size, CART_BLEND);
+    assert_int_equal(l.data[0x11 * 256 + 0x21], 0x31); /* #300032: #300031 is as near as #300033 */
+    assert_int_equal(l.data[0xf1 * 256 + 0xf1], 0xff); /* #ff00ff */
+    l = find(&image.rom, "blend/ghost");
+    assert_int_equal(l.data[0x12 * 256 + 0x42], 0x21); /* #1e0020: #200020 is never drawn */
+    assert_int_equal(l.data[0x42 * 256 + 0x12], 0x34); /* #320034 */
+    rom_image_free(&image);
+    rom_image_free(&again);
+}
+
 static const char art_manifest[] =
     "return { palette = 'p.png', sheets = { s = { file = 'art/s.png', bank = 3 } }, sprites = {\n"
     "  two = { sheet = 's', x = 1, y = 1, w = 3, h = 2, frames = 2, every = 9, origin = { -1, 2 } } } }";
@@ -771,6 +795,7 @@ int main(void)
         TEST(test_same_bytes),
         TEST(test_std),
         TEST(test_palette),
+        TEST(test_blends),
         TEST(test_sprite),
         TEST(test_half_transparent),
         TEST(test_foreign_colour),

@@ -419,6 +419,58 @@ static void test_cart(void **state)
     free(b.p);
 }
 
+/* Opens f with n tables besides, named blend/a and so on; the last has `size` bytes. */
+static bool open_blends(const struct full *f, int n, uint32_t size, struct cart *cart, struct rom *rom, struct block *b,
+                        char *err, size_t err_size)
+{
+    static const char *const names[] = { "blend/a", "blend/b", "blend/c/d", "blend/e" };
+    static uint8_t tables[4][CART_BLEND];
+    struct lump lumps[4 + FULL];
+
+    for (int i = 0; i < n; i++) {
+        tables[i][65535] = (uint8_t)(i + 1);
+        lumps[i] = (struct lump){ names[i], tables[i], i == n - 1 ? size : CART_BLEND };
+    }
+    memcpy(lumps + n, f->lumps, sizeof f->lumps);
+    *b = make(lumps, n + FULL);
+    opened(rom, *b);
+    return cart_open(cart, rom, err, err_size);
+}
+
+static void test_cart_blends(void **state)
+{
+    struct full f;
+    struct cart cart;
+    struct block b;
+    struct rom rom;
+    char err[256] = "", name[200];
+
+    (void)state;
+    full_init(&f);
+    assert_true(open_blends(&f, 0, 0, &cart, &rom, &b, err, sizeof err));
+    assert_int_equal(cart.blends, 0);
+    assert_int_equal(cart_find_blend(&cart, "a"), -1);
+    free(b.p);
+    assert_true(open_blends(&f, 3, CART_BLEND, &cart, &rom, &b, err, sizeof err));
+    assert_int_equal(cart.blends, 3);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(cart.blend[i][65535], i + 1);
+        assert_int_equal(cart_find_blend(&cart, cart_blend_name(&cart, i)), i);
+    }
+    assert_string_equal(cart_blend_name(&cart, 2), "c/d");
+    assert_int_equal(cart_find_blend(&cart, "c"), -1);
+    assert_int_equal(cart_find_blend(&cart, ""), -1);
+    assert_int_equal(cart_find_blend(&cart, letters(name, 150)), -1);
+    assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
+    free(b.p);
+    assert_false(open_blends(&f, 4, CART_BLEND, &cart, &rom, &b, err, sizeof err));
+    assert_string_equal(err, "4 lumps \"blend/...\", expected at most 3");
+    free(b.p);
+    assert_false(open_blends(&f, 2, CART_BLEND - 1, &cart, &rom, &b, err, sizeof err));
+    assert_string_equal(err, "lump \"blend/b\": 65535 bytes long, expected 65536");
+    free(b.p);
+}
+
 static void test_cart_without_font(void **state)
 {
     struct full f;
@@ -572,7 +624,7 @@ int main(void)
         cmocka_unit_test(test_cart),          cmocka_unit_test(test_cart_without_font),
         cmocka_unit_test(test_cart_lumps),    cmocka_unit_test(test_sprite_size),
         cmocka_unit_test(test_sprite_header), cmocka_unit_test(test_sprite_pixels),
-        cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_mutations),     cmocka_unit_test(test_cart_blends),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

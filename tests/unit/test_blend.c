@@ -1,0 +1,112 @@
+/* test_blend.c - blend.h: every entry of a table against a look at all colours. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/art.h"
+#include "../../src/cab/blend.h"
+
+static uint8_t table[CART_BLEND];
+
+/* What blend.h promises, word by word. */
+static int wanted(const uint8_t *rgb, int under, int over, int mix)
+{
+    int best = -1, least = 0, c[3];
+
+    for (int i = 0; i < 3; i++) {
+        int u = rgb[3 * under + i], o = rgb[3 * over + i];
+        c[i] = mix ? (u * (100 - mix) + o * mix + 50) / 100 : u + o > 255 ? 255 : u + o;
+    }
+    for (int k = 0; k < 256; k++) {
+        int d = 0;
+        if (k > 0 && k % 16 == 0)
+            continue;
+        for (int i = 0; i < 3; i++)
+            d += (c[i] - rgb[3 * k + i]) * (c[i] - rgb[3 * k + i]);
+        if (best < 0 || d < least) {
+            best = k;
+            least = d;
+        }
+    }
+    return best;
+}
+
+static void check(const uint8_t *rgb, int mix)
+{
+    memset(table, 0xaa, sizeof table);
+    assert_true(blend_make(rgb, mix, table));
+    for (int under = 0; under < 256; under++)
+        for (int over = 0; over < 256; over++)
+            assert_int_equal(table[under * 256 + over], wanted(rgb, under, over, mix));
+}
+
+static void default_palette(void **state)
+{
+    uint8_t rgb[CART_PALETTE];
+
+    (void)state;
+    art_default_palette(rgb);
+    check(rgb, BLEND_ADD);
+    check(rgb, 50);
+    check(rgb, 99);
+}
+
+static void random_palettes(void **state)
+{
+    static const int mixes[] = { BLEND_ADD, 1, 37, 50 };
+    uint8_t rgb[CART_PALETTE];
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 8);
+    for (size_t k = 0; k < sizeof mixes / sizeof *mixes; k++) {
+        for (int i = 0; i < CART_PALETTE; i++)
+            rgb[i] = (uint8_t)(rng_next(&r) >> (k == 3 ? 59 : 56)); /* at last all in one corner */
+        check(rgb, mixes[k]);
+    }
+}
+
+/* Few colours, many times each: ties everywhere, and at the corners of the cube. */
+static void equal_colours(void **state)
+{
+    uint8_t rgb[CART_PALETTE];
+
+    (void)state;
+    memset(rgb, 0, sizeof rgb);
+    check(rgb, BLEND_ADD);
+    assert_int_equal(table[65535], 0);
+    for (int i = 0; i < 256; i++)
+        for (int c = 0; c < 3; c++)
+            rgb[3 * i + c] = i >> c & 1 ? 255 : 0;
+    check(rgb, BLEND_ADD);
+    check(rgb, 50);
+}
+
+/* What is over, or under, by one percent changes next to nothing: the entry itself, or one of its colour. */
+static void ends(void **state)
+{
+    uint8_t rgb[CART_PALETTE];
+
+    (void)state;
+    art_default_palette(rgb);
+    check(rgb, 1);
+    for (int i = 0; i < 256; i++) {
+        assert_memory_equal(rgb + 3 * table[i * 256 + i], rgb + 3 * i, 3);
+        assert_true(i % 16 == 0 || table[i * 256 + i] <= i);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(default_palette),
+        cmocka_unit_test(random_palettes),
+        cmocka_unit_test(equal_colours),
+        cmocka_unit_test(ends),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
