@@ -216,14 +216,18 @@ demos: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/bot
 	@OUT=$(OUT) tools/demos.sh
 
+# ---- pages of measurements: text, tables, plots ----
+
+REPORT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/report/*.c))
+$(OUT)/tools/report/report.o: ALL_C += '-DREPORT_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+
 # ---- the lab: what each choice costs, measured; docs/accuracy.md ----
 
 LAB_SRC := $(wildcard tools/lab/*.c)
 LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
 LAB_L   := -llibfixmath
-$(OUT)/tools/lab/lab.o: ALL_C += '-DLAB_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 
-$(OUT)/lab: $(LAB_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/lab: $(LAB_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) $(LAB_L) -o $@
 
