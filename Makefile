@@ -194,13 +194,9 @@ fuzz: deps-play-fuzz
 mutants: deps-play-test
 	@tests/mutants.sh
 
-$(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/bot: tools/bot.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
-
-bench: all
-	@$(MAKE) --no-print-directory $(OUT)/bench
-	@OUT=$(OUT) tools/bench.sh
 
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
@@ -234,6 +230,18 @@ $(OUT)/lab: $(LAB_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/g
 accuracy: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
 	@$(OUT)/lab
+
+# ---- the bench: what a frame costs; docs/speed.md. ARGS="crowd battle" prints these sections only ----
+
+BENCH_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bench/*.c))
+
+$(OUT)/bench: $(BENCH_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+bench: deps-play
+	@$(MAKE) --no-print-directory -j2 $(OUT)/bench
+	@$(OUT)/bench $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 
