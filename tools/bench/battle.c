@@ -108,8 +108,8 @@ void section_battle(void)
     report_text(
         "%s shots at 8 px a frame among %s enemies whose boxes are so large that, of %s pairs a frame, %s touch on "
         "their way (%s). Each shot that touches hits the nearest, and another is fired in its place. Hits take "
-        "%s µs a frame, without enemies %s: **%s µs** for the pairs. In %s of the frames every pair was asked by "
-        "a program of three lines, and each shot had hit the right enemy.",
+        "%s µs a frame, without enemies %s: **%s µs** for the pairs. In %s frames every pair was asked anew by "
+        "comparing boxes in doubles, and each shot had hit the enemy it must.",
         report_count((int64_t)(asked.shots / asked.frames)), report_count(ENEMIES),
         report_count((int64_t)(asked.pairs / asked.frames)), report_count((int64_t)(asked.touching / asked.frames)),
         report_percent((double)asked.touching / (double)asked.pairs), samples_figure(&ns[0], 1e3),

@@ -24,6 +24,12 @@ void section_memory(void);
 /* Nanoseconds of a clock that never goes back. */
 double bench_now(void);
 
+/* How long ago that was, less what reading the clock takes. */
+double bench_since(double from);
+
+/* From now on bench_now is the thread's own time, for what takes longer than some 100 us; or the wall's again. */
+void bench_own_clock(bool on);
+
 /* Times of one thing. */
 struct samples {
     double *ns;

@@ -56,7 +56,7 @@ static double piano_frame(struct player_piano *p, bool draw)
         report_fail(board_last(p->b)->fault->message);
     if (draw)
         board_draw(p->b, &p->fb, p->rgb, p->scratch);
-    return bench_now() - from;
+    return bench_since(from);
 }
 
 /* The state at the end is the one that was recorded. */
@@ -176,7 +176,7 @@ static void snapshots(const struct rom *rom, const struct demo *d)
         board_save(p.b, buf);
         double from = bench_now();
         board_save(p.b, buf);
-        samples_add(&us, bench_now() - from);
+        samples_add(&us, bench_since(from));
         samples_add(&bytes, (double)size);
     }
     report_text(

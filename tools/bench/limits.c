@@ -49,7 +49,7 @@ static void read_all(uint8_t *mem, size_t bytes)
     sink = all;
 }
 
-static void add_block(int32_t *restrict x, const int32_t *restrict v)
+static void add_block(uint32_t *restrict x, const uint32_t *restrict v)
 {
     for (int i = 0; i < BLOCK; i++)
         x[i] += v[i];
@@ -58,7 +58,7 @@ static void add_block(int32_t *restrict x, const int32_t *restrict v)
 static void update(uint8_t *mem, size_t bytes)
 {
     size_t n = bytes / 8; /* two columns of 4 bytes */
-    int32_t *x = (int32_t *)(void *)mem, *v = x + n;
+    uint32_t *x = (uint32_t *)(void *)mem, *v = x + n;
 
     for (size_t i = 0; i < n; i += BLOCK)
         add_block(x + i, v + i);
@@ -74,11 +74,12 @@ static double time_of(const struct work *w)
     if (!mem)
         report_fail("out of memory");
     memset(mem, 1, w->bytes);
+    bench_own_clock(true);
     for (int round = -1; round < ROUNDS;) {
         double from = bench_now();
         for (int i = 0; i < times; i++)
             w->run(mem, w->bytes);
-        double took = bench_now() - from;
+        double took = bench_since(from);
         if (took < SPAN) {
             times = 2 * times;
             continue;
@@ -87,6 +88,7 @@ static double time_of(const struct work *w)
             samples_add(&s, took / times);
         round++;
     }
+    bench_own_clock(false);
     double ns = samples_median(&s);
     samples_free(&s);
     free(mem);

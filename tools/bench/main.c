@@ -8,6 +8,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 #include "bench.h"
 
 static const struct {
@@ -34,7 +35,9 @@ static const char ABOUT[] =
     "share\n"
     "nothing with it move, test, hit, graze and draw the same, is compared in each run, and a difference fails it.\n"
     "\n"
-    "* A figure is the median over many frames; **±** is half the distance of the quartiles. Things that are compared "
+    "* A figure is the median over many frames; **±** is half the distance of the quartiles. Times are the wall's, but "
+    "for the\n"
+    "  largest crowds and for memory, where they are the bench's own share of it. Things that are compared "
     "run in\n"
     "  turns, a slice of frames each, so a ratio is of one run and one moment.\n"
     "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
@@ -123,11 +126,13 @@ int main(int argc, char **argv)
                                                     : NULL,
                                    .page = "speed",
                                    .echo = true });
-    snprintf(intro, sizeof intro, "%sMeasured on: %s\n\n", ABOUT, report_machine());
     printf("%s\n\n", report_machine());
+    double from = bench_now();
     for (int i = 0; i < COUNT; i++)
         if (all || chosen[i])
             SECTIONS[i].run();
+    snprintf(intro, sizeof intro, "%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
+             report_machine(), report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
     report_finish(intro,
                   "## Targets\n\nWhat was asked of the engine before it was built this way, and whether this run "
                   "met it.\n\n| | measured | target | |\n|---|---|---|---|\n");

@@ -45,7 +45,7 @@ static void measure(int side, int n, struct samples samples[COUNT])
                 double from = bench_now();
                 scene_draw(&scenes[i]);
                 if (round >= 0 && k > 0)
-                    samples_add(&samples[i], bench_now() - from);
+                    samples_add(&samples[i], bench_since(from));
             }
     for (int i = 0; i < COUNT; i++) {
         bench_claim(scenes[i].drawn >= (uint64_t)n ? NULL : "sprites are missing", WAYS[i].what);
@@ -67,7 +67,7 @@ static void presenting(void)
     for (int i = 0; i < TIMES; i++) {
         double from = bench_now();
         present(out, W, s.fb.pix, s.fb.pitch, W, H, s.rgb);
-        samples_add(&ns, bench_now() - from);
+        samples_add(&ns, bench_since(from));
     }
     double us = samples_median(&ns) / 1e3;
     report_text("**Presenting**: 320x240 px of palette indices become 32-bit pixels in **%s µs**.",

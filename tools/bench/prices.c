@@ -42,7 +42,7 @@ void section_prices(void)
                 double from = bench_now();
                 bench_tick(&scenes[i]);
                 if (round >= 0 && f > 0) /* the first fetches its board into the caches */
-                    samples_add(&ns[i], bench_now() - from);
+                    samples_add(&ns[i], bench_since(from));
             }
 
     double straight = samples_median(&ns[0]);
