@@ -50,7 +50,7 @@ help:
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
-	@echo "make bench    speed                  make install PREFIX=...   make deps   make format   make clean"
+	@echo "make bench    measure docs/speed.md anew              make install PREFIX=...   make deps   make format   make clean"
 
 deps:
 	@tools/deps.sh
@@ -135,7 +135,7 @@ install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/curtain
 	install -m 755 build/curtain build/curtain-null $(DESTDIR)$(PREFIX)/bin
 	install -m 644 README.md docs/*.md docs/*.txt $(DESTDIR)$(PREFIX)/share/doc/curtain
-	cp -R docs/accuracy docs/images $(DESTDIR)$(PREFIX)/share/doc/curtain
+	cp -R docs/accuracy docs/images docs/speed $(DESTDIR)$(PREFIX)/share/doc/curtain
 
 # ---- art: the pictures of the games in roms/ are made by a program ----
 
@@ -156,12 +156,14 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
+$(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
+
 # tests/fuzz/run.sh makes these with clang and its flags.
 $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/bench $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -194,13 +196,9 @@ fuzz: deps-play-fuzz
 mutants: deps-play-test
 	@tests/mutants.sh
 
-$(OUT)/bench $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/bot: tools/bot.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
-
-bench: all
-	@$(MAKE) --no-print-directory $(OUT)/bench
-	@OUT=$(OUT) tools/bench.sh
 
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
@@ -216,20 +214,36 @@ demos: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/bot
 	@OUT=$(OUT) tools/demos.sh
 
+# ---- pages of measurements: text, tables, plots ----
+
+REPORT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/report/*.c))
+$(OUT)/tools/report/report.o: ALL_C += '-DREPORT_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+
 # ---- the lab: what each choice costs, measured; docs/accuracy.md ----
 
 LAB_SRC := $(wildcard tools/lab/*.c)
 LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
 LAB_L   := -llibfixmath
-$(OUT)/tools/lab/lab.o: ALL_C += '-DLAB_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 
-$(OUT)/lab: $(LAB_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/lab: $(LAB_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) $(LAB_L) -o $@
 
 accuracy: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
 	@$(OUT)/lab
+
+# ---- the bench: what a frame costs; docs/speed.md. ARGS="crowd battle" prints these sections only ----
+
+BENCH_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bench/*.c))
+
+$(OUT)/bench: $(BENCH_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+bench: deps-play
+	@$(MAKE) --no-print-directory -j2 $(OUT)/bench
+	@$(OUT)/bench $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

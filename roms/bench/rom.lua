@@ -1,9 +1,9 @@
--- rom.lua - the bench: a steady crowd of bullets through the same tick and draw as any game. DIP n: how many; DIP does:
--- what each of them does, see prices.lua.
+-- rom.lua - the bench: steady scenes through the same tick and draw as any game. DIP does: which scene, see the file of that
+-- name (shuttle: main.lua); DIP n: how many bullets, or enemies of the battle.
 return {
   title = "Bench", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
-  board = { bullets = 1048576, shots = 0, enemies = 0, sparks = 0, sprites = 0, motions = 8, tasks = 4112, lua_kib = 16384 },
+  board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384 },
   palette = "art/palette.png", font = "art/font.png",
   sheets = { discs = { file = "art/discs.png", bank = 0 } },
   sprites = {
@@ -11,8 +11,20 @@ return {
     d12 = { sheet = "discs", x = 8,  y = 0, w = 12, h = 12 },
     d16 = { sheet = "discs", x = 20, y = 0, w = 16, h = 16 },
     d24 = { sheet = "discs", x = 36, y = 0, w = 24, h = 24 },
+    -- the crowd's kinds; `make bench` gives each a picture of its own
+    kind1 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind2 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind3 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind4 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind5 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind6 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind7 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind8 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind9 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind10 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind11 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind12 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind13 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind14 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
+    kind15 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind16 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
   },
-  dip = { n = { min = 1, max = 1048576, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
-    does = { "shuttle", "straight", "drive", "home", "fine", "fine_drive", "group", "each", "task", "fire" } },
+  dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
+    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices" },
+    price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
+      "fire" },
+    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped" } },
   players = 1,
 }

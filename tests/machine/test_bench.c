@@ -1,6 +1,6 @@
 /*
- * test_bench.c - the bench's crowd against references that share nothing with the engine: hits in 128-bit arithmetic over
- * every bullet, the picture by a painter that copies byte by byte.
+ * test_bench.c - the bench's crowds against references that share nothing with the engine: hits in 128-bit arithmetic over
+ * every bullet, the picture by a painter that copies byte by byte; and the two programs it is measured beside.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack.h"
+#include "../../tools/bench/crowd.h"
 
 __extension__ typedef __int128 wide;
 
@@ -202,9 +203,160 @@ static void test_picture(void **state)
     drop(&x);
 }
 
+/* ---- the crowd that `make bench` measures ---- */
+
+static const struct reference *const references[] = { &reference_array, &reference_columns };
+enum { REFERENCES = sizeof references / sizeof *references };
+
+struct match {
+    struct rom_image image;
+    struct scene scene;
+    struct crowd crowd;
+    void *data[REFERENCES];
+    struct crowd_counts board, counts[REFERENCES];
+};
+
+static void open_match(struct match *m, int n, uint64_t seed)
+{
+    char err[256];
+    const struct scene_want want = { .does = "crowd", .n = n, .bullets = n, .seed = seed };
+
+    memset(m, 0, sizeof *m);
+    assert_true(rom_image_load("roms/bench", false, &m->image, err, sizeof err));
+    assert_true(scene_open(&m->scene, &m->image.rom, &want, err, sizeof err));
+    assert_true(crowd_take(&m->crowd, &m->scene));
+    assert_int_equal(m->crowd.n, n);
+    for (int i = 0; i < REFERENCES; i++)
+        assert_non_null(m->data[i] = references[i]->open(&m->crowd));
+}
+
+static void close_match(struct match *m)
+{
+    for (int i = 0; i < REFERENCES; i++)
+        references[i]->close(m->data[i]);
+    free((void *)(uintptr_t)m->crowd.bullets);
+    scene_close(&m->scene);
+    rom_image_free(&m->image);
+}
+
+static void play_match(struct match *m)
+{
+    assert_true(scene_tick(&m->scene));
+    scene_draw(&m->scene);
+    crowd_count(&m->board, &m->scene, true);
+    const struct crowd_player p = crowd_player(&m->scene);
+    for (int i = 0; i < REFERENCES; i++) {
+        references[i]->tick(m->data[i], &p, &m->counts[i]);
+        references[i]->draw(m->data[i], &m->counts[i]);
+    }
+}
+
+/* Hits of the frame just run, every bullet asked. */
+static uint64_t hits_of(const struct board *b)
+{
+    fx mx = b->player.x[0] - b->player.was_x[0], my = b->player.y[0] - b->player.was_y[0];
+    uint64_t n = 0;
+
+    for (uint32_t i = 0; i < b->bullets.s.live; i++)
+        n += touched(b, i, b->player_kinds.radius[0], mx, my);
+    return n;
+}
+
+/* Each frame the three agree, in counts, places and pixels: more than a way and back, and past a change of the pace. */
+static void test_crowd(void **state)
+{
+    static const int sizes[] = { 1, 63, 64, 1000, 3001 };
+    static struct match m;
+
+    (void)state;
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        open_match(&m, sizes[k], 77 + k);
+        for (int f = 0; f < 600; f++) {
+            uint64_t before = m.board.hit;
+            play_match(&m);
+            assert_int_equal(m.board.hit - before, hits_of(m.scene.b));
+            for (int i = 0; i < REFERENCES; i++) {
+                assert_memory_equal(&m.board, &m.counts[i], sizeof m.board);
+                assert_null(crowd_differs(&m.crowd, &m.scene, references[i], m.data[i]));
+            }
+            if (f % 30 == 0)
+                assert_null(crowd_misdrawn(&m.crowd, &m.scene));
+        }
+        assert_int_equal(m.board.moved, 600 * sizes[k]);
+        assert_int_equal(m.board.drawn, 600 * (sizes[k] + 1));
+        assert_true(sizes[k] < 3001 || (m.board.tested > 10000 && m.board.hit > 1000 && m.board.grazed > 300));
+        close_match(&m);
+    }
+}
+
+/* Those who compare can tell: one bullet an ulp away, one pixel a shade off. */
+static void test_crowd_spoilt(void **state)
+{
+    static struct match m;
+
+    (void)state;
+    open_match(&m, 1000, 5);
+    for (int f = 0; f < 70; f++)
+        play_match(&m);
+    struct board *b = m.scene.b;
+    uint8_t *pixel = m.scene.fb.pix + 120 * m.scene.fb.pitch + 160;
+    for (int i = 0; i < REFERENCES; i++) {
+        b->bullets.x[999]++;
+        assert_non_null(crowd_differs(&m.crowd, &m.scene, references[i], m.data[i]));
+        b->bullets.x[999]--;
+        *pixel ^= 1;
+        assert_non_null(crowd_differs(&m.crowd, &m.scene, references[i], m.data[i]));
+        *pixel ^= 1;
+        assert_null(crowd_differs(&m.crowd, &m.scene, references[i], m.data[i]));
+    }
+    *pixel ^= 1;
+    assert_non_null(crowd_misdrawn(&m.crowd, &m.scene));
+    *pixel ^= 1;
+    assert_null(crowd_misdrawn(&m.crowd, &m.scene));
+    close_match(&m);
+}
+
+static int opaque(const uint8_t *pix)
+{
+    int n = 0;
+
+    for (int i = 0; i < CROWD_SIDE * CROWD_SIDE; i++)
+        n += pix[i] != 0;
+    return n;
+}
+
+/* No two pictures of a run are alike, nor the same kind's in two runs; as many pixels are opaque as of the disc. */
+static void test_crowd_shuffled(void **state)
+{
+    static struct match m[2];
+
+    (void)state;
+    open_match(&m[0], 64, 1);
+    open_match(&m[1], 64, 2);
+    for (int k = 0; k < CROWD_KINDS; k++) {
+        const uint8_t *pix = m[0].crowd.pix[k];
+        assert_int_equal(opaque(pix), opaque(m[0].crowd.ship));
+        assert_int_equal(opaque(m[1].crowd.pix[k]), opaque(m[0].crowd.ship));
+        assert_memory_not_equal(pix, m[1].crowd.pix[k], sizeof m[0].crowd.pix[k]);
+        for (int i = 0; i < CROWD_SIDE * CROWD_SIDE; i++)
+            assert_true(!pix[i] || pix[i] / 16 == (k + 1) % 8);
+        for (int j = 0; j < k; j++) {
+            int same = 0; /* banks aside */
+            for (int i = 0; i < CROWD_SIDE * CROWD_SIDE; i++)
+                same += pix[i] % 16 == m[0].crowd.pix[j][i] % 16;
+            assert_true(same < CROWD_SIDE * CROWD_SIDE);
+        }
+    }
+    assert_memory_equal(m[0].crowd.ship, m[1].crowd.ship, sizeof m[0].crowd.ship);
+    close_match(&m[0]);
+    close_match(&m[1]);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hits), cmocka_unit_test(test_picture) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hits), cmocka_unit_test(test_picture),
+                                        cmocka_unit_test(test_crowd), cmocka_unit_test(test_crowd_spoilt),
+                                        cmocka_unit_test(test_crowd_shuffled) };
 
     return cmocka_run_group_tests_name("bench", tests, NULL, NULL);
 }

@@ -259,29 +259,29 @@ static void time_methods(struct lab_rival *rivals)
 
 static void print_methods(const struct lab_rival *rivals)
 {
-    lab_table(NULL, "way | gives up | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | "
-                    "1 to 3 in 600> | 0 to 8 in 60> | rms of all> | who should choose it");
+    report_table(NULL, "way | gives up | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | "
+                       "1 to 3 in 600> | 0 to 8 in 60> | rms of all> | who should choose it");
     for (int k = 0; k < COUNT; k++) {
         const char *cell[SCENES];
         for (int c = 0; c < SCENES; c++)
-            cell[c] = lab_string("%s px", lab_figure(most[k][c]));
-        lab_row(k == OVER, METHODS[k].name, METHODS[k].trade, cell[0], cell[1], cell[2], cell[3],
-                lab_string("%s px", lab_figure(sqrt(squares[k] / frames))), METHODS[k].who, NULL);
+            cell[c] = report_string("%s px", report_figure(most[k][c]));
+        report_row(k == OVER, METHODS[k].name, METHODS[k].trade, cell[0], cell[1], cell[2], cell[3],
+                   report_string("%s px", report_figure(sqrt(squares[k] / frames))), METHODS[k].who, NULL);
     }
-    lab_table_end();
-    lab_table(NULL, "way | rounding alone, 1 to 3 in 3,600> | time a bullet> | ratio>");
+    report_table_end();
+    report_table(NULL, "way | rounding alone, 1 to 3 in 3,600> | time a bullet> | ratio>");
     for (int k = 0; k < COUNT; k++)
-        lab_row(k == OVER, METHODS[k].name,
-                METHODS[k].engine ? lab_string("%s px", lab_figure(rounding[k][PLOTTED])) : "-", lab_ns(&rivals[k]),
-                lab_ratio(&rivals[k]), NULL);
-    lab_table_end();
+        report_row(k == OVER, METHODS[k].name,
+                   METHODS[k].engine ? report_string("%s px", report_figure(rounding[k][PLOTTED])) : "-",
+                   lab_ns(&rivals[k]), lab_ratio(&rivals[k]), NULL);
+    report_table_end();
 }
 
 static void plot_flights(void)
 {
     double x[SAMPLES];
 
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "acceleration",
         .title = "From 1 to 3 px/frame in 3,600 frames",
         .x_name = "frames",
@@ -293,8 +293,8 @@ static void plot_flights(void)
         x[i] = SAMPLE[i];
     for (int k = 0; k < COUNT; k++)
         if (k == OVER || k == ACCEL || k == CLOSED)
-            lab_plot_line(METHODS[k].name, k == OVER, x, sampled[k], SAMPLES);
-    lab_plot_end();
+            report_plot_line(METHODS[k].name, k == OVER, x, sampled[k], SAMPLES);
+    report_plot_end();
 }
 
 void section_acceleration(void)
@@ -309,8 +309,8 @@ void section_acceleration(void)
         fine = fine > rounding[OVER_FINE][c] ? fine : rounding[OVER_FINE][c];
     }
 
-    lab_section("5. Changing speed");
-    lab_text(
+    report_section("5. Changing speed");
+    report_text(
         "Errors are against the continuous motion x₀ + v₀t + at²/2 of a bullet that flies straight: the largest at "
         "any frame on the way. Each frame the engine first changes the speed and then moves by it, which is ahead of "
         "the continuous motion by half the change of speed: 1 px from 1 to 3 px/frame, however long it takes. That "
@@ -318,15 +318,15 @@ void section_acceleration(void)
         "we recommend.");
     print_methods(rivals);
     plot_flights();
-    lab_text(
+    report_text(
         "`accel = a` adds an acceleration that was rounded once to 2⁻¹⁶ px/frame²; over a minute that is dozens of "
         "pixels. `speed = v, over = n` works each speed out from both ends, and what it rounds off in one half it "
         "gives back in the other: it is never more than %s px (fine: %s px) from the exact sum.",
-        lab_figure(worst), lab_figure(fine));
+        report_figure(worst), report_figure(fine));
     lab_claim(fabs(most[OVER][PLOTTED] - 1) < 0.01, "the engine is half a change of speed ahead");
     lab_conclude("acceleration", "recommended: the speed interpolated, `speed = v, over = n`",
-                 lab_string("%s px from the exact sum; an acceleration in Q15.16 added each frame: %s px",
-                            lab_figure(worst), lab_figure(rounding[ACCEL][PLOTTED])),
+                 report_string("%s px from the exact sum; an acceleration in Q15.16 added each frame: %s px",
+                               report_figure(worst), report_figure(rounding[ACCEL][PLOTTED])),
                  "`accel = a` for short or endless changes",
                  worst < 0.1 && rounding[ACCEL][PLOTTED] > 10 && fine < 1e-4);
 }

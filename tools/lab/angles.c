@@ -223,24 +223,24 @@ static void measure(void)
 
 static const char *error_cell(int k, int s)
 {
-    return lab_string("%s° (%s)", lab_figure(most[k][s]), lab_figure(sqrt(squares[k][s] / STEPS)));
+    return report_string("%s° (%s)", report_figure(most[k][s]), report_figure(sqrt(squares[k][s] / STEPS)));
 }
 
 static void print_formats(const struct lab_rival *rivals)
 {
-    lab_table(NULL, "heading | unit> | what is traded | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | "
-                    "time a turn> | ratio> | "
-                    "who should choose it");
+    report_table(NULL, "heading | unit> | what is traded | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | "
+                       "time a turn> | ratio> | "
+                       "who should choose it");
     for (int k = 0; k < COUNT; k++)
-        lab_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
-                error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
-                FORMATS[k].who, NULL);
-    lab_table_end();
+        report_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
+                   error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
+                   FORMATS[k].who, NULL);
+    report_table_end();
 }
 
 static void print_rings(void)
 {
-    lab_table(
+    report_table(
         "Rings of n shots: widest less narrowest gap, when shot i is at i/n of a turn / when a rounded step is added "
         "again and again",
         "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
@@ -249,18 +249,18 @@ static void print_rings(void)
         for (int k = 0; k < 3; k++)
             cells[k] = RING[r] > 256 && FORMATS[k].bits == 8
                            ? "-"
-                           : lab_string("%s° / %s°", lab_figure(unevenness(FORMATS[k].ring, RING[r], false)),
-                                        lab_figure(unevenness(FORMATS[k].ring, RING[r], true)));
-        lab_row(false, lab_count(RING[r]), cells[0], cells[1], cells[2], NULL);
+                           : report_string("%s° / %s°", report_figure(unevenness(FORMATS[k].ring, RING[r], false)),
+                                           report_figure(unevenness(FORMATS[k].ring, RING[r], true)));
+        report_row(false, report_count(RING[r]), cells[0], cells[1], cells[2], NULL);
     }
-    lab_table_end();
+    report_table_end();
 }
 
 static void plot_turns(void)
 {
     double x[SPANS];
 
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "turns",
         .title = "A heading turned by the same step, worst of 64 steps",
         .x_name = "turns",
@@ -271,8 +271,8 @@ static void plot_turns(void)
     for (int s = 0; s < SPANS; s++)
         x[s] = SPAN[s];
     for (int k = 0; k < COUNT; k++)
-        lab_plot_line(FORMATS[k].name, is_standard(&FORMATS[k]), x, most[k], SPANS);
-    lab_plot_end();
+        report_plot_line(FORMATS[k].name, is_standard(&FORMATS[k]), x, most[k], SPANS);
+    report_plot_end();
 }
 
 void section_angles(void)
@@ -289,8 +289,8 @@ void section_angles(void)
         rivals[k] = (struct lab_rival){ .run = FORMATS[k].turn, .ops = LAB_VALUES };
     lab_time(rivals, COUNT, me);
 
-    lab_section("4. What a direction is kept in");
-    lab_text(
+    report_section("4. What a direction is kept in");
+    report_text(
         "A spiral adds one step to its heading again and again, so half a unit lost in the step is lost every time. "
         "The error is that of %d steps between 0° and 180°, among them the golden angle; the engine's bullets are "
         "turned by a motion program.",
@@ -298,12 +298,12 @@ void section_angles(void)
     print_formats(rivals);
     plot_turns();
     print_rings();
-    lab_text(
+    report_text(
         "At 400 px from its source half a unit of 16 bits is 0.02 px: 16 bits are enough to point with. They are not "
         "enough to turn with. 32 bits cost 2 bytes more, and a whole turn wraps by itself.");
     lab_conclude("directions", "32-bit binary angles",
-                 lab_string("after 10,000 turns %s° off, where 16 bits are %s° off", lab_figure(most[me][2]),
-                            lab_figure(most[BITS16][2])),
+                 report_string("after 10,000 turns %s° off, where 16 bits are %s° off", report_figure(most[me][2]),
+                               report_figure(most[BITS16][2])),
                  "nothing: 16 bits save 2 bytes a bullet",
                  most[me][2] < 0.001 && most[BITS16][2] > 1 && unevenness(ring_engine, 1000, false) < 2e-7 &&
                      (lab_exact() || rivals[me].ns < 1));

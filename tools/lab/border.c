@@ -202,19 +202,20 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
         time[i] = (struct lab_rival){ .run = run, .data = &trips[i], .ops = LAB_VALUES };
     }
     lab_time(time, n, 0);
-    lab_table(
+    report_table(
         circular ? "angles" : "positions",
-        lab_string("%s|what is traded|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
-                   circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
+        report_string(
+            "%s|what is traded|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
+            circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
         int64_t gone = lost(&ways[i], circular, values, count, &most[i]);
-        lab_row(ways[i].standard, ways[i].name, ways[i].trade, ways[i].standard ? "all 2³²" : lab_count(count),
-                lab_percent((double)gone / count), lab_figure(most[i]), lab_ns(&time[i]), lab_ratio(&time[i]),
-                ways[i].who, NULL);
+        report_row(ways[i].standard, ways[i].name, ways[i].trade, ways[i].standard ? "all 2³²" : report_count(count),
+                   report_percent((double)gone / count), report_figure(most[i]), lab_ns(&time[i]), lab_ratio(&time[i]),
+                   ways[i].who, NULL);
         lab_claim(!ways[i].standard || gone == 0, "values come back from scripts as they went");
     }
-    lab_table_end();
+    report_table_end();
 }
 
 /* The largest difference between degrees a script writes and what it reads back. */
@@ -231,18 +232,18 @@ static double degrees_back(void)
 
 static void draw(const struct lab_rival time[], const double most[], int n)
 {
-    const struct lab_plot plot = { .file = "border",
-                                   .title = "An angle to a script and back",
-                                   .x_name = "nanoseconds, both ways",
-                                   .y_name = "largest error, 2⁻³² of a turn",
-                                   .timed = true,
-                                   .described = "Cost of each way to hand an angle to a script against its largest "
-                                                "error; degrees as a double have none" };
+    const struct report_plot plot = { .file = "border",
+                                      .title = "An angle to a script and back",
+                                      .x_name = "nanoseconds, both ways",
+                                      .y_name = "largest error, 2⁻³² of a turn",
+                                      .timed = true,
+                                      .described = "Cost of each way to hand an angle to a script against its largest "
+                                                   "error; degrees as a double have none" };
 
-    lab_plot(&plot);
+    report_plot(&plot);
     for (int i = 0; i < n; i++)
-        lab_plot_point(ANGLES[i].name, ANGLES[i].standard, time[i].ns, most[i]);
-    lab_plot_end();
+        report_plot_point(ANGLES[i].name, ANGLES[i].standard, time[i].ns, most[i]);
+    report_plot_end();
 }
 
 void section_border(void)
@@ -257,20 +258,20 @@ void section_border(void)
     rng_seed(&rng, 7);
     for (int i = 0; i < VALUES; i++)
         values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
-    lab_section("7. The script border");
-    lab_text(
+    report_section("7. The script border");
+    report_text(
         "A script reads a position as pixels and an angle as degrees, both in Lua's numbers, which are doubles, and "
         "writes them\nback. Random values of the whole range, the ends among them, go there and back. For the "
         "engine's own way\n`make accuracy` tries all 2³² of either kind (the test that compares this page tries %s "
         "of them).",
-        lab_count(VALUES));
+        report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
     measure(ANGLES, N_ANGLES, true, time, most, values);
     draw(time, most, N_ANGLES);
-    lab_text("The other way round: of all multiples of 0.1° none comes back to a script more than %s° off, half of "
-             "2⁻³² of a turn;\nmultiples of 360°/2ⁿ come back as they are.",
-             lab_figure(degrees_back()));
+    report_text("The other way round: of all multiples of 0.1° none comes back to a script more than %s° off, half of "
+                "2⁻³² of a turn;\nmultiples of 360°/2ⁿ come back as they are.",
+                report_figure(degrees_back()));
     lab_conclude("positions at the script border", "pixels as a double", "all 2³² come back",
                  "text of 14 digits in files", positions);
     lab_conclude("angles at the script border", "degrees as a double", "all 2³² come back; a quarter is 90 exactly",

@@ -589,51 +589,55 @@ static void print_ways(void)
     };
     const struct result *r = &results[2];
 
-    lab_table(lab_string("One player against %s bullets: a frame", lab_count(SIZE[2])),
-              "way | gives up | pairs found> | looked at> | tested exactly> | time> | ratio> | who should choose it");
+    report_table(
+        report_string("One player against %s bullets: a frame", report_count(SIZE[2])),
+        "way | gives up | pairs found> | looked at> | tested exactly> | time> | ratio> | who should choose it");
     for (int w = 0; w < WAYS; w++)
-        lab_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, lab_count(r->hits), lab_count((int64_t)r->looked[w]),
-                lab_count((int64_t)r->tested[w]), lab_us(&r->times[w]), lab_ratio(&r->times[w]), NAMES[w].who, NULL);
-    lab_table_end();
+        report_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, report_count(r->hits),
+                   report_count((int64_t)r->looked[w]), report_count((int64_t)r->tested[w]), lab_us(&r->times[w]),
+                   lab_ratio(&r->times[w]), NAMES[w].who, NULL);
+    report_table_end();
 }
 
 static void print_sizes(void)
 {
-    lab_table("The same for n bullets; in brackets what is left when grid and tree are built already",
-              "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays from> | tree pays from>");
+    report_table("The same for n bullets; in brackets what is left when grid and tree are built already",
+                 "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays from> | tree pays from>");
     for (int i = 0; i < SIZES; i++) {
         const struct result *r = &results[i];
-        lab_row(false, lab_count(SIZE[i]), lab_count(r->hits), lab_string("**%s**", lab_us(&r->times[ENGINE])),
-                lab_us(&r->times[PLAIN]), lab_string("%s (%s)", lab_us(&r->times[GRID]), lab_us(&r->times[GRID_QUERY])),
-                lab_string("%s (%s)", lab_us(&r->times[TREE]), lab_us(&r->times[TREE_QUERY])),
-                lab_string("%s players", lab_about(worth_from(r, GRID, GRID_QUERY))),
-                lab_string("%s players", lab_about(worth_from(r, TREE, TREE_QUERY))), NULL);
+        report_row(false, report_count(SIZE[i]), report_count(r->hits),
+                   report_string("**%s**", lab_us(&r->times[ENGINE])), lab_us(&r->times[PLAIN]),
+                   report_string("%s (%s)", lab_us(&r->times[GRID]), lab_us(&r->times[GRID_QUERY])),
+                   report_string("%s (%s)", lab_us(&r->times[TREE]), lab_us(&r->times[TREE_QUERY])),
+                   report_string("%s players", lab_about(worth_from(r, GRID, GRID_QUERY))),
+                   report_string("%s players", lab_about(worth_from(r, TREE, TREE_QUERY))), NULL);
     }
-    lab_table_end();
+    report_table_end();
 }
 
 static void print_crowds(void)
 {
-    lab_table("m shots against k enemies of h px: of those it touches, each shot hits the one it was nearest to; exact "
-              "tests",
-              "m> | k> | h> | shots that hit> | a reject in blocks of 64> | grid of 32 px> | every pair>");
+    report_table(
+        "m shots against k enemies of h px: of those it touches, each shot hits the one it was nearest to; exact "
+        "tests",
+        "m> | k> | h> | shots that hit> | a reject in blocks of 64> | grid of 32 px> | every pair>");
     for (int i = 0; i < CROWDS; i++) {
         const struct crowd_result *r = &crowds[i];
-        lab_row(false, lab_count(CROWD[i][0]), lab_count(CROWD[i][1]), lab_count(2 * CROWD[i][2]), lab_count(r->hits),
-                lab_count((int64_t)r->tested[1]), lab_count((int64_t)r->tested[2]), lab_count((int64_t)r->tested[3]),
-                NULL);
+        report_row(false, report_count(CROWD[i][0]), report_count(CROWD[i][1]), report_count(2 * CROWD[i][2]),
+                   report_count(r->hits), report_count((int64_t)r->tested[1]), report_count((int64_t)r->tested[2]),
+                   report_count((int64_t)r->tested[3]), NULL);
     }
-    lab_table_end();
-    lab_table("Time of a frame",
-              "m> | k> | h> | engine: a grid, nearest first> | a reject in blocks of 64> | ratio> | grid of 32 px> "
-              "| ratio> | every pair> | ratio>");
+    report_table_end();
+    report_table("Time of a frame",
+                 "m> | k> | h> | engine: a grid, nearest first> | a reject in blocks of 64> | ratio> | grid of 32 px> "
+                 "| ratio> | every pair> | ratio>");
     for (int i = 0; i < CROWDS; i++) {
         const struct lab_rival *t = crowds[i].times;
-        lab_row(false, lab_count(CROWD[i][0]), lab_count(CROWD[i][1]), lab_count(2 * CROWD[i][2]),
-                lab_string("**%s**", lab_us(&t[0])), lab_us(&t[1]), lab_ratio(&t[1]), lab_us(&t[2]), lab_ratio(&t[2]),
-                lab_us(&t[3]), lab_ratio(&t[3]), NULL);
+        report_row(false, report_count(CROWD[i][0]), report_count(CROWD[i][1]), report_count(2 * CROWD[i][2]),
+                   report_string("**%s**", lab_us(&t[0])), lab_us(&t[1]), lab_ratio(&t[1]), lab_us(&t[2]),
+                   lab_ratio(&t[2]), lab_us(&t[3]), lab_ratio(&t[3]), NULL);
     }
-    lab_table_end();
+    report_table_end();
 }
 
 /* The least and the most of a way's ratios to the engine. */
@@ -646,13 +650,13 @@ static const char *ratios_of(int way)
         least_of = ratio < least_of ? ratio : least_of;
         most_of = ratio > most_of ? ratio : most_of;
     }
-    return lab_string("%s to %s", lab_about(least_of), lab_about(most_of));
+    return report_string("%s to %s", lab_about(least_of), lab_about(most_of));
 }
 
 static void print_shots(void)
 {
     print_crowds();
-    lab_text(
+    report_text(
         "The engine sorts the enemies into a grid with about one enemy a cell, once each, where they were before they "
         "moved; a shot looks there for the nearest, first in four cells, then in rings. In the last row, where a tenth "
         "of all pairs touch, it hardly tests a pair: whoever is nearest is hit. The grid of 32 px puts each enemy into "
@@ -668,7 +672,7 @@ static void plot_sizes(void)
                                              "tree, built each frame" };
     double x[SIZES], y[SIZES];
 
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "broad",
         .title = "One player against n bullets: a frame",
         .x_name = "bullets",
@@ -682,9 +686,9 @@ static void plot_sizes(void)
             x[i] = SIZE[i];
             y[i] = results[i].times[w].ns;
         }
-        lab_plot_line(NAMES[w], w == ENGINE, x, y, SIZES);
+        report_plot_line(NAMES[w], w == ENGINE, x, y, SIZES);
     }
-    lab_plot_end();
+    report_plot_end();
 }
 
 /* The engine's way is the fastest for one player, at every size. */
@@ -708,7 +712,7 @@ static const char *grid_pays(void)
         least = players < least ? players : least;
         most = players > most ? players : most;
     }
-    return lab_string("%s to %s", lab_about(least), lab_about(most));
+    return report_string("%s to %s", lab_about(least), lab_about(most));
 }
 
 void section_broad(void)
@@ -718,8 +722,8 @@ void section_broad(void)
     for (int i = 0; i < CROWDS; i++)
         measure_crowd(&crowds[i], CROWD[i]);
 
-    lab_section("6. Finding the pairs");
-    lab_text(
+    report_section("6. Finding the pairs");
+    report_text(
         "Bullets of r = 4 px, up to 3 px/frame, all over a field of %d x %d px; a player of 2 px. Everything moves, "
         "so a grid or a tree is built in every frame. A scan is O(n), a tree O(n log n) to build and O(log n) to "
         "ask; all find the same pairs.",
@@ -727,22 +731,23 @@ void section_broad(void)
     print_ways();
     plot_sizes();
     print_sizes();
-    lab_text(
+    report_text(
         "Building the grid for %s bullets costs as much as %s scans, the tree %s: both move every bullet to another "
         "place in memory, while the scan reads along columns with a test that cannot be mispredicted. For one "
         "player the scan is fastest at every size. A grid breaks even at %s players; the engine has at most %d.",
-        lab_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(), PADS);
+        report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
+        PADS);
     print_shots();
     lab_conclude("bullets against players", "a scan of all bullets",
-                 lab_string("fastest for one player at every n from %s to %s; a grid would pay from %s players on",
-                            lab_count(SIZE[0]), lab_count(SIZE[SIZES - 1]),
-                            lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
+                 report_string("fastest for one player at every n from %s to %s; a grid would pay from %s players on",
+                               report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
+                               lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
                  "nothing", lab_exact() || scan_wins());
     lab_conclude("shots against enemies", "a grid of the enemies' places, searched from the shot outwards",
-                 lab_string("%s µs of a frame's %s µs with 256 shots and 64 enemies, %s µs where %s shots and %s "
-                            "enemies overlap in a tenth of all pairs",
-                            lab_about(crowds[3].times[0].ns), lab_count(FRAME_US), lab_about(crowds[8].times[0].ns),
-                            lab_count(CROWD[8][0]), lab_count(CROWD[8][1])),
+                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies, %s µs where %s shots and %s "
+                               "enemies overlap in a tenth of all pairs",
+                               lab_about(crowds[3].times[0].ns), report_count(FRAME_US),
+                               lab_about(crowds[8].times[0].ns), report_count(CROWD[8][0]), report_count(CROWD[8][1])),
                  "a grid to build in every frame, and more code than a scan",
                  lab_exact() || (crowds[3].times[1].ratio > 1 && crowds[8].times[1].ratio > 4));
 }

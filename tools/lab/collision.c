@@ -450,11 +450,11 @@ static void print_shapes(void)
     for (int i = 0; i < N_SHAPES; i++)
         far[i] = (struct lab_rival){ .run = SHAPES[i].loop, .ops = LAB_VALUES };
     time_both(far, near, N_SHAPES);
-    lab_table("What each of the engine's shapes costs a pair", "shapes | near> | ratio> | far> | ratio>");
+    report_table("What each of the engine's shapes costs a pair", "shapes | near> | ratio> | far> | ratio>");
     for (int i = 0; i < N_SHAPES; i++)
-        lab_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
-                NULL);
-    lab_table_end();
+        report_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
+                   NULL);
+    report_table_end();
 }
 
 static int radius_index(int radius)
@@ -485,22 +485,24 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
 {
     const int r4 = radius_index(4), r160 = radius_index(160), s16 = speed_index(16);
 
-    lab_table(NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | "
-                    "who should choose it");
+    report_table(NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | "
+                       "who should choose it");
     for (int i = 0; i < COUNT; i++) {
         const struct area *a = &areas[i][r160];
-        lab_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade, lab_string("%s px²", lab_figure(a->false_hits)),
-                lab_string("%s px²", lab_figure(a->missed)), lab_percent(rim(RIVALS[i].touch, 160)), RIVALS[i].who,
-                NULL);
+        report_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade,
+                   report_string("%s px²", report_figure(a->false_hits)),
+                   report_string("%s px²", report_figure(a->missed)), report_percent(rim(RIVALS[i].touch, 160)),
+                   RIVALS[i].who, NULL);
     }
-    lab_table_end();
-    lab_table(NULL,
-              "test | crossings missed, r = 4 px at 16 px/frame> | false hits there> | time a pair, near> | far> | "
-              "ratio, far>");
+    report_table_end();
+    report_table(NULL,
+                 "test | crossings missed, r = 4 px at 16 px/frame> | false hits there> | time a pair, near> | far> | "
+                 "ratio, far>");
     for (int i = 0; i < COUNT; i++)
-        lab_row(is_standard(i), RIVALS[i].name, lab_percent(wrong[i][r4][s16].missed),
-                lab_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]), NULL);
-    lab_table_end();
+        report_row(is_standard(i), RIVALS[i].name, report_percent(wrong[i][r4][s16].missed),
+                   report_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
+                   NULL);
+    report_table_end();
 }
 
 /* Crossings missed without a sweep at half_contacts / 2 contacts a frame, over all radii that were flown past so. */
@@ -520,30 +522,31 @@ static double missed_at(int half_contacts)
 
 static const char *triple(int r, int s)
 {
-    return lab_string("%s / %s / %s", lab_percent(wrong[CIRCLE][r][s].missed), lab_percent(wrong[TWO][r][s].missed),
-                      lab_percent(wrong[FOUR][r][s].missed));
+    return report_string("%s / %s / %s", report_percent(wrong[CIRCLE][r][s].missed),
+                         report_percent(wrong[TWO][r][s].missed), report_percent(wrong[FOUR][r][s].missed));
 }
 
 static const char *twin(int r, int s)
 {
-    return lab_string("%s / %s", lab_percent(wrong[AROUND][r][s].missed), lab_percent(wrong[AROUND][r][s].false_hits));
+    return report_string("%s / %s", report_percent(wrong[AROUND][r][s].missed),
+                         report_percent(wrong[AROUND][r][s].false_hits));
 }
 
 /* Rows are radii, columns are speeds. */
 static void print_grid(const char *title, const char *(*cell)(int r, int s))
 {
-    lab_table(title, "r> | 1 px/frame> | 2> | 4> | 8> | 16> | 32> | 64>");
+    report_table(title, "r> | 1 px/frame> | 2> | 4> | 8> | 16> | 32> | 64>");
     for (int r = 0; r < RADII; r++)
-        lab_row(false, lab_string("%d px", RADIUS[r]), cell(r, 0), cell(r, 1), cell(r, 2), cell(r, 3), cell(r, 4),
-                cell(r, 5), cell(r, 6), NULL);
-    lab_table_end();
+        report_row(false, report_string("%d px", RADIUS[r]), cell(r, 0), cell(r, 1), cell(r, 2), cell(r, 3), cell(r, 4),
+                   cell(r, 5), cell(r, 6), NULL);
+    report_table_end();
 }
 
 static void plot_misses(void)
 {
     double x[SPEEDS], y[SPEEDS];
 
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "misses",
         .title = "Bullets that pass through: a circle tested at the end of each frame",
         .x_name = "speed, px/frame",
@@ -558,15 +561,15 @@ static void plot_misses(void)
     for (int r = 0; r < RADII; r++) {
         for (int s = 0; s < SPEEDS; s++)
             y[s] = 100 * wrong[CIRCLE][r][s].missed;
-        lab_plot_line(lab_string("r = %d px", RADIUS[r]), false, x, y, SPEEDS);
+        report_plot_line(report_string("r = %d px", RADIUS[r]), false, x, y, SPEEDS);
     }
     for (int s = 0; s < SPEEDS; s++) {
         y[s] = 0;
         for (int r = 0; r < RADII; r++)
             y[s] = y[s] > 100 * wrong[SWEPT][r][s].missed ? y[s] : 100 * wrong[SWEPT][r][s].missed;
     }
-    lab_plot_line("swept, every r", true, x, y, SPEEDS);
-    lab_plot_end();
+    report_plot_line("swept, every r", true, x, y, SPEEDS);
+    report_plot_end();
 }
 
 static void plot_areas(void)
@@ -574,7 +577,7 @@ static void plot_areas(void)
     static const int SHOWN[] = { SWEPT, 4, 5, 6, 7, 10 };
     double x[RADII], y[RADII];
 
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "areas",
         .title = "Where a test of one frame is wrong",
         .x_name = "radius, px",
@@ -588,9 +591,9 @@ static void plot_areas(void)
     for (int k = 0; k < (int)(sizeof SHOWN / sizeof *SHOWN); k++) {
         for (int r = 0; r < RADII; r++)
             y[r] = areas[SHOWN[k]][r].false_hits + areas[SHOWN[k]][r].missed;
-        lab_plot_line(RIVALS[SHOWN[k]].name, SHOWN[k] == SWEPT, x, y, RADII);
+        report_plot_line(RIVALS[SHOWN[k]].name, SHOWN[k] == SWEPT, x, y, RADII);
     }
-    lab_plot_end();
+    report_plot_end();
 }
 
 /* Nothing wrong anywhere? */
@@ -615,8 +618,8 @@ void section_collision(void)
     measure_areas();
     time_rivals(far, near);
 
-    lab_section("2. Collision");
-    lab_text(
+    report_section("2. Collision");
+    report_text(
         "Two circles touch when their centres are at most *r* apart, r being the sum of both radii. *False* and "
         "*missed area* are where a bullet that stands still is judged wrong, within 384 px to either side of the "
         "player "
@@ -625,33 +628,35 @@ void section_collision(void)
         "beside it, in any direction; it is missed when no frame finds the touch, and a false hit when some frame "
         "finds one that never was. Shares are of the true crossings (%s ways for each radius and speed). Times are "
         "for pairs within 12 px (near) and all over the field (far), r = 8 px, 4 px/frame.",
-        lab_figure(areas[SWEPT][r160].of), lab_count(TRIALS));
+        report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
     print_grid("Crossings missed by a circle tested at the end of the frame / with 2 / with 4 substeps", triple);
-    lab_text(
+    report_text(
         "What counts is the speed in *contacts* (a contact is r, both radii together): %s are missed at half a contact "
         "a frame, %s at one, %s at two, %s at four. Substeps only halve the speed.",
-        lab_percent(missed_at(1)), lab_percent(missed_at(2)), lab_percent(missed_at(4)), lab_percent(missed_at(8)));
+        report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
+        report_percent(missed_at(8)));
     lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
     plot_areas();
     print_grid("The box around the circle: crossings missed / false hits", twin);
-    lab_text("A box claims %s of the circle's area in its corners at every size, but what a player sees is the area: "
-             "%s px² beside a bullet of r = 8 px, %s px² beside one of 160 px. Squares need no roots: the exact circle "
-             "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
-             lab_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
-             lab_figure(areas[AROUND][radius_index(8)].false_hits), lab_figure(areas[AROUND][r160].false_hits));
+    report_text(
+        "A box claims %s of the circle's area in its corners at every size, but what a player sees is the area: "
+        "%s px² beside a bullet of r = 8 px, %s px² beside one of 160 px. Squares need no roots: the exact circle "
+        "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
+        report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
+        report_figure(areas[AROUND][radius_index(8)].false_hits), report_figure(areas[AROUND][r160].false_hits));
 
     lab_claim(areas[SQUARES][r160].false_hits > 100, "squares in Q15.16 hit what is far away");
     lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
     lab_conclude(
         "hit test", "circles, swept, exact",
-        lab_string(
+        report_string(
             "0 missed and 0 false of %s ways past the player; a circle at the frame's end misses %s at r = 4 px, 16 "
             "px/frame",
-            lab_count((int64_t)RADII * SPEEDS * TRIALS), lab_percent(wrong[CIRCLE][r4][s16].missed)),
+            report_count((int64_t)RADII * SPEEDS * TRIALS), report_percent(wrong[CIRCLE][r4][s16].missed)),
         "`hit = { box = ... }` for what is drawn as a box; `swept = false` for what moves less than half a "
         "contact (both radii together) a frame, or is meant to pass through",
         is_standard(SWEPT) && exact(SWEPT) &&

@@ -414,7 +414,7 @@ static struct found examine(const struct quantity *q, const struct rival *r, int
 /* Half an ulp is the least there can be, so a little more has to show. */
 static const char *figure(double v)
 {
-    return v < 9.9995 ? lab_string("%.3f", v) : lab_figure(v);
+    return v < 9.9995 ? report_string("%.3f", v) : report_figure(v);
 }
 
 /* The result of a library's function: not the same everywhere. Its blanks become such as do not end a figure. */
@@ -426,38 +426,39 @@ static const char *loose(bool host, const char *cell)
         return cell;
     for (size_t n; *cell && !lab_exact(); cell += n + (cell[n] == ' ')) {
         n = strcspn(cell, " ");
-        joined = lab_string("%s%.*s%s", joined, (int)n, cell, cell[n] ? "\u00a0" : "");
+        joined = report_string("%s%.*s%s", joined, (int)n, cell, cell[n] ? "\u00a0" : "");
     }
     return joined;
 }
 
 static void print_row(const struct rival *r, const struct found *f, const struct lab_rival *t, int n_edges)
 {
-    const char *wrong = lab_string("%s of %s", lab_count(f->wrong), lab_count(n_edges));
+    const char *wrong = report_string("%s of %s", report_count(f->wrong), report_count(n_edges));
 
     if (!r->at)
-        lab_row(false, r->name, r->trade, "-", "-", "-", "-", lab_ns(t), lab_ratio(t), r->who, NULL);
+        report_row(false, r->name, r->trade, "-", "-", "-", "-", lab_ns(t), lab_ratio(t), r->who, NULL);
     else
-        lab_row(r->kind == ENGINE, r->name, r->trade, loose(r->host, figure(f->max)), loose(r->host, figure(f->rms)),
-                loose(r->host, lab_percent(f->misrounded)), loose(r->host, f->wrong ? wrong : "0"), lab_ns(t),
-                lab_ratio(t), r->who, NULL);
+        report_row(r->kind == ENGINE, r->name, r->trade, loose(r->host, figure(f->max)), loose(r->host, figure(f->rms)),
+                   loose(r->host, report_percent(f->misrounded)), loose(r->host, f->wrong ? wrong : "0"), lab_ns(t),
+                   lab_ratio(t), r->who, NULL);
 }
 
 static void draw_plot(const struct quantity *q, const struct found found[], const struct lab_rival time[])
 {
-    const char *described = lab_string("%s: cost against largest error of each way; low and left is better", q->title);
-    struct lab_plot plot = { .file = q->file,
-                             .title = q->title,
-                             .x_name = "nanoseconds",
-                             .y_name = q->circular ? "largest error, 2⁻³² of a turn" : "largest error, ulp",
-                             .timed = true,
-                             .described = described };
+    const char *described =
+        report_string("%s: cost against largest error of each way; low and left is better", q->title);
+    struct report_plot plot = { .file = q->file,
+                                .title = q->title,
+                                .x_name = "nanoseconds",
+                                .y_name = q->circular ? "largest error, 2⁻³² of a turn" : "largest error, ulp",
+                                .timed = true,
+                                .described = described };
 
-    lab_plot(&plot);
+    report_plot(&plot);
     for (int i = 0; i < q->rivals->n; i++)
         if (q->rivals->row[i].kind != ORACLE && q->rivals->row[i].at)
-            lab_plot_point(q->rivals->row[i].name, q->rivals->row[i].kind == ENGINE, time[i].ns, found[i].max);
-    lab_plot_end();
+            report_plot_point(q->rivals->row[i].name, q->rivals->row[i].kind == ENGINE, time[i].ns, found[i].max);
+    report_plot_end();
 }
 
 /* Nothing that was right here costs much less; a guess without the exact test behind it may cost half. */
@@ -469,7 +470,7 @@ static void conclude(const struct quantity *q, int engine, const struct found fo
         if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.4)
             cheapest = false;
     lab_conclude(q->question, q->rivals->row[engine].name,
-                 lab_string("0 misrounded here, none by `make prove`; %s", lab_ns(&time[engine])), q->instead,
+                 report_string("0 misrounded here, none by `make prove`; %s", lab_ns(&time[engine])), q->instead,
                  lab_exact() || cheapest);
 }
 
@@ -495,14 +496,14 @@ static void measure(const struct quantity *q, uint64_t seed)
         time[i] = (struct lab_rival){ .run = r->run, .data = samples, .ops = LAB_VALUES };
     }
     lab_time(time, n, engine);
-    lab_text("### %s", q->title);
-    lab_text("%s; %s.", q->arguments, q->unit);
-    lab_table(NULL, "way|what is traded|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|who should choose it");
+    report_text("### %s", q->title);
+    report_text("%s; %s.", q->arguments, q->unit);
+    report_table(NULL, "way|what is traded|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|who should choose it");
     for (int i = 0; i < n; i++)
         print_row(&q->rivals->row[i], &found[i], &time[i], n_edges);
-    lab_table_end();
+    report_table_end();
     lab_claim(found[engine].misrounded == 0 && found[engine].wrong == 0,
-              lab_string("%s gives the nearest value everywhere", q->rivals->row[engine].name));
+              report_string("%s gives the nearest value everywhere", q->rivals->row[engine].name));
     if (!q->file)
         return;
     draw_plot(q, found, time);
@@ -512,8 +513,8 @@ static void measure(const struct quantity *q, uint64_t seed)
 void section_functions(void)
 {
     rivals_begin();
-    lab_section("1. Functions");
-    lab_text(
+    report_section("1. Functions");
+    report_text(
         "Each function of the arithmetic in src/base, among cheaper and dearer ways to compute it. The true results "
         "have\n106 bits. %s random arguments of the size scenes have, then *edges*: every pair of the largest, the\n"
         "smallest and what is around 0, ½ and 1, or the angles around each eighth of a turn, or both sides of roots' "
@@ -527,7 +528,7 @@ void section_functions(void)
         "an "
         "inverse, and to compare squares. Divisions by 0, roots of\nnegative numbers and the direction of (0, 0) are "
         "left out here: src/base/fx.h and trig.h say what they give. libfixmath is Debian's build.",
-        lab_count(LAB_VALUES));
+        report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);
 }

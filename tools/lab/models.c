@@ -87,17 +87,17 @@ static void print_choices(void)
     for (int i = 0; i < N_CHOICES; i++)
         rivals[i] = (struct lab_rival){ .run = run_hits, .data = close_crowd(&CHOICES[i], CLOSE), .ops = CLOSE };
     lab_time(rivals, N_CHOICES, 0);
-    lab_table("Of a kind, in `bullet.def`, `shot.def` and (but for graze) `enemy.def`",
-              "choice | what is lost | time a bullet close to a player> | ratio> | who should choose it");
+    report_table("Of a kind, in `bullet.def`, `shot.def` and (but for graze) `enemy.def`",
+                 "choice | what is lost | time a bullet close to a player> | ratio> | who should choose it");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
-                                        : lab_string("%s; %s of its hits are none of a round bullet's",
-                                                     CHOICES[i].loses, lab_percent(corners));
-        lab_row(is_standard(&CHOICES[i]), CHOICES[i].name, loses, lab_ns(&rivals[i]), lab_ratio(&rivals[i]),
-                CHOICES[i].who, NULL);
+                                        : report_string("%s; %s of its hits are none of a round bullet's",
+                                                        CHOICES[i].loses, report_percent(corners));
+        report_row(is_standard(&CHOICES[i]), CHOICES[i].name, loses, lab_ns(&rivals[i]), lab_ratio(&rivals[i]),
+                   CHOICES[i].who, NULL);
         engine_free(rivals[i].data);
     }
-    lab_table_end();
+    report_table_end();
     lab_claim(is_standard(&CHOICES[ROUND]), "a kind is swept and grazed unless it says otherwise");
     lab_claim(corners > 0.1 && corners < 0.3, "a box around a round bullet of r = 4 px has a fifth more hits");
 }
@@ -190,24 +190,24 @@ static void print_flights(void)
         rivals[i] =
             (struct lab_rival){ .run = run_frame, .data = flying_crowd(&FLIGHTS[i], CROWD, 0.001), .ops = CROWD };
     lab_time(rivals, N_FLIGHTS, 0);
-    lab_table(
+    report_table(
         "Of a bullet's motion",
         "choice | what is kept | drift at 0.002 px/frame after 600 frames> | after 36,000> | time a frame> | ratio> | "
         "who should choose it");
     for (int i = 0; i < N_FLIGHTS; i++) {
         bool turns = FLIGHTS[i].n > 0;
-        lab_row(i == 0, FLIGHTS[i].name, FLIGHTS[i].keeps,
-                turns ? "-" : lab_string("%s px", lab_figure(drift(&FLIGHTS[i], 600))),
-                turns ? "-" : lab_string("%s px", lab_figure(i ? fine : plain)), lab_ns(&rivals[i]),
-                lab_ratio(&rivals[i]), FLIGHTS[i].who, NULL);
+        report_row(i == 0, FLIGHTS[i].name, FLIGHTS[i].keeps,
+                   turns ? "-" : report_string("%s px", report_figure(drift(&FLIGHTS[i], 600))),
+                   turns ? "-" : report_string("%s px", report_figure(i ? fine : plain)), lab_ns(&rivals[i]),
+                   lab_ratio(&rivals[i]), FLIGHTS[i].who, NULL);
         engine_free(rivals[i].data);
     }
-    lab_table_end();
-    lab_conclude(
-        "fine motion", "on request",
-        lab_string("%s px of drift instead of %s in 36,000 frames, for a price", lab_figure(fine), lab_figure(plain)),
-        "`fine = true` for what creeps for minutes",
-        fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
+    report_table_end();
+    lab_conclude("fine motion", "on request",
+                 report_string("%s px of drift instead of %s in 36,000 frames, for a price", report_figure(fine),
+                               report_figure(plain)),
+                 "`fine = true` for what creeps for minutes",
+                 fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
 }
 
 /* ---- chips ---- */
@@ -224,19 +224,21 @@ static void print_rooms(void)
                   { "sparks", &sparks_chip, 2048 },
                   { "sprites", &sprites_chip, 256 } };
 
-    lab_table("Of the board, in rom.lua: a chip takes so much RAM, and none when its capacity is 0",
-              "chip | bytes a place> | capacity unless said> | KiB in all>");
+    report_table("Of the board, in rom.lua: a chip takes so much RAM, and none when its capacity is 0",
+                 "chip | bytes a place> | capacity unless said> | KiB in all>");
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
-        lab_row(false, ROOMS[i].name,
-                lab_count((int64_t)(slots_size(ROOMS[i].chip, 1 << 16) - slots_size(ROOMS[i].chip, 1 << 15)) >> 15),
-                lab_count(ROOMS[i].usual), lab_count((int64_t)slots_size(ROOMS[i].chip, ROOMS[i].usual) / 1024), NULL);
-    lab_table_end();
+        report_row(
+            false, ROOMS[i].name,
+            report_count((int64_t)(slots_size(ROOMS[i].chip, 1 << 16) - slots_size(ROOMS[i].chip, 1 << 15)) >> 15),
+            report_count(ROOMS[i].usual), report_count((int64_t)slots_size(ROOMS[i].chip, ROOMS[i].usual) / 1024),
+            NULL);
+    report_table_end();
 }
 
 void section_models(void)
 {
-    lab_section("8. What a scene may choose");
-    lab_text(
+    report_section("8. What a scene may choose");
+    report_text(
         "The defaults are the exact models. Each price is that of the engine's own code. A bullet that is not close "
         "to a player costs no hit test, whatever its kind: the sieve in front of it takes all alike (section 6).");
     print_choices();

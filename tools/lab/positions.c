@@ -439,25 +439,25 @@ static void time_all(struct lab_rival *rivals)
 
 static const char *drift_cell(const struct drift *d, int speed)
 {
-    return lab_string("%s / %s / %s", lab_figure(d->most[AT_600][speed]), lab_figure(d->most[AT_36000][speed]),
-                      lab_figure(d->most[AT_MILLION][speed]));
+    return report_string("%s / %s / %s", report_figure(d->most[AT_600][speed]), report_figure(d->most[AT_36000][speed]),
+                         report_figure(d->most[AT_MILLION][speed]));
 }
 
 static void print_speeds(void)
 {
-    lab_text(
+    report_text(
         "The same by speed: the largest drift in px after 600 / 36,000 / 1,000,000 frames. Fixed point drifts alike "
         "at every speed, less than one unit of its last bit a frame; float32 gets worse with the distance covered.");
-    lab_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
+    report_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
     for (int i = 0; i < COUNT; i++)
-        lab_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
-                drift_cell(&drifts[i], 4), drift_cell(&drifts[i], 6), drift_cell(&drifts[i], 7), NULL);
-    lab_table_end();
+        report_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
+                   drift_cell(&drifts[i], 4), drift_cell(&drifts[i], 6), drift_cell(&drifts[i], 7), NULL);
+    report_table_end();
 }
 
 static void plot_drift(void)
 {
-    lab_plot(&(struct lab_plot){
+    report_plot(&(struct report_plot){
         .file = "drift",
         .title = "Drift of a bullet at 3 px/frame, worst of 64 headings",
         .x_name = "frames",
@@ -469,31 +469,31 @@ static void plot_drift(void)
         double y[SPANS];
         for (int k = 0; k < SPANS; k++)
             y[k] = drifts[i].most[k][4];
-        lab_plot_line(FORMATS[i].name, is_standard(&FORMATS[i]), SPAN, y, SPANS);
+        report_plot_line(FORMATS[i].name, is_standard(&FORMATS[i]), SPAN, y, SPANS);
     }
-    lab_plot_end();
+    report_plot_end();
 }
 
 static void print_all(const struct lab_rival *rivals, const int *differ, const double *worst)
 {
-    lab_table(NULL, "format | range | what is traded | drift after 600 frames, max> | after 36,000, max (rms)> | "
-                    "after 1,000,000, max> | who should choose it");
+    report_table(NULL, "format | range | what is traded | drift after 600 frames, max> | after 36,000, max (rms)> | "
+                       "after 1,000,000, max> | who should choose it");
     for (int i = 0; i < COUNT; i++) {
         const struct format *f = &FORMATS[i];
         const struct drift *d = &drifts[i];
-        lab_row(is_standard(f), f->name, f->range, f->trade, lab_string("%s px", lab_figure(d->worst[AT_600])),
-                lab_string("%s px (%s)", lab_figure(d->worst[AT_36000]),
-                           lab_figure(sqrt(d->squares[AT_36000] / (f->headings * SPEEDS)))),
-                lab_string("%s px", lab_figure(d->worst[AT_MILLION])), f->who, NULL);
+        report_row(is_standard(f), f->name, f->range, f->trade, report_string("%s px", report_figure(d->worst[AT_600])),
+                   report_string("%s px (%s)", report_figure(d->worst[AT_36000]),
+                                 report_figure(sqrt(d->squares[AT_36000] / (f->headings * SPEEDS)))),
+                   report_string("%s px", report_figure(d->worst[AT_MILLION])), f->who, NULL);
     }
-    lab_table_end();
-    lab_table(NULL, "format | differ when moved> | by up to> | time a bullet> | ratio>");
+    report_table_end();
+    report_table(NULL, "format | differ when moved> | by up to> | time a bullet> | ratio>");
     for (int i = 0; i < COUNT; i++)
-        lab_row(is_standard(&FORMATS[i]), FORMATS[i].name,
-                lab_string("%s of %s", lab_count(differ[i]), lab_count(SHIFTS * PATTERN)),
-                worst[i] > 0 ? lab_string("%s px", lab_figure(worst[i])) : "0", lab_ns(&rivals[i]),
-                lab_ratio(&rivals[i]), NULL);
-    lab_table_end();
+        report_row(is_standard(&FORMATS[i]), FORMATS[i].name,
+                   report_string("%s of %s", report_count(differ[i]), report_count(SHIFTS * PATTERN)),
+                   worst[i] > 0 ? report_string("%s px", report_figure(worst[i])) : "0", lab_ns(&rivals[i]),
+                   lab_ratio(&rivals[i]), NULL);
+    report_table_end();
 }
 
 void section_positions(void)
@@ -513,8 +513,8 @@ void section_positions(void)
     engine_free(plain);
     engine_free(fine);
 
-    lab_section("3. What a position is kept in");
-    lab_text(
+    report_section("3. What a position is kept in");
+    report_text(
         "A bullet adds its velocity to its position in every frame, so the rounding of the velocity is added as "
         "often. *Drift* is how far a bullet is from where exact arithmetic puts it: the worst of %d headings and %d "
         "speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world wraps at its ends, so that fast bullets "
@@ -523,24 +523,24 @@ void section_positions(void)
         "`fine`: "
         "to 2⁻³²), which is not counted here: 0.002 is 131.07 of these units, so section 8 finds a little more.",
         HEADINGS, SPEEDS);
-    lab_text(
+    report_text(
         "*Differ when moved*: a pattern of %d bullets flies for %d frames, and again moved by whole pixels (%d ways); "
         "counted are bullets that are not exactly where the first ones are, moved. The time is a frame of one bullet "
         "among %s; the engine's runs the whole chip.",
-        PATTERN, PATTERN_FRAMES, SHIFTS, lab_count(TIMED));
+        PATTERN, PATTERN_FRAMES, SHIFTS, report_count(TIMED));
     print_all(rivals, differ, worst);
     plot_drift();
     print_speeds();
     const struct drift *d = &drifts[me];
-    lab_text(
+    report_text(
         "A bullet that crosses the field lives for 10 to 30 seconds: in 1,800 frames Q15.16 drifts %s px, and 16 times "
         "less range (Q11.20) or twice the memory (Q31.32) would buy nothing that is seen. What matters more is the "
         "column *differ when moved*: in fixed point a pattern is the same wherever it is fired.",
-        lab_figure(3 * d->worst[AT_600]));
+        report_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");
     lab_conclude("position format", FORMATS[me].name,
-                 lab_string("%s px of drift in 600 frames, %s px in 36,000; equal everywhere on the field",
-                            lab_figure(d->worst[AT_600]), lab_figure(d->worst[AT_36000])),
+                 report_string("%s px of drift in 600 frames, %s px in 36,000; equal everywhere on the field",
+                               report_figure(d->worst[AT_600]), report_figure(d->worst[AT_36000])),
                  "`motion.def{ fine = true }` for slow bullets that stay for minutes",
                  d->worst[AT_600] < 0.01 && drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 &&
                      differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 &&

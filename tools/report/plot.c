@@ -1,17 +1,17 @@
 /*
- * plot.c - the lab's plots: points or lines with their names beside them, as SVG.
+ * plot.c - plots: points or lines with their names beside them, as SVG.
  * floor: tools
  *
  * A plot is collected, then scaled to what it holds, so nothing has to be said about axes but their names. It brings
  * its own light background, to be read on dark pages too. Names are put where they cover the least; the widths of
  * texts are estimated, for the reader's font is not known. Coordinates have one decimal, from mathematics that is the
- * same everywhere (lab.h), so equal data make equal files.
+ * same everywhere, so equal data make equal files.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab.h"
+#include "report.h"
 
 enum {
     MOST_SERIES = 64,
@@ -55,7 +55,7 @@ struct axis {
 };
 
 static struct {
-    struct lab_plot p;
+    struct report_plot p;
     struct series series[MOST_SERIES];
     int n_series, n;
     double x[MOST_POINTS], y[MOST_POINTS];
@@ -68,11 +68,10 @@ static struct {
 
 static void fail(const char *what)
 {
-    fprintf(stderr, "lab: plot %s: %s\n", plot.p.file, what);
-    exit(2);
+    report_fail(report_string("plot %s: %s", plot.p.file, what));
 }
 
-void lab_plot(const struct lab_plot *p)
+void report_plot(const struct report_plot *p)
 {
     plot.p = *p;
     plot.n_series = plot.n = plot.n_taken = 0;
@@ -100,13 +99,13 @@ static struct series *begin(const char *label, bool standard, bool line)
     return s;
 }
 
-void lab_plot_point(const char *label, bool standard, double x, double y)
+void report_plot_point(const char *label, bool standard, double x, double y)
 {
     begin(label, standard, false)->n = 1;
     add(x, y);
 }
 
-void lab_plot_line(const char *label, bool standard, const double *x, const double *y, int n)
+void report_plot_line(const char *label, bool standard, const double *x, const double *y, int n)
 {
     begin(label, standard, true)->n = n;
     for (int i = 0; i < n; i++)
@@ -117,7 +116,7 @@ void lab_plot_line(const char *label, bool standard, const double *x, const doub
 
 static double scaled(const struct axis *a, double v)
 {
-    return a->linear ? v : lab_log10(v);
+    return a->linear ? v : report_log10(v);
 }
 
 static double place(const struct axis *a, double v)
@@ -172,7 +171,7 @@ static int ticks(const struct axis *a, double *out)
     int n = 0;
 
     if (a->linear) {
-        double step = power10((int)floor(lab_log10(span / 6)));
+        double step = power10((int)floor(report_log10(span / 6)));
         while (span / step > 8)
             step *= span / step > 16 ? 5 : 2;
         for (double v = ceil(a->low / step) * step; v <= a->high + step * 1e-9 && n < MOST_TICKS; v += step)
@@ -193,7 +192,7 @@ static const char *superscript(int e)
 {
     static const char *const DIGITS[] = { "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹" };
 
-    return lab_string("%s%s%s", e < 0 ? "⁻" : "", abs(e) > 9 ? DIGITS[abs(e) / 10] : "", DIGITS[abs(e) % 10]);
+    return report_string("%s%s%s", e < 0 ? "⁻" : "", abs(e) > 9 ? DIGITS[abs(e) / 10] : "", DIGITS[abs(e) % 10]);
 }
 
 static const char *tick_name(const struct axis *a, double v, bool percent)
@@ -203,10 +202,10 @@ static const char *tick_name(const struct axis *a, double v, bool percent)
 
     if (a->linear || (size > 0.0009 && size < 2e6)) {
         if (size >= 1000)
-            return lab_string("%s%s", lab_count((int64_t)(v + 0.5)), unit);
-        return lab_string("%.*g%s", 6, v, unit);
+            return report_string("%s%s", report_count((int64_t)(v + 0.5)), unit);
+        return report_string("%.*g%s", 6, v, unit);
     }
-    return lab_string("10%s%s", superscript((int)floor(lab_log10(v) + 0.5)), unit);
+    return report_string("10%s%s", superscript((int)floor(report_log10(v) + 0.5)), unit);
 }
 
 /* ---- drawing ---- */
@@ -536,13 +535,13 @@ static void draw(void)
     fprintf(plot.f, "</svg>\n");
 }
 
-void lab_plot_end(void)
+void report_plot_end(void)
 {
-    if (!(plot.p.timed && lab_exact())) {
-        plot.f = lab_plot_file(plot.p.file);
+    plot.f = report_plot_file(plot.p.file, plot.p.timed);
+    if (plot.f) {
         draw();
         if (fclose(plot.f))
             fail("cannot be written");
     }
-    lab_text("![%s](accuracy/%s.svg)", plot.p.described, plot.p.file);
+    report_text("![%s](%s/%s.svg)", plot.p.described, report_page(), plot.p.file);
 }

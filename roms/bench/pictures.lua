@@ -1,0 +1,21 @@
+-- pictures.lua - n pictures that stand still, drawn as DIP picture says: bullets of one kind, in banks of their own, turned
+-- or across the left edge; free sprites, plain and flipped.
+local how = board.dip("picture")
+local free = how == "sprite" or how == "flipped"
+
+if not free then
+  bullet.def("thing", { sprite = "kind1", hit = "none", turns = how == "turned" })
+end
+
+return function(n)
+  return function()
+    for _ = 1, n do -- the largest, 128 px, is just inside
+      local x, y = how == "clipped" and 0 or rng.number(64, rom.field.w - 64), rng.number(64, rom.field.h - 64)
+      if free then
+        sprite.put { sprite = "kind1", x = x, y = y, flip_x = how == "flipped" }
+      else
+        bullet.fire { kind = "thing", x = x, y = y, speed = 0, dir = rng.dir(), bank = how == "banks" and rng.int(0, 7) or 0 }
+      end
+    end
+  end
+end

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is looked
+# at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is wrong.
+. "$(dirname "$0")/../check.sh"
+bench=$OUT/bench
+
+cat >"$scratch/sections" <<'END'
+Targets
+The machine
+The crowd
+What a bullet costs
+Shots against enemies
+Pictures
+The built-in game
+Memory
+END
+whole() { # PAGE
+    diff "$scratch/sections" <(sed -n 's/^## //p' "$1") &&
+        grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`; .+ %' "$1" || return 1
+    local rows
+    rows=$(awk '/^## /{ in_it = /Targets/ } in_it && /\| (met|\*\*missed\*\*) \|$/' "$1" | wc -l)
+    [ "$rows" = 13 ] || { echo "$rows targets"; return 1; }
+    local n
+    for n in 1,024 4,096 16,384 65,536 262,144 1,048,576; do
+        [ "$(grep -c "^| $n |" "$1")" -ge 5 ] || { echo "the crowd of $n is not in every table"; return 1; }
+    done
+}
+check "docs/speed.md has all sections, targets and crowds" whole docs/speed.md
+sed '/^## Pictures/d' docs/speed.md >"$scratch/a.md"
+refuse "planted: a section that is missing" "< Pictures" whole "$scratch/a.md"
+sed '/| met |$/{x;s/^/x/;/^x$/{x;d};x}' docs/speed.md >"$scratch/a.md"
+refuse "planted: a target that is missing" "12 targets" whole "$scratch/a.md"
+sed '0,/^| 65,536 |/{/^| 65,536 |/d}' docs/speed.md >"$scratch/a.md"
+refuse "planted: a row that is missing" "the crowd of 65,536" whole "$scratch/a.md"
+
+shown() { grep -o '](speed/[a-z0-9_-]*\.svg)' "$1" | sed 's/.*\///; s/)//' | sort; }
+all_shown() { diff <(shown "$1") <(basename -a docs/speed/* | sort) && [ "$(shown "$1" | wc -l)" = 4 ]; }
+check "every plot is shown, and every plot shown is there" all_shown docs/speed.md
+sed '/speed\/run.svg/d' docs/speed.md >"$scratch/a.md"
+refuse "planted: a plot that is not shown" "> run.svg" all_shown "$scratch/a.md"
+well_formed() {
+    python3 -c '
+import sys, xml.dom.minidom as x
+for f in sys.argv[1:]:
+    assert len(x.parse(f).getElementsByTagName("polyline")) >= 2, f + ": too few lines"' "$@"
+}
+check "plots are well-formed and hold their lines" well_formed docs/speed/*.svg
+sed 's/<polyline.*//' docs/speed/crowd.svg >"$scratch/crowd.svg"
+refuse "planted: a plot without its lines" "too few lines" well_formed "$scratch/crowd.svg"
+
+# What holds whatever the clock says: a section ends with exit code 1 when the engine does not do what it must.
+check "shots hit the nearest enemy, and every sprite is drawn" "$bench" battle pictures
+refuse "a section it does not have" "sections: machine crowd prices" "$bench" nothing
+tree=$scratch/tree
+mkdir -p "$tree/src/board"
+ln -s "$PWD/fb" "$tree/fb"
+ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
+cp src/board/*.h "$tree/src/board"
+sed 's/events_push(&b->events, kind, a, b2)/events_push(\&b->events, kind, a, kind == EV_SHOT ? b2 ^ 1 : b2)/' \
+    src/board/board.c >"$tree/src/board/board.c"
+another() {
+    ! cmp -s src/board/board.c "$tree/src/board/board.c" || return 2
+    # shellcheck disable=SC2046
+    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
+        -o "$scratch/bench" "$tree/src/board/board.c" $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
+        $(find "$OUT/src" -name '*.o' ! -name board.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm || return 2
+    "$scratch/bench" battle
+}
+refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another
+done_testing

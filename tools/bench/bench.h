@@ -1,0 +1,93 @@
+/*
+ * bench.h - what `make bench` is made of: sections that measure and report, their clock, and the targets they are held
+ * to.
+ * floor: tools
+ */
+#ifndef BENCH_BENCH_H
+#define BENCH_BENCH_H
+
+#include "../report/report.h"
+#include "scene.h"
+
+/* ---- sections, called in this order ---- */
+
+void section_machine(void);
+void section_crowd(void);
+void section_prices(void);
+void section_battle(void);
+void section_pictures(void);
+void section_game(void);
+void section_memory(void);
+
+/* ---- times ---- */
+
+/* Nanoseconds of a clock that never goes back. */
+double bench_now(void);
+
+/* How long ago that was, less what reading the clock takes. */
+double bench_since(double from);
+
+/* From now on bench_now is the thread's own time, for what takes longer than some 100 us; or the wall's again. */
+void bench_own_clock(bool on);
+
+/* Times of one thing. */
+struct samples {
+    double *ns;
+    int n, room;
+};
+
+void samples_add(struct samples *s, double ns);
+void samples_free(struct samples *s);
+
+/* The share of the samples below it is `share`: 0.5 is the median. It sorts them. */
+double samples_quantile(struct samples *s, double share);
+double samples_median(struct samples *s);
+
+/* "2.31±0.05": the median of the samples, each divided by `by`, and half the distance of their quartiles. */
+const char *samples_figure(struct samples *s, double by);
+
+/* Where a frame's time goes: a board's phases, and what a cabinet does then. */
+enum lap { LAP_SCRIPTS, LAP_MOTION, LAP_HITS, LAP_EVENTS, LAP_REST, LAP_DRAW, LAP_PRESENT, LAPS };
+
+/* A clock for one board, to be read as the frame goes on. */
+struct laps {
+    double last, ns[LAPS];
+};
+
+/* board_watch's: pass it with a struct laps. */
+void laps_phase(void *laps, enum board_phase over);
+
+/* A frame begins. */
+void laps_begin(struct laps *l);
+
+/* What ran since the last of these was `lap`. */
+void laps_end(struct laps *l, enum lap lap);
+
+/* ---- scenes of roms/bench ---- */
+
+/* Opens one, or ends the program. */
+void bench_scene(struct scene *s, const struct scene_want *want);
+
+/* A tick; a fault ends the program. */
+void bench_tick(struct scene *s);
+
+/* roms/bench itself. */
+const struct rom *bench_rom(void);
+
+/* ---- the machine's limits, as plain C meets them ---- */
+
+/* Bytes a nanosecond of x[i] += v[i] over that many bytes of columns, two of three parts read and one written back. */
+double limit_update(size_t bytes);
+
+/* Nanoseconds an 8-byte store takes when 8 of them go to 8 lines of a picture. */
+double limit_store(void);
+
+/* ---- claims ---- */
+
+/* A line of the table of targets that opens the page. */
+void bench_target(const char *what, const char *goal, const char *measured, bool met);
+
+/* What must be so whatever the machine; if not, the bench says so and ends with exit code 1. */
+void bench_claim(const char *wrong, const char *where);
+
+#endif

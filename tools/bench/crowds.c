@@ -1,0 +1,437 @@
+/*
+ * crowds.c - section "crowd": the engine and the two references through the same frames, in turns.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/base/rng.h"
+#include "bench.h"
+#include "crowd.h"
+#include "present.h"
+
+enum {
+    REFERENCES = 2,
+    RIVALS = 1 + REFERENCES,
+    MOST_FRAMES = 64,
+    MOST_SIZES = 16,
+    MOST_GUESSES = 4,
+    K1 = 1024,
+    K16 = 16384,
+    M1 = 1048576,
+    OWN_CLOCK = 60000,
+    BYTES_MOVED = 24,
+    STORES = 8
+};
+static const double FRAME = 1e9 / 60, AIM = 0.994e9 / 60; /* ns; a guess is to fall just below */
+static const struct reference *const references[REFERENCES] = { &reference_array, &reference_columns };
+
+/* What was measured at one n, in ns a frame. */
+struct size {
+    int n, frames;
+    struct samples laps[LAPS], total[RIVALS], hash;
+    struct samples tick[RIVALS], draw[RIVALS], present[RIVALS];
+    struct crowd_counts counts[RIVALS];
+    double update; /* bytes a ns of this many bullets' columns */
+};
+
+static struct size sizes[MOST_SIZES];
+static int n_sizes;
+
+/* A slice: the engine's frames, then each reference's, with the player as it was. */
+struct arena {
+    struct scene scene;
+    struct laps laps;
+    struct crowd crowd;
+    void *data[REFERENCES];
+    uint32_t *shown[RIVALS];
+    struct crowd_player players[MOST_FRAMES];
+};
+
+static void open_arena(struct arena *a, int n)
+{
+    bench_scene(&a->scene, &(struct scene_want){ .does = "crowd", .n = n, .bullets = n, .seed = 1 + (uint64_t)n });
+    while (board_live(a->scene.b, "bullets") < n) /* the largest crowds take more than a frame to fire */
+        bench_tick(&a->scene);
+    if (!crowd_take(&a->crowd, &a->scene) || a->crowd.n != n)
+        report_fail("the crowd is not what it should be");
+    for (int i = 0; i < REFERENCES; i++)
+        if (!(a->data[i] = references[i]->open(&a->crowd)))
+            report_fail("out of memory");
+    for (int i = 0; i < RIVALS; i++)
+        if (!(a->shown[i] = calloc((size_t)(a->crowd.w * a->crowd.h), sizeof **a->shown)))
+            report_fail("out of memory");
+    board_watch(a->scene.b, laps_phase, &a->laps);
+}
+
+static void close_arena(struct arena *a)
+{
+    for (int i = 0; i < RIVALS; i++)
+        free(a->shown[i]);
+    for (int i = 0; i < REFERENCES; i++)
+        references[i]->close(a->data[i]);
+    free((void *)(uintptr_t)a->crowd.bullets);
+    scene_close(&a->scene);
+}
+
+static void engine_frame(struct arena *a, struct size *s, bool count)
+{
+    struct laps *l = &a->laps;
+    double sum = 0;
+
+    laps_begin(l);
+    bench_tick(&a->scene);
+    scene_draw(&a->scene);
+    laps_end(l, LAP_DRAW);
+    present(a->shown[0], a->crowd.w, a->scene.fb.pix, a->scene.fb.pitch, a->crowd.w, a->crowd.h, a->scene.rgb);
+    laps_end(l, LAP_PRESENT);
+    crowd_count(&s->counts[0], &a->scene, true);
+    for (int i = 0; i < LAPS; i++)
+        sum += l->ns[i];
+    if (!count)
+        return;
+    for (int i = 0; i < LAPS; i++)
+        samples_add(&s->laps[i], l->ns[i]);
+    samples_add(&s->total[0], sum);
+    samples_add(&s->tick[0], sum - l->ns[LAP_DRAW] - l->ns[LAP_PRESENT]);
+    samples_add(&s->draw[0], l->ns[LAP_DRAW]);
+    samples_add(&s->present[0], l->ns[LAP_PRESENT]);
+}
+
+static void reference_frame(struct arena *a, struct size *s, int which, const struct crowd_player *p, bool count)
+{
+    const struct reference *r = references[which];
+    struct crowd_counts *counts = &s->counts[1 + which];
+    double tick, draw, show, from = bench_now();
+    int pitch;
+
+    r->tick(a->data[which], p, counts);
+    tick = bench_since(from);
+    from = bench_now();
+    r->draw(a->data[which], counts);
+    draw = bench_since(from);
+    from = bench_now();
+    const uint8_t *pix = r->picture(a->data[which], &pitch);
+    reference_expand(a->shown[1 + which], pix, pitch, a->crowd.w, a->crowd.h, a->scene.rgb);
+    show = bench_since(from);
+    if (!count)
+        return;
+    samples_add(&s->total[1 + which], tick + draw + show);
+    samples_add(&s->tick[1 + which], tick);
+    samples_add(&s->draw[1 + which], draw);
+    samples_add(&s->present[1 + which], show);
+}
+
+static void slice(struct arena *a, struct size *s, int frames, bool count)
+{
+    for (int f = 0; f < frames; f++) {
+        engine_frame(a, s, count);
+        a->players[f] = crowd_player(&a->scene);
+    }
+    for (int i = 0; i < REFERENCES; i++)
+        for (int f = 0; f < frames; f++)
+            reference_frame(a, s, i, &a->players[f], count);
+    double from = bench_now();
+    board_hash(a->scene.b);
+    if (count)
+        samples_add(&s->hash, bench_since(from));
+    s->frames += frames;
+}
+
+/* What must be so at the end of each n, whatever the machine. */
+static void check(const struct arena *a, const struct size *s)
+{
+    const char *where = report_string("a crowd of %s", report_count(s->n));
+    size_t bytes = (size_t)(a->crowd.w * a->crowd.h) * sizeof **a->shown;
+
+    for (int i = 0; i < REFERENCES; i++) {
+        const char *who = report_string("%s, %s", where, references[i]->name);
+        bool equal = !memcmp(&s->counts[0], &s->counts[1 + i], sizeof s->counts[0]);
+        bench_claim(equal ? NULL : "it does not count what the engine counts", who);
+        bench_claim(crowd_differs(&a->crowd, &a->scene, references[i], a->data[i]), who);
+        bench_claim(memcmp(a->shown[0], a->shown[1 + i], bytes) ? "other pixels are shown" : NULL, who);
+    }
+    bench_claim(s->counts[0].tested && s->counts[0].hit && s->counts[0].grazed ? NULL : "nothing is hit or grazed",
+                where);
+    bench_claim(crowd_misdrawn(&a->crowd, &a->scene), where);
+}
+
+/* Runs a crowd of n; its times stay in sizes[]. */
+static struct size *run(int n)
+{
+    struct size *s = &sizes[n_sizes++];
+    struct arena a = { .data = { NULL } };
+    int frames = n < 3000 ? 48 : n < 10000 ? 24 : n < 40000 ? 16 : n < 150000 ? 8 : n < 600000 ? 4 : 3;
+    int rounds = n <= 100000 ? 25 : n <= 600000 ? 15 : n < 2000000 ? 11 : 5;
+
+    *s = (struct size){ .n = n, .update = limit_update((size_t)n * 16) };
+    open_arena(&a, n);
+    bench_own_clock(n >= OWN_CLOCK);
+    for (int round = -1; round < rounds; round++) /* the first warms up */
+        slice(&a, s, frames, round >= 0);
+    bench_own_clock(false);
+    check(&a, s);
+    close_arena(&a);
+    fprintf(stderr, "bench: a crowd of %s: %s ms a frame\n", report_count(n),
+            report_figure(samples_median(&s->total[0]) / 1e6)); /* the tables come when all are measured */
+    return s;
+}
+
+static double total(struct size *s)
+{
+    return samples_median(&s->total[0]);
+}
+
+/* ---- what is said of it ---- */
+
+static const char *per_bullet(struct samples *s, int n)
+{
+    return report_figure(samples_median(s) / n);
+}
+
+static void split_table(void)
+{
+    static const char *const names[LAPS] = { "scripts", "motion", "hits", "events", "rest", "draw", "present" };
+
+    report_table("Nanoseconds a bullet, a frame: where the engine's go",
+                 "n> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum> | (hash)>");
+    for (int i = 0; i < n_sizes; i++) {
+        const char *cells[LAPS + 3] = { report_count(sizes[i].n) };
+        for (int k = 0; k < LAPS; k++)
+            cells[1 + k] = per_bullet(&sizes[i].laps[k], sizes[i].n);
+        cells[LAPS + 1] = samples_figure(&sizes[i].total[0], sizes[i].n);
+        cells[LAPS + 2] = per_bullet(&sizes[i].hash, sizes[i].n);
+        report_cells(0, cells, LAPS + 3);
+    }
+    report_table_end();
+    report_plot(&(struct report_plot){ "split", "A crowd's frame, split", "bullets", "ns a bullet, a frame",
+                                       .timed = true,
+                                       .described = "Nanoseconds a bullet against the number of bullets, a line for "
+                                                    "each part of a frame" });
+    for (int k = 0; k < LAPS; k++) {
+        double x[MOST_SIZES], y[MOST_SIZES];
+        if (k == LAP_SCRIPTS || k == LAP_REST) /* they do not depend on n */
+            continue;
+        for (int i = 0; i < n_sizes; i++) {
+            x[i] = sizes[i].n;
+            y[i] = samples_median(&sizes[i].laps[k]) / sizes[i].n;
+        }
+        report_plot_line(names[k], k == LAP_DRAW, x, y, n_sizes);
+    }
+    report_plot_end();
+}
+
+static void rivals_table(void)
+{
+    static const char *const names[RIVALS] = { "the engine", "doubles, byte loop", "columns, words" };
+
+    report_text(
+        "**Beside plain C.** The same crowd, twice more without an engine, from the same first frame on, the "
+        "player going the same way: (a) an *array of structs of doubles*, every bullet tested in full, a branch a "
+        "pixel; (b) *columns of int32*, tested 64 at a time, drawn by masked 8-byte words made once for each kind. "
+        "Both keep a kind's bullets together and so need not sort; neither has scripts, motion programs, "
+        "handles, deaths, or a state that can be saved. Each presents with a table look-up a pixel.");
+    report_table("Microseconds a frame, and how many times as long as the engine's",
+                 "n> | engine> | frames a second> | (a) array> | ratio> | (b) columns> | ratio>");
+    for (int i = 0; i < n_sizes; i++) {
+        struct size *s = &sizes[i];
+        report_row(0, report_count(s->n), samples_figure(&s->total[0], 1e3), report_count((int64_t)(1e9 / total(s))),
+                   samples_figure(&s->total[1], 1e3),
+                   report_string("%s x", report_figure(samples_median(&s->total[1]) / total(s))),
+                   samples_figure(&s->total[2], 1e3),
+                   report_string("%s x", report_figure(samples_median(&s->total[2]) / total(s))), NULL);
+    }
+    report_table_end();
+    report_plot(&(struct report_plot){
+        "crowd", "A crowd's frame: move, hits, picture, pixels", "bullets", "ns a bullet, a frame", .timed = true,
+        .described = "Nanoseconds a bullet against the number of bullets, for the engine "
+                     "and the two references" });
+    for (int r = 0; r < RIVALS; r++) {
+        double x[MOST_SIZES], y[MOST_SIZES];
+        for (int i = 0; i < n_sizes; i++) {
+            x[i] = sizes[i].n;
+            y[i] = samples_median(&sizes[i].total[r]) / sizes[i].n;
+        }
+        report_plot_line(names[r], r == 0, x, y, n_sizes);
+    }
+    report_plot_end();
+    report_table("The parts: nanoseconds a bullet, a frame, of engine / (a) / (b)", "n> | tick> | draw> | present>");
+    for (int i = 0; i < n_sizes; i++) {
+        struct size *s = &sizes[i];
+        struct samples *part[] = { s->tick, s->draw, s->present };
+        const char *cells[4] = { report_count(s->n) };
+        for (int k = 0; k < 3; k++)
+            cells[1 + k] = report_string("%s / %s / %s", per_bullet(&part[k][0], s->n), per_bullet(&part[k][1], s->n),
+                                         per_bullet(&part[k][2], s->n));
+        report_cells(0, cells, 4);
+    }
+    report_table_end();
+}
+
+static void counts_table(void)
+{
+    report_table("What all three counted, alike, over so many frames",
+                 "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
+    for (int i = 0; i < n_sizes; i++) {
+        const struct crowd_counts *c = &sizes[i].counts[0];
+        report_row(0, report_count(sizes[i].n), report_count(sizes[i].frames), report_count((int64_t)c->moved),
+                   report_count((int64_t)c->tested), report_count((int64_t)c->hit), report_count((int64_t)c->grazed),
+                   report_count((int64_t)c->drawn), NULL);
+    }
+    report_table_end();
+    report_text("*Tested* are those whose way of the frame, as a box, comes within reach of the player; each grazes a "
+                "player once. At the end of each n the three have every bullet in the same place and show the same "
+                "pixels, and the picture is that of a painter who copies byte by byte and knows nothing of batches.");
+}
+
+static void limits_table(void)
+{
+    report_text(
+        "**The machine's share.** Moving a bullet reads 16 bytes and writes 8; the memory of that many bullets "
+        "gives so much to `x[i] += v[i]`. Motion and hits together look at every bullet once or twice, and so "
+        "can come near that. A picture of 8x8 is 8 stores to 8 lines; a share above 100 %% means that lines are "
+        "written together.");
+    report_table(NULL, "n> | motion + hits> | of memory's limit> | draw> | of the stores' limit>");
+    for (int i = 0; i < n_sizes; i++) {
+        struct size *s = &sizes[i];
+        double tick = samples_median(&s->laps[LAP_MOTION]) + samples_median(&s->laps[LAP_HITS]);
+        double draw = samples_median(&s->laps[LAP_DRAW]);
+        report_row(
+            0, report_count(s->n),
+            report_string("%s of %s GB/s", report_figure(BYTES_MOVED * (double)s->n / tick), report_figure(s->update)),
+            report_percent(BYTES_MOVED * (double)s->n / tick / s->update),
+            report_string("%s of %s ns", report_figure(draw / s->n), report_figure(STORES * limit_store())),
+            report_percent(STORES * limit_store() * s->n / draw), NULL);
+    }
+    report_table_end();
+}
+
+static int by_n(const void *a, const void *b)
+{
+    return ((const struct size *)a)->n - ((const struct size *)b)->n;
+}
+
+/* The measured size of n bullets. */
+static struct size *size_of(int n)
+{
+    for (int i = 0; i < n_sizes; i++)
+        if (sizes[i].n == n)
+            return &sizes[i];
+    return NULL;
+}
+
+static int whole_blocks(double n)
+{
+    return (int)(n > 1 << 22 ? 1 << 22 : n) / 64 * 64;
+}
+
+/*
+ * The largest measured n whose frame takes no more than a sixtieth of a second. From 2.5 million on, each guess lies on
+ * the line through the two n measured last (the first on that through 0), until one is just below. Sorts sizes[].
+ */
+static int find_60(void)
+{
+    struct size *before = NULL, *last = run(2500032);
+    int found = 0;
+
+    for (int k = 0; k < MOST_GUESSES; k++) {
+        double slope = before ? (total(last) - total(before)) / (last->n - before->n) : total(last) / last->n;
+        int n = whole_blocks(last->n + (AIM - total(last)) / slope);
+        bool close = total(last) <= FRAME && total(last) >= 2 * AIM - FRAME;
+        if (slope <= 0 || n < 64 || n == last->n || close)
+            break;
+        before = last;
+        last = run(n);
+    }
+    for (int i = 0; i < n_sizes; i++)
+        if (total(&sizes[i]) <= FRAME && sizes[i].n > found)
+            found = sizes[i].n;
+    qsort(sizes, (size_t)n_sizes, sizeof *sizes, by_n);
+    return found;
+}
+
+static void targets(struct size *found)
+{
+    struct size *k16 = size_of(K16), *m1 = size_of(M1);
+    double words = samples_median(&k16->total[2]) / total(k16), bytes = samples_median(&k16->total[1]) / total(k16);
+    double growth = total(m1) / m1->n / (total(k16) / k16->n);
+
+    bench_target("1,048,576 bullets of 8x8, a frame", "6 ms, if possible 4.5",
+                 report_string("%s ms", report_figure(total(m1) / 1e6)), total(m1) <= 6e6);
+    bench_target("bullets at 60 frames a second", "2,500,000",
+                 report_string("%s in %s ms", report_count(found->n), report_figure(total(found) / 1e6)),
+                 found->n >= 2500000);
+    bench_target("16,384 bullets, beside columns and words", "1.3 times as fast",
+                 report_string("%s times", report_figure(words)), words >= 1.3);
+    bench_target("16,384 bullets, beside structs of doubles and bytes", "4 times as fast",
+                 report_string("%s times", report_figure(bytes)), bytes >= 4);
+    bench_target("cost of a bullet from 16,384 to 1,048,576", "grows less than 2 times",
+                 report_string("%s times", report_figure(growth)), growth < 2);
+}
+
+/* 16,384 bullets without programs: what a straight one's move, keep box, swept hit and graze cost. */
+static void straight(void)
+{
+    enum { N = 16384, FRAMES = 400 };
+    struct scene s;
+    struct laps l;
+    struct samples ns = { 0 };
+
+    bench_scene(&s, &(struct scene_want){ .does = "creep", .n = N, .bullets = N, .seed = 5 });
+    board_watch(s.b, laps_phase, &l);
+    for (int f = 0; f < FRAMES; f++) {
+        laps_begin(&l);
+        bench_tick(&s);
+        if (f >= FRAMES / 8)
+            samples_add(&ns, l.ns[LAP_MOTION] + l.ns[LAP_HITS]);
+    }
+    report_text("**A straight bullet.** %s bullets all over the field that run no program: the move, the keep box, the "
+                "swept hit and the graze take %s ns a bullet, a frame.",
+                report_count(N), samples_figure(&ns, N));
+    bench_target("a straight bullet's move, keep box, swept hit and graze, of 16,384", "0.5 ns",
+                 report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
+    samples_free(&ns);
+    scene_close(&s);
+}
+
+void section_crowd(void)
+{
+    static const int USUAL[] = { K1, 4096, K16, 65536, 262144, M1 };
+
+    report_section("The crowd");
+    report_text(
+        "n bullets of 8x8 px and 16 kinds in 8 banks on 320x240 px, a hit circle of 3 px each, all over the field "
+        "at 0.5 to 3 px a frame. Each flies 60 frames, turns round and comes back, so that in every frame a "
+        "sixtieth of them runs a step of its motion program and the others fly straight. A player with a hit "
+        "circle of 2 px and a graze ring of 12 wanders among them. The pictures' pixels are shuffled anew "
+        "for each n. It is `roms/bench`, DIP `does=crowd`, on the board that runs any game.");
+    for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
+        run(USUAL[i]);
+    int n = find_60();
+    split_table();
+    rivals_table();
+    counts_table();
+    limits_table();
+    struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n);
+    report_text("**Growth.** A bullet of %s costs %s ns, of %s %s ns, of %s %s ns: %s times from %s to %s, where the "
+                "fixed cost of a frame (an empty picture, presenting) no longer shows.",
+                report_count(k1->n), per_bullet(&k1->total[0], k1->n), report_count(k16->n),
+                per_bullet(&k16->total[0], k16->n), report_count(m1->n), per_bullet(&m1->total[0], m1->n),
+                report_figure(total(m1) / m1->n / (total(k16) / k16->n)), report_count(k16->n), report_count(m1->n));
+    report_text("**Sixty frames a second** on one core hold with **%s bullets**, found by measuring: %s ms of 16.67. "
+                "The chip's most is %s.",
+                report_count(found->n), samples_figure(&found->total[0], 1e6), report_count(1 << 22));
+    straight();
+    targets(found);
+    for (int i = 0; i < n_sizes; i++) {
+        struct size *s = &sizes[i];
+        for (int k = 0; k < LAPS; k++)
+            samples_free(&s->laps[k]);
+        for (int k = 0; k < RIVALS; k++) {
+            samples_free(&s->total[k]);
+            samples_free(&s->tick[k]);
+            samples_free(&s->draw[k]);
+            samples_free(&s->present[k]);
+        }
+        samples_free(&s->hash);
+    }
+}

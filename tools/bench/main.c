@@ -1,0 +1,141 @@
+/*
+ * main.c - the bench's command line: bench [--out FOLDER] [SECTION...]
+ * floor: tools
+ *
+ * Prints what it measures; without sections all of them, and then the page is written as well: FOLDER/speed.md and
+ * FOLDER/speed/NAME.svg, FOLDER being docs unless named. Run from the repository's folder. Exit 1: something that must
+ * hold on any machine did not; a target that was missed is only said.
+ */
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include "bench.h"
+
+static const struct {
+    const char *name;
+    void (*run)(void);
+} SECTIONS[] = {
+    { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
+    { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
+    { "memory", section_memory },
+};
+enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
+
+static struct {
+    struct rom_image image;
+    bool wrong;
+} bench;
+
+static const char ABOUT[] =
+    "# Speed: what a frame costs\n"
+    "\n"
+    "`make bench` measures this page and writes it with its plots; do not edit it. All figures are of one core and of "
+    "the\n"
+    "machine named below; another has others. What holds on every machine, that the engine and two programs that "
+    "share\n"
+    "nothing with it move, test, hit, graze and draw the same, is compared in each run, and a difference fails it.\n"
+    "\n"
+    "* A figure is the median over many frames; **±** is half the distance of the quartiles. Times are the wall's, but "
+    "for the\n"
+    "  largest crowds and for memory, where they are the bench's own share of it. Things that are compared "
+    "run in\n"
+    "  turns, a slice of frames each, so a ratio is of one run and one moment.\n"
+    "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
+    "picture\n"
+    "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
+    "second;\n"
+    "  it is not in the sums. Sixty frames a second leave 16.67 ms each.\n"
+    "* Nothing is drawn by the graphics card, no other thread helps, and the compiler's flags are those named below.\n"
+    "* px is a pixel, a frame 1/60 s, 1 GB 10^9 bytes.\n"
+    "\n";
+
+const struct rom *bench_rom(void)
+{
+    char err[256];
+
+    if (!bench.image.bytes && !rom_image_load("roms/bench", false, &bench.image, err, sizeof err))
+        report_fail(err);
+    return &bench.image.rom;
+}
+
+void bench_scene(struct scene *s, const struct scene_want *want)
+{
+    char err[256];
+
+    if (!scene_open(s, bench_rom(), want, err, sizeof err))
+        report_fail(err);
+}
+
+void bench_tick(struct scene *s)
+{
+    if (!scene_tick(s))
+        report_fail(board_last(s->b)->fault->message);
+}
+
+void bench_target(const char *what, const char *goal, const char *measured, bool met)
+{
+    const char *const cells[] = { what, measured, goal, met ? "met" : "**missed**" };
+
+    report_conclude(cells, 4);
+}
+
+void bench_claim(const char *wrong, const char *where)
+{
+    if (!wrong)
+        return;
+    fprintf(stderr, "bench: %s: %s\n", where, wrong);
+    bench.wrong = true;
+}
+
+static int section_of(const char *name)
+{
+    for (int i = 0; i < COUNT; i++)
+        if (!strcmp(SECTIONS[i].name, name))
+            return i;
+    return -1;
+}
+
+static int usage(void)
+{
+    fprintf(stderr, "usage: bench [--out FOLDER] [SECTION...]\nsections:");
+    for (int i = 0; i < COUNT; i++)
+        fprintf(stderr, " %s", SECTIONS[i].name);
+    fprintf(stderr, "\n");
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    bool chosen[COUNT] = { false }, all = true;
+    const char *folder = NULL;
+    char intro[8192];
+
+    for (int i = 1; i < argc; i++) {
+        int s = section_of(argv[i]);
+        if (!strcmp(argv[i], "--out") && i + 1 < argc)
+            folder = argv[++i];
+        else if (s < 0)
+            return usage();
+        else
+            chosen[s] = true, all = false;
+    }
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    report_begin(&(struct report){ .program = "bench",
+                                   .folder = folder ? folder
+                                             : all  ? "docs"
+                                                    : NULL,
+                                   .page = "speed",
+                                   .echo = true });
+    printf("%s\n\n", report_machine());
+    double from = bench_now();
+    for (int i = 0; i < COUNT; i++)
+        if (all || chosen[i])
+            SECTIONS[i].run();
+    snprintf(intro, sizeof intro, "%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
+             report_machine(), report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
+    report_finish(intro,
+                  "## Targets\n\nWhat was asked of the engine before it was built this way, and whether this run "
+                  "met it.\n\n| | measured | target | |\n|---|---|---|---|\n");
+    rom_image_free(&bench.image);
+    return bench.wrong;
+}

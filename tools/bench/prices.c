@@ -1,0 +1,71 @@
+/*
+ * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price, all run in turns.
+ */
+#include <stdlib.h>
+#include "bench.h"
+
+enum { N = 4096, ROUNDS = 25, FRAMES = 8 };
+
+static const struct price {
+    const char *dip, *what;
+} PRICES[] = {
+    { "straight", "flies straight" },
+    { "accel", "runs `accel`" },
+    { "turn", "runs `turn`" },
+    { "drive", "runs `turn` and `speed`" },
+    { "aim", "runs `aim`" },
+    { "home", "runs `home`" },
+    { "mixed",
+      "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each" },
+    { "fine", "is `fine`, and flies straight" },
+    { "fine_drive", "is `fine`, and runs `turn` and `speed`" },
+    { "group", "is written to through a group" },
+    { "each", "is visited by `bullet.each`, and written to" },
+    { "task", "has a Lua task that waits one frame" },
+    { "fire", "is fired, once, and gone in the same frame" },
+    { "half", NULL },
+};
+enum { COUNT = sizeof PRICES / sizeof *PRICES, HALF = COUNT - 1 };
+
+void section_prices(void)
+{
+    struct scene *scenes = calloc(COUNT, sizeof *scenes);
+    struct samples ns[COUNT] = { { 0 } };
+
+    if (!scenes)
+        report_fail("out of memory");
+    for (int i = 0; i < COUNT; i++)
+        bench_scene(&scenes[i], &(struct scene_want){ .does = "prices", .price = PRICES[i].dip, .n = N, .bullets = N });
+    for (int round = -1; round < ROUNDS; round++) /* the first warms up */
+        for (int i = 0; i < COUNT; i++)
+            for (int f = 0; f < FRAMES; f++) {
+                double from = bench_now();
+                bench_tick(&scenes[i]);
+                if (round >= 0 && f > 0) /* the first fetches its board into the caches */
+                    samples_add(&ns[i], bench_since(from));
+            }
+
+    double straight = samples_median(&ns[0]);
+    report_section("What a bullet costs");
+    report_text(
+        "Nanoseconds of a tick for each of %s bullets that all do the same in every frame, and what that is beyond "
+        "those of one that flies straight. Nothing is drawn; no bullet comes near the player.",
+        report_count(N));
+    report_table(NULL, "a bullet that | in all> | beyond straight>");
+    for (int i = 0; i < HALF; i++)
+        report_row(i == 0, PRICES[i].what, samples_figure(&ns[i], N),
+                   i ? report_figure((samples_median(&ns[i]) - straight) / N) : "", NULL);
+    report_table_end();
+
+    double half = samples_median(&ns[HALF]) / 1e3;
+    report_text("Of %s bullets every other one runs one of those ten programs, each with an op active in every frame, "
+                "equally many of each: the tick takes **%s µs**.",
+                report_count(N), samples_figure(&ns[HALF], 1e3));
+    bench_target("4,096 bullets, half of them running programs, all ops in equal parts: the tick", "60 µs",
+                 report_string("%s µs", report_figure(half)), half < 60);
+    for (int i = 0; i < COUNT; i++) {
+        samples_free(&ns[i]);
+        scene_close(&scenes[i]);
+    }
+    free(scenes);
+}
