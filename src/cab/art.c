@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../fb/blit.h"
+#include "../../fb/turn.h"
 #include "../base/bytes.h"
 
 enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
