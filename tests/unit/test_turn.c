@@ -66,6 +66,21 @@ static void random_image(struct bed *b, int w, int h)
             b->pix[y * b->image.pitch + x] = rng_below(&b->r, 4) < holes ? 0 : (uint8_t)rng_next(&b->r);
 }
 
+/* One turn of an image, with scratch that is full of rubbish and no larger than it need be. */
+static void rotate(uint8_t *out, int out_w, int out_h, int out_pitch, const uint8_t *in, int w, int h, int pitch,
+                   ang turn, int ox, int oy)
+{
+    size_t size = turn_scratch(w, h);
+    void *scratch = malloc(size);
+    struct turn t;
+
+    assert_non_null(scratch);
+    memset(scratch, 0x55, size);
+    turn_open(&t, in, w, h, pitch, ox, oy, scratch);
+    turn_paint(&t, turn, out, out_w, out_h, out_pitch);
+    free(scratch);
+}
+
 enum { SIDE = 48 }; /* of pictures that hold any turned image of up to 24 x 24 */
 
 static const char *const rice[12] = {
@@ -90,7 +105,7 @@ static void turn_of_nothing_is_the_image(void **state)
         int w = 1 + (int)rng_below(&b->r, MAX_SIDE), h = 1 + (int)rng_below(&b->r, MAX_SIDE);
         random_image(b, w, h);
         memset(out, 0xaa, sizeof out);
-        blit_rotate(out, w, h, MAX_PITCH, b->pix, w, h, b->image.pitch, 0, w, h);
+        rotate(out, w, h, MAX_PITCH, b->pix, w, h, b->image.pitch, 0, w, h);
         for (int y = 0; y < MAX_SIDE; y++)
             for (int x = 0; x < MAX_PITCH; x++)
                 assert_int_equal(out[y * MAX_PITCH + x], x < w && y < h ? b->pix[y * b->image.pitch + x] : 0xaa);
@@ -108,7 +123,7 @@ static void quarters_are_exact(void **state)
         p = b->image.pitch;
         for (unsigned q = 1; q < 4; q++) {
             int ow = q == 2 ? w : h, oh = q == 2 ? h : w;
-            blit_rotate(out, ow, oh, MAX_PITCH, b->pix, w, h, p, (ang)q << 30, w, h);
+            rotate(out, ow, oh, MAX_PITCH, b->pix, w, h, p, (ang)q << 30, w, h);
             for (int y = 0; y < oh; y++)
                 for (int x = 0; x < ow; x++) {
                     int u = q == 1 ? y : q == 2 ? w - 1 - x : w - 1 - y;
@@ -128,7 +143,7 @@ static void turns_about_the_point(void **state)
 
     in[2 * 8 + 6] = 9; /* pixel (6, 2); the point (6, 2) in pixels is its top left corner */
     for (unsigned q = 0; q < 4; q++) {
-        blit_rotate(out, 10, 10, 16, in, 8, 8, 8, (ang)q << 30, 12, 4);
+        rotate(out, 10, 10, 16, in, 8, 8, 8, (ang)q << 30, 12, 4);
         for (int y = 0; y < 10; y++)
             for (int x = 0; x < 10; x++)
                 assert_int_equal(out[y * 16 + x], x == at[q][0] && y == at[q][1] ? 9 : 0);
@@ -144,8 +159,8 @@ static void quarters_of_any_turn(void **state)
     draw_rice(in);
     for (unsigned k = 0; k < 64; k++) {
         ang turn = (ang)k << 26;
-        blit_rotate(a, 18, 18, 24, in[0], 12, 12, 16, turn, 12, 12);
-        blit_rotate(c, 18, 18, 24, in[0], 12, 12, 16, turn + (1u << 30), 12, 12);
+        rotate(a, 18, 18, 24, in[0], 12, 12, 16, turn, 12, 12);
+        rotate(c, 18, 18, 24, in[0], 12, 12, 16, turn + (1u << 30), 12, 12);
         for (int y = 0; y < 18; y++)
             for (int x = 0; x < 18; x++)
                 assert_int_equal(a[y * 24 + x], c[x * 24 + 17 - y]);
@@ -167,12 +182,12 @@ static void turned_random_images(void **state)
         random_image(b, w, h);
         for (int i = 0; i < w * h; i++)
             has[b->pix[i / w * b->image.pitch + i % w]] = true;
-        blit_rotated_size(b->pix, w, h, b->image.pitch, ox, oy, &ow, &oh);
+        turn_size(b->pix, w, h, b->image.pitch, ox, oy, &ow, &oh);
         assert_true(ow >= 1 && ow <= SIDE && oh >= 1 && oh <= SIDE);
         assert_true((ow - ox) % 2 == 0 && (oh - oy) % 2 == 0);
         memset(fit, 0xaa, sizeof fit);
-        blit_rotate(fit, ow, oh, SIDE, b->pix, w, h, b->image.pitch, turn, ox, oy);
-        blit_rotate(big, SIDE - (ox & 1), SIDE - (oy & 1), SIDE, b->pix, w, h, b->image.pitch, turn, ox, oy);
+        rotate(fit, ow, oh, SIDE, b->pix, w, h, b->image.pitch, turn, ox, oy);
+        rotate(big, SIDE - (ox & 1), SIDE - (oy & 1), SIDE, b->pix, w, h, b->image.pitch, turn, ox, oy);
         for (int y = 0; y < SIDE; y++)
             for (int x = 0; x < SIDE; x++) {
                 bool in_fit = x < ow && y < oh;
@@ -202,7 +217,7 @@ static void rice_stays_rice(void **state)
     for (unsigned k = 0; k < 32; k++) {
         int area = 0, white = 0;
         memset(out, 0, sizeof out);
-        blit_rotate(out, 18, 18, 24, in[0], 12, 12, 16, (ang)k << 27, 12, 12);
+        rotate(out, 18, 18, 24, in[0], 12, 12, 16, (ang)k << 27, 12, 12);
         for (int y = 0; y < 18; y++)
             for (int x = 0; x < 18; x++) {
                 if (is_rim(out, x, y))
@@ -228,7 +243,7 @@ static void turns_clockwise(void **state)
         memset(in + y * 24 + 18, 4, 4); /* its middle is 8 px right of the image's */
     for (unsigned k = 0; k < 8; k++) {
         int sx = 0, sy = 0, n = 0;
-        blit_rotate(out, 24, 24, 24, in, 24, 24, 24, (ang)k << 29, 24, 24);
+        rotate(out, 24, 24, 24, in, 24, 24, 24, (ang)k << 29, 24, 24);
         for (int y = 0; y < 24; y++)
             for (int x = 0; x < 24; x++)
                 if (out[y * 24 + x]) {
@@ -250,7 +265,7 @@ static void turned_bytes(void **state)
 
     draw_rice(in);
     for (unsigned k = 0; k < 32; k++) {
-        blit_rotate(out, 18, 18, 18, in[0], 12, 12, 16, (ang)k << 27, 12, 12);
+        rotate(out, 18, 18, 18, in[0], 12, 12, 16, (ang)k << 27, 12, 12);
         h = hash_bytes(h, out, sizeof out);
     }
     assert_true(h ==
