@@ -272,6 +272,25 @@ static void turned_bytes(void **state)
                 0x80c6a15cc37f8029u); /* changes with the art of turning: look at the pictures before changing it */
 }
 
+/* The same of noise in few colours, where votes are often equal. */
+static void turned_noise(void **state)
+{
+    struct bed *b = *state;
+    uint8_t out[SIDE * SIDE];
+    uint64_t h = HASH_START;
+
+    rng_seed(&b->r, 22);
+    for (int k = 0; k < 200; k++) {
+        int w = 1 + (int)rng_below(&b->r, 24), side = 1 + (int)rng_below(&b->r, 24);
+        random_image(b, w, side);
+        for (int i = 0; i < side * b->image.pitch; i++)
+            b->pix[i] %= 4;
+        rotate(out, SIDE, SIDE, SIDE, b->pix, w, side, b->image.pitch, (ang)rng_next(&b->r), w, side);
+        h = hash_bytes(h, out, sizeof out);
+    }
+    assert_true(h == 0x1c0f1c48242d4df7u);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -283,6 +302,7 @@ int main(void)
         cmocka_unit_test(rice_stays_rice),
         cmocka_unit_test(turns_clockwise),
         cmocka_unit_test(turned_bytes),
+        cmocka_unit_test(turned_noise),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);
 }
