@@ -190,8 +190,10 @@ static void snapshot_restores(uint64_t seed, int at, int on)
         step(&m);
     at_save = m;
     size_t size = heap_save(m.h, NULL);
-    saved = block_of(size);
-    again = block_of(size);
+    saved = malloc(size);
+    again = malloc(size);
+    assert_non_null(saved);
+    assert_non_null(again);
     memset(saved, 0x33, size);
     assert_int_equal(heap_save(m.h, saved), size);
     for (int i = 0; i < on; i++)
