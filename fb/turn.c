@@ -147,8 +147,8 @@ static void locate(const struct way *a, int x, int y, int64_t *px, int64_t *py)
 {
     int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
 
-    *px = a->cos30 * u + a->sin30 * v + ((int64_t)a->t->ox << 33);
-    *py = a->cos30 * v - a->sin30 * u + ((int64_t)a->t->oy << 33);
+    *px = a->cos30 * u + a->sin30 * v + a->t->ox * ((int64_t)1 << 33);
+    *py = a->cos30 * v - a->sin30 * u + a->t->oy * ((int64_t)1 << 33);
 }
 
 /* True: the image has one colour as far round the middle of pixel (x, y) as its points can see. */

@@ -404,7 +404,7 @@ static void lean(size_t budget, uint64_t one_in, int steps)
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     for (int i = 0; i < steps; i++) {
         uint32_t f = board_frame(r.b);
-        scarce_one_in = i % 500 < 400 ? one_in : i % 500 < 420 ? 1 : 0;
+        scarce_one_in = i % 500 < 400 ? one_in : i % 500 < 420 ? 1u : 0u;
         if (rng_below(&rng, 10) > 0 && f < glasstide.frames) {
             if (!lean_push(&p, r.b, glasstide.pads[f])) {
                 without++;
