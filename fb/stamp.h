@@ -6,6 +6,8 @@
 #ifndef FB_STAMP_H
 #define FB_STAMP_H
 
+#include <stdbool.h>
+#include "../src/base/fx.h"
 #include "blit.h"
 
 enum {

@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform    used by: src/cab/
  *
- * To port: copy template.c, write its six functions. The other nine have defaults in stdio.c, which is linked with every
+ * To port: copy template.c, write its six functions. The other ten have defaults in stdio.c, which is linked with every
  * port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says so by
  * doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
  * an override.
@@ -102,6 +102,10 @@ uint64_t plat_usec(void);
 void plat_wait(uint64_t until);
 
 /* ---- those with defaults ---- */
+
+/* For plat_show of a port whose screen has no palette: out[y * out_pitch + x] = rgb[pix[y * pitch + x]]. out_pitch is in
+ * pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
+void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
  * from here, so what must happen at the end, frame does before it returns false. */

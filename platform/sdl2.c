@@ -366,16 +366,14 @@ static void place(int w, int h)
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
+    uint32_t opaque[256];
     void *to;
     int to_pitch;
     if (!port.renderer || !fit_texture(w, h) || SDL_LockTexture(port.texture, 0, &to, &to_pitch) != 0)
         return;
-    for (int y = 0; y < h; y++) {
-        uint32_t *row = (uint32_t *)(void *)((uint8_t *)to + (ptrdiff_t)y * to_pitch);
-        const uint8_t *from = pix + (ptrdiff_t)y * pitch;
-        for (int x = 0; x < w; x++)
-            row[x] = rgb[from[x]] | 0xFF000000u;
-    }
+    for (int i = 0; i < 256; i++)
+        opaque[i] = rgb[i] | 0xFF000000u;
+    plat_rgb(to, to_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
     SDL_UnlockTexture(port.texture);
     place(w, h);
     SDL_SetRenderDrawColor(port.renderer, 0, 0, 0, 255);

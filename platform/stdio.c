@@ -3,8 +3,8 @@
  * floor: platform    used by: ports, by linking
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and append
- * together).
+ * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and
+ * append together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__)
 #define _XOPEN_SOURCE 700
@@ -31,6 +31,40 @@
 #define DEFAULT __attribute__((weak))
 #else
 #define DEFAULT
+#endif
+
+#ifndef PLAT_OWN_RGB
+/* Eight pixels in the order of memory; compilers make one load of it where they can. */
+static inline uint64_t eight(const uint8_t *p)
+{
+    return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 |
+           (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+}
+
+DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
+                      const uint32_t rgb[256])
+{
+    for (int y = 0; y < h; y++, out += out_pitch, pix += pitch) {
+        const uint8_t *from = pix;
+        uint32_t *to = out;
+        int left = w;
+        for (; left >= 8; left -= 8, from += 8, to += 8) {
+            uint32_t a = (uint32_t)eight(from), b = (uint32_t)(eight(from) >> 32);
+            to[0] = rgb[a & 255];
+            to[1] = rgb[a >> 8 & 255];
+            to[4] = rgb[b & 255];
+            to[5] = rgb[b >> 8 & 255];
+            a >>= 16;
+            b >>= 16;
+            to[2] = rgb[a & 255];
+            to[3] = rgb[a >> 8];
+            to[6] = rgb[b & 255];
+            to[7] = rgb[b >> 8];
+        }
+        while (left-- > 0)
+            *to++ = rgb[*from++];
+    }
+}
 #endif
 
 #ifndef PLAT_OWN_LOOP

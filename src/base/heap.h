@@ -6,8 +6,8 @@
  * sequence of calls, never on an address, the time or what the memory held before. The interface is Lua's lua_Alloc:
  * the caller knows the size of what it gives back.
  *
- * Snapshots: copy [block, block + heap_extent) away; copy it back to the same place and call heap_clear_tail with the
- * extent the heap had just before. Bytes at or beyond the extent were never written and are never read.
+ * Snapshots: heap_save copies away what is in use, heap_restore puts it back to the same place, whatever stands there by
+ * then. What a free block holds, and bytes at or beyond the extent, nobody reads.
  */
 #ifndef BASE_HEAP_H
 #define BASE_HEAP_H
@@ -32,11 +32,15 @@ void *heap_realloc(struct heap *h, void *p, size_t old, size_t size);
 size_t heap_used(const struct heap *h);
 uint64_t heap_work(const struct heap *h);
 
-/* Bytes from the block's start that a snapshot must copy. Never shrinks but by restoring one. */
+/* Bytes from the block's start that were ever written. Never shrinks but by restoring a snapshot. */
 size_t heap_extent(const struct heap *h);
 
-/* Zeroes [extent, old_extent). */
-void heap_clear_tail(struct heap *h, size_t old_extent);
+/* Copies what is in use into buf; returns bytes. buf NULL only counts. Places in buf and block that belong together are
+ * the same modulo 64, counted from the start of each. */
+size_t heap_save(const struct heap *h, void *buf);
+
+/* Puts back what heap_save wrote, into the same block; returns bytes. */
+size_t heap_restore(struct heap *h, const void *buf);
 
 /* Walks everything; false when anything disagrees. For tests. */
 bool heap_check(const struct heap *h);

@@ -388,7 +388,7 @@ uint64_t board_hash(const struct board *b)
 
 size_t board_snapshot_size(const struct board *b)
 {
-    size_t n = sizeof *b + heap_extent(b->vm.heap);
+    size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
         n += slots_save(parts[i].chip, chip_at(b, i), NULL);
@@ -400,9 +400,8 @@ void board_save(const struct board *b, void *buf)
     uint8_t *p = buf;
 
     memcpy(p, b, sizeof *b);
-    p += sizeof *b;
-    memcpy(p, b->vm.heap, heap_extent(b->vm.heap));
-    p += heap_extent(b->vm.heap);
+    p += aligned(sizeof *b);
+    p += aligned(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_save(parts[i].chip, chip_at(b, i), p);
 }
@@ -413,10 +412,8 @@ void board_restore(struct board *b, const void *buf)
     const uint8_t *p = buf;
 
     memcpy(b, p, sizeof *b);
-    p += sizeof *b;
-    size_t extent = heap_extent((const struct heap *)p);
-    memcpy(b->vm.heap, p, extent);
-    p += extent;
+    p += aligned(sizeof *b);
+    p += aligned(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_restore(parts[i].chip, chip_at(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)

@@ -97,7 +97,7 @@ uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
 /* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts
- * it back into the same RAM, whatever was done to that RAM in between. */
+ * it back into the same RAM, whatever was done to that RAM in between. Fastest when RAM and buf are aligned to 64. */
 size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);

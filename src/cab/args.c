@@ -29,10 +29,10 @@ static const struct {
     const char *help;
 } commands[COMMANDS] = {
     [COMMAND_PLAY] = { "play", "[ROM]", 0, 1, "play a game: a folder or a .rom file; without one, the built-in game" },
-    [COMMAND_RENDER] = { "render", "ROM", 1, 1,
+    [COMMAND_RENDER] = { "render", "[ROM]", 0, 1,
                          "run without a window and write frames as DIR/000600.png; frame 0 is the board just powered "
                          "on" },
-    [COMMAND_HASH] = { "hash", "ROM", 1, 1, "run without a window and print the state hash of every frame: N HASH" },
+    [COMMAND_HASH] = { "hash", "[ROM]", 0, 1, "run without a window and print the state hash of every frame: N HASH" },
     [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
                          "replay demos and compare hashes; names the first frame and the parts that differ" },
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../fb/blit.h"
+#include "../../fb/turn.h"
 #include "../base/bytes.h"
 
 enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
@@ -75,7 +75,7 @@ static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off
     int best = 1;
 
     *off = difference(colours + 3, colour);
-    for (int shade = 2; shade < 16; shade++) {
+    for (int shade = 2; shade < 16 && *off > 0; shade++) {
         int d = difference(colours + shade * 3, colour);
         if (d < *off) {
             *off = d;
@@ -179,9 +179,22 @@ static void turned_size(const struct stack *s, int *w, int *h)
     *w = *h = 0;
     for (int i = 0; i < s->n; i++) {
         int one_w, one_h;
-        blit_rotated_size(stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, &one_w, &one_h);
+        turn_size(stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, &one_w, &one_h);
         *w = one_w > *w ? one_w : *w;
         *h = one_h > *h ? one_h : *h;
+    }
+}
+
+/* All turns of all frames of s. */
+static void turn_stack(struct stack *turned, const struct stack *s, int rotations, void *scratch)
+{
+    struct turn t;
+
+    for (int i = 0; i < turned->n; i++) {
+        ang turn = (ang)(((uint64_t)(i % rotations) << 32) / (uint64_t)rotations);
+        if (i % rotations == 0)
+            turn_open(&t, stack_picture(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
+        turn_paint(&t, turn, stack_picture(turned, i), turned->w, turned->h, turned->w);
     }
 }
 
@@ -194,13 +207,15 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
     turned_size(s, &w, &h);
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
         return fail(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
-    if (!make_stack(&t, w, h, s->n * rotations, err, err_size))
+    void *scratch = malloc(turn_scratch(s->w, s->h));
+    if (scratch == NULL)
+        return fail(err, err_size, "out of memory");
+    if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
+        free(scratch);
         return false;
-    for (int i = 0; i < t.n; i++) {
-        ang turn = (ang)(((uint64_t)(i % rotations) << 32) / (uint64_t)rotations);
-        blit_rotate(stack_picture(&t, i), w, h, w, stack_picture(s, i / rotations), s->w, s->h, s->w, turn, s->px,
-                    s->py);
     }
+    turn_stack(&t, s, rotations, scratch);
+    free(scratch);
     t.px = w;
     t.py = h;
     free(s->pix);

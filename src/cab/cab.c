@@ -57,9 +57,11 @@ static struct cab {
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
     uint16_t pads[PADS];  /* held since the last tick */
     bool paused, step;
-    bool quiet; /* not at full speed: no sound */
-    int slow;   /* 1, 2, 4: frames a tick */
-    int waited; /* frames since the last tick */
+    bool rewinding; /* time runs backwards */
+    bool rewound;   /* it did, once: scores do not count any more */
+    bool quiet;     /* not at full speed: no sound */
+    int slow;       /* 1, 2, 4: frames a tick */
+    int waited;     /* frames since the last tick */
     const struct board_fault *fault;
     bool quit;
     int code;
@@ -81,7 +83,7 @@ static const char *game(void)
 
 static bool keeps_nvram(void)
 {
-    return !cab.options.demo && !cab.options.start.stage[0] && !cab.options.start.nvram &&
+    return !cab.rewound && !cab.options.demo && !cab.options.start.stage[0] && !cab.options.start.nvram &&
            !(cab.writer.demo.flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 
@@ -237,6 +239,24 @@ static void live_tick(void)
         attract_begin(out->attract);
 }
 
+/* A demo is of a run that went forward. */
+static bool has_past(void)
+{
+    return !cab.options.demo && !cab.options.record;
+}
+
+/* Back by so many frames, as far as they are remembered. */
+static void go_back(uint32_t frames)
+{
+    uint32_t now = board_frame(cab.live.board), first = rewind_first(&cab.live.past);
+    if (now <= first)
+        return;
+    if (!cab.rewound)
+        save_nvram();
+    cab.rewound = true;
+    guard_back(&cab.live, now - first > frames ? now - frames : first);
+}
+
 static void tick(void)
 {
     if (cab.fault || cab.quit)
@@ -290,11 +310,13 @@ static bool words(char *text, size_t size)
     uint32_t at = board_frame(cab.live.board);
     if (cab.fault)
         snprintf(text, size, "%s\n\n%s", cab.fault->message, cab.fault->trace);
+    else if (cab.rewinding)
+        snprintf(text, size, "rewind  frame %u", (unsigned)at);
     else if (cab.paused)
         snprintf(text, size, "paused at frame %u", (unsigned)at);
     else if (cab.slow > 1)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
-    return cab.fault || cab.paused || cab.slow > 1;
+    return cab.fault || cab.rewinding || cab.paused || cab.slow > 1;
 }
 
 static void picture_show(struct picture *p)
@@ -348,6 +370,8 @@ static void cabinet_keys(const struct keys_read *k)
         assisted();
         cab.paused = cab.step = true;
     }
+    if (k->pressed & 1 << CAB_REWIND && !has_past())
+        say("curtain: %s: no way back while a demo is recorded or played%s", game(), "");
     if (k->pressed & 1 << CAB_SLOW) {
         assisted();
         cab.slow = cab.slow == MAX_SLOW ? 1 : cab.slow * 2;
@@ -407,7 +431,14 @@ static bool turn(void)
 static void run(int frames, const struct keys_read *k, uint64_t now)
 {
     bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
-    cab.quiet = cab.paused || fast || cab.slow > 1;
+    cab.rewinding = k->held & 1 << CAB_REWIND && has_past() && !cab.attracting && !cab.fault;
+    cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
+    if (cab.rewinding) {
+        go_back((uint32_t)frames);
+        cab.step = false;
+        memset(cab.pads, 0, sizeof cab.pads);
+        return;
+    }
     if (cab.paused && cab.step)
         tick();
     else if (fast && !cab.paused)
@@ -501,6 +532,8 @@ int cab_play(const struct cab_options *options)
     load_nvram();
     if (!guard_power(&cab.live, options->cart->rom, &cab.start, err, sizeof err))
         return refuse(2, err);
+    if (has_past())
+        guard_remember(&cab.live, REWIND_BYTES);
     want_window();
     if (!plat_open(&cab.want))
         return refuse(3, "there is no window to play in");

@@ -76,7 +76,7 @@ static bool load_builtin(struct game *g, char *err, size_t err_size)
     char why[512];
 
     if (builtin_rom_size == 0)
-        return refuse(err, err_size, "no game is built in: name a ROM (curtain play ROM)");
+        return refuse(err, err_size, "no game is built in: name a ROM (curtain help)");
     if (rom_open(&g->rom, builtin_rom, builtin_rom_size, why, sizeof why) &&
         cart_open(&g->cart, &g->rom, why, sizeof why))
         return true;

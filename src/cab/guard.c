@@ -11,6 +11,8 @@
 #include <string.h>
 #include "../../platform/platform.h"
 
+enum { RAM_ALIGN = 64 }; /* more than a board needs: so that snapshots are fast */
+
 static struct board *volatile watched;
 
 static void too_long(void)
@@ -36,34 +38,44 @@ static bool take_ram(struct guard *g, char *err, size_t err_size)
 {
     if (!board_size(g->rom, &g->ram_size, err, err_size))
         return false;
-    g->block = g->ram_size <= SIZE_MAX - 15 ? malloc(g->ram_size + 15) : 0;
+    g->block = g->ram_size <= SIZE_MAX - RAM_ALIGN ? malloc(g->ram_size + RAM_ALIGN - 1) : 0;
     if (!g->block) {
         snprintf(err, err_size, "the board needs %zu KiB of memory, more than there is", g->ram_size / 1024);
         return false;
     }
-    g->ram = (void *)(((uintptr_t)g->block + 15) & ~(uintptr_t)15);
+    g->ram = (void *)(((uintptr_t)g->block + RAM_ALIGN - 1) & ~(uintptr_t)(RAM_ALIGN - 1));
     return true;
+}
+
+static void count(struct guard *g, int frames)
+{
+    g->counting = frames > 0;
+    g->counts = frames;
+    board_count(g->board, g->counting);
 }
 
 void guard_mark(struct guard *g)
 {
-    size_t size = board_snapshot_size(g->board);
-    if (size > g->key_cap) {
-        size_t cap = size + size / 4;
-        free(g->key);
-        g->key = malloc(cap);
-        g->key_cap = g->key ? cap : 0;
-    }
-    g->since = 0;
-    g->counting = !g->key; /* nothing to go back to: count, and never be interrupted */
-    board_count(g->board, g->counting);
-    if (g->key)
-        board_save(g->board, g->key);
+    rewind_forget(&g->past);
+    count(g, 0);
+}
+
+void guard_remember(struct guard *g, size_t bytes)
+{
+    rewind_close(&g->past);
+    rewind_open(&g->past, bytes);
+}
+
+bool guard_back(struct guard *g, uint32_t frame)
+{
+    g->counting = false;
+    return rewind_to(&g->past, g->board, frame, false);
 }
 
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
 {
     *g = (struct guard){ .rom = rom, .ms = GUARD_MS };
+    rewind_open(&g->past, 0);
     if (take_ram(g, err, err_size))
         g->board = board_power(g->ram, g->ram_size, rom, start, true, err, err_size);
     if (!g->board) {
@@ -71,39 +83,39 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
         return false;
     }
     if (!board_last(g->board)->fault)
-        guard_mark(g);
+        count(g, 0);
     return true;
 }
 
-static const struct board_out *run_again(struct guard *g)
+/* The tick that was interrupted, and those before it from the last key frame on. */
+static const struct board_out *run_again(struct guard *g, uint32_t frame)
 {
-    const struct board_out *out = board_last(g->board);
-    board_restore(g->board, g->key);
-    board_count(g->board, true);
-    g->counting = true;
     g->interrupts++;
-    for (int i = 0; i < g->since; i++)
-        out = board_tick(g->board, g->pads[i]);
-    return out;
+    rewind_to(&g->past, g->board, frame + 1, true);
+    g->counting = true;
+    g->counts = GUARD_COUNTS;
+    return board_last(g->board);
 }
 
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS])
 {
-    if (g->since == GUARD_KEY)
-        guard_mark(g);
-    memcpy(g->pads[g->since++], pads, sizeof g->pads[0]);
-    if (!g->counting && !watch(g)) {
-        g->counting = true;
-        board_count(g->board, true);
-    }
+    uint32_t frame = board_frame(g->board);
+    bool remembers = rewind_push(&g->past, g->board, pads);
+
+    if (!remembers) /* nothing to go back to: count, and never be interrupted */
+        count(g, GUARD_COUNTS);
+    else if (g->counting && g->counts-- == 0)
+        count(g, 0);
+    if (!g->counting && !watch(g))
+        count(g, GUARD_COUNTS);
     const struct board_out *out = board_tick(g->board, pads);
     unwatch(g);
-    return out->fault && out->fault->kind == FAULT_INTERRUPTED && g->key ? run_again(g) : out;
+    return out->fault && out->fault->kind == FAULT_INTERRUPTED ? run_again(g, frame) : out;
 }
 
 void guard_close(struct guard *g)
 {
+    rewind_close(&g->past);
     free(g->block);
-    free(g->key);
     *g = (struct guard){ 0 };
 }

@@ -49,14 +49,15 @@ static int outcome(struct run *r)
 
 static int run_open(struct run *r, const struct args *a)
 {
+    const char *path = a->n_words > 0 ? a->words[0] : NULL;
     char err[1024];
 
     memset(r, 0, sizeof *r);
     r->a = a;
-    if (!game_open(&r->game, a->words[0], a, err, sizeof err))
+    if (!game_open(&r->game, path, a, err, sizeof err))
         return game_report(EXIT_INPUT, "%s", err);
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s: %s", a->words[0], err);
+        return game_report(EXIT_INPUT, "%s: %s", path ? path : "the built-in game", err);
     if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
         return game_report(EXIT_HOST, "%s", r->writer.err);
     return outcome(r);

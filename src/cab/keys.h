@@ -18,7 +18,18 @@
 #include "../base/pads.h"
 
 /* The cabinet's actions, after the players' PADS * PAD_BUTTONS. */
-enum cab_key { CAB_PAUSE, CAB_STEP, CAB_SLOW, CAB_TURBO, CAB_MUTE, CAB_SCREENSHOT, CAB_FULLSCREEN, CAB_QUIT, CAB_KEYS };
+enum cab_key {
+    CAB_PAUSE,
+    CAB_STEP,
+    CAB_SLOW,
+    CAB_TURBO,
+    CAB_REWIND,
+    CAB_MUTE,
+    CAB_SCREENSHOT,
+    CAB_FULLSCREEN,
+    CAB_QUIT,
+    CAB_KEYS
+};
 
 enum { KEYS_EACH = 6, KEYS_ACTIONS = PADS * PAD_BUTTONS + CAB_KEYS };
 

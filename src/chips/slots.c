@@ -6,7 +6,10 @@
 #include <string.h>
 #include "../base/hash.h"
 
-enum { ALIGN = 64 }; /* a cache line, so that columns do not share one */
+enum {
+    ALIGN = 64, /* a cache line, so that columns do not share one */
+    LONG = 1024 /* bytes of a piece of a snapshot */
+};
 
 static uint32_t blocks(uint32_t n)
 {
@@ -194,7 +197,8 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
     return h;
 }
 
-/* One walk serves save, restore and counting: copy is called with each piece of RAM. */
+/* One walk serves save, restore and counting. Long pieces start at cache lines, as they do in RAM: copying between
+ * places that differ by a few bytes within the page is up to 16 times slower on some processors. */
 static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
 {
     const struct slots *s = self;
@@ -216,13 +220,15 @@ static size_t walk(const struct chip *chip, const void *self, uint8_t *save, con
             memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
             piece.n = (size_t)values(c, chip->list ? s->live : s->top) * c->width;
         }
+        if (piece.n >= LONG)
+            at = (size_t)aligned(at);
         if (save && piece.n)
             memcpy(save + at, piece.p, piece.n);
         if (restore && piece.n)
             memcpy(piece.p, restore + at, piece.n);
         at += piece.n;
     }
-    return at;
+    return (size_t)aligned(at);
 }
 
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)

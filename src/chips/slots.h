@@ -147,7 +147,8 @@ static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
     return m;
 }
 
-/* Snapshots of the columns (the struct itself is copied with the board). Returns bytes; buf NULL only counts. */
+/* Snapshots of the columns (the struct itself is copied with the board). Returns bytes, a multiple of 64;
+ * buf NULL only counts. */
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf);
 size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf);
 

@@ -212,7 +212,7 @@ bad 'unknown option, near one' 'unknown option --frame (did you mean --frames?)'
 bad 'unknown option' 'unknown option --frobnicate (curtain help lists them)' hash g --frobnicate
 bad 'unknown command, near one' 'unknown command "hsah" (did you mean hash?)' hsah g
 bad 'unknown command' 'frobnicate: no such command, file or folder (curtain help lists the commands)' frobnicate
-bad 'no ROM' 'hash: expected ROM (curtain help hash)' hash
+bad 'no ROM' 'list: expected ROM (curtain help list)' list
 bad 'too many words' 'hash: "h" is one argument too many (curtain help hash)' hash g h
 bad 'option without its value' '--frames: expected LIST, got nothing' hash g --frames
 bad 'frames in letters' "$frames \"x\"" hash g --frames x

@@ -71,6 +71,9 @@ static void test_commands(void **state)
     assert_int_equal(a.n_words, 4);
     assert_string_equal(a.words[3], "three");
     assert_true(a.trace);
+    reads("render --frames 0");
+    assert_int_equal(a.command, COMMAND_RENDER);
+    assert_int_equal(a.n_words, 0);
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
@@ -182,7 +185,7 @@ static void test_misfits(void **state)
     refuses("rendr g --frames 1", "unknown command \"rendr\" (did you mean render?)");
     refuses("rendr --frames 1", "unknown command \"rendr\" (did you mean render?)");
     refuses("mygame other", "unknown command \"mygame\" (curtain help lists them)");
-    refuses("hash", "hash: expected ROM (curtain help hash)");
+    refuses("pack", "pack: expected DIR (curtain help pack)");
     refuses("verify g", "verify: expected ROM DEMO... (curtain help verify)");
     refuses("hash g h", "hash: \"h\" is one argument too many (curtain help hash)");
 }

@@ -179,47 +179,76 @@ static void places_by_calls_alone(void **state)
     free(b);
 }
 
-static void snapshots_restore_all(void **state)
+/* A snapshot of `at` steps, taken back after `on` more, with the block full of rubbish: the heap goes on as it did. */
+static void snapshot_restores(uint64_t seed, int at, int on)
 {
-    (void)state;
-    unsigned char *block = block_of(BLOCK), *saved = block_of(BLOCK), *later = block_of(BLOCK);
-    static struct model m, at_save;
+    unsigned char *block = block_of(BLOCK), *saved, *again;
+    static struct model m, at_save, later;
 
-    start(&m, block, BLOCK, 5);
-    for (int i = 0; i < 3000; i++)
+    start(&m, block, BLOCK, seed);
+    for (int i = 0; i < at; i++)
         step(&m);
-    size_t extent = heap_extent(m.h);
-    memcpy(saved, block, BLOCK);
     at_save = m;
-    for (int i = 0; i < 20000; i++)
+    size_t size = heap_save(m.h, NULL);
+    saved = malloc(size);
+    again = malloc(size);
+    assert_non_null(saved);
+    assert_non_null(again);
+    memset(saved, 0x33, size);
+    assert_int_equal(heap_save(m.h, saved), size);
+    for (int i = 0; i < on; i++)
         step(&m);
-    size_t later_extent = heap_extent(m.h);
-    memcpy(later, block, BLOCK);
-    assert_true(later_extent > extent);
+    later = m;
+    size_t extent = heap_extent(m.h);
 
-    memcpy(block, saved, extent);
-    heap_clear_tail(m.h, later_extent);
-    assert_memory_equal(block, saved, BLOCK);
     memset(block, 0xa5, BLOCK);
-    memcpy(block, saved, extent);
-    heap_clear_tail(m.h, BLOCK);
-    assert_memory_equal(block, saved, BLOCK);
+    assert_int_equal(heap_restore(m.h, saved), size);
     assert_true(heap_check(m.h));
     m = at_save;
-    for (int i = 0; i < 20000; i++)
+    memset(again, 0x33, size);
+    assert_int_equal(heap_save(m.h, again), size);
+    assert_memory_equal(saved, again, size);
+    for (int i = 0; i < THINGS; i++)
+        if (m.things[i].p)
+            assert_filled(&m.things[i], m.things[i].size);
+    for (int i = 0; i < on; i++)
         step(&m);
-    assert_memory_equal(block, later, BLOCK);
-
-    memset(block, 0xa5, BLOCK);
-    memcpy(block, saved, extent); /* even without clearing, nothing depends on the tail */
-    m = at_save;
-    for (int i = 0; i < 20000; i++)
-        step(&m);
-    assert_int_equal(heap_extent(m.h), later_extent);
+    assert_int_equal(heap_extent(m.h), extent);
+    assert_memory_equal(&m, &later, sizeof m); /* the same places */
     assert_true(heap_check(m.h));
     free(block);
     free(saved);
-    free(later);
+    free(again);
+}
+
+static void snapshots_restore_all(void **state)
+{
+    (void)state;
+    snapshot_restores(5, 3000, 20000);
+    snapshot_restores(6, 20000, 3000);
+    snapshot_restores(7, 0, 1000);
+    for (int i = 0; i < 40; i++)
+        snapshot_restores(8 + (uint64_t)i, 200 * i + i, 500);
+}
+
+/* What is free is not in a snapshot. */
+static void snapshots_leave_holes_out(void **state)
+{
+    (void)state;
+    unsigned char *block = block_of(BLOCK);
+    struct heap *h = heap_init(block, BLOCK);
+    size_t empty = heap_save(h, NULL);
+    void *low = heap_realloc(h, NULL, 0, 1000), *hole = heap_realloc(h, NULL, 0, 100000);
+    void *high = heap_realloc(h, NULL, 0, 1000);
+
+    assert_true(heap_save(h, NULL) >= empty + 102000);
+    heap_realloc(h, hole, 100000, 0);
+    assert_in_range(heap_save(h, NULL), empty + 2000, empty + 2300);
+    heap_realloc(h, high, 1000, 0);
+    heap_realloc(h, low, 1000, 0);
+    assert_in_range(heap_save(h, NULL), empty, empty + 200);
+    assert_true(heap_extent(h) > 102000);
+    free(block);
 }
 
 static void refuses_what_cannot_fit(void **state)
@@ -287,10 +316,15 @@ static void grows_at_the_top(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(keeps_contents_and_its_books), cmocka_unit_test(survives_being_full),
-        cmocka_unit_test(joins_what_is_freed),          cmocka_unit_test(places_by_calls_alone),
-        cmocka_unit_test(snapshots_restore_all),        cmocka_unit_test(refuses_what_cannot_fit),
-        cmocka_unit_test(shrinks_in_place_when_full),   cmocka_unit_test(grows_at_the_top),
+        cmocka_unit_test(keeps_contents_and_its_books),
+        cmocka_unit_test(survives_being_full),
+        cmocka_unit_test(joins_what_is_freed),
+        cmocka_unit_test(places_by_calls_alone),
+        cmocka_unit_test(snapshots_restore_all),
+        cmocka_unit_test(snapshots_leave_holes_out),
+        cmocka_unit_test(refuses_what_cannot_fit),
+        cmocka_unit_test(shrinks_in_place_when_full),
+        cmocka_unit_test(grows_at_the_top),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,6 +81,27 @@ static void test_crc(void **state)
     assert_int_equal(crc32_add(crc32_of("1234", 4), "56789", 5), 0xcbf43926u);
 }
 
+/* Any length, from any address, in two pieces: as bit by bit. */
+static void test_crc_of_pieces(void **state)
+{
+    uint8_t bytes[64];
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 3);
+    for (int k = 0; k < 5000; k++) {
+        size_t from = rng_below(&r, 16), n = rng_below(&r, sizeof bytes - from + 1), half = rng_below(&r, n + 1);
+        uint32_t want = 0xffffffffu;
+        for (size_t i = 0; i < sizeof bytes; i++)
+            bytes[i] = (uint8_t)rng_next(&r);
+        for (size_t i = 0; i < 8 * n; i++) {
+            uint32_t bit = (want ^ (uint32_t)bytes[from + i / 8] >> i % 8) & 1;
+            want = want >> 1 ^ (bit ? 0xedb88320u : 0);
+        }
+        assert_int_equal(crc32_add(crc32_of(bytes + from, half), bytes + from + half, n - half), ~want);
+    }
+}
+
 /* One bit more, one zero byte more, another start: another hash. */
 static void test_hash(void **state)
 {
@@ -106,7 +127,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_published),     cmocka_unit_test(test_seed), cmocka_unit_test(test_below),
-        cmocka_unit_test(test_below_is_fair), cmocka_unit_test(test_crc),  cmocka_unit_test(test_hash),
+        cmocka_unit_test(test_below_is_fair), cmocka_unit_test(test_crc),  cmocka_unit_test(test_crc_of_pieces),
+        cmocka_unit_test(test_hash),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,6 +15,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
+#include "../../src/base/rng.h"
 
 static char home[512], name[1024];
 
@@ -156,12 +157,45 @@ static void the_alarm_rings_where_it_was_armed(void **state)
         sched_yield();
 }
 
+/* Sizes, pitches and places of any kind: as pixel by pixel, and nothing between the rows. */
+static void pictures_become_colours(void **state)
+{
+    enum { PIX = 4096, OUT = 4096, NONE = 0x12345678 };
+    static uint8_t pix[PIX];
+    static uint32_t out[OUT];
+    uint32_t rgb[256];
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 5);
+    for (int k = 0; k < 3000; k++) {
+        int w = (int)rng_below(&r, 41), h = (int)rng_below(&r, 21), pitch = w + (int)rng_below(&r, 20);
+        int out_pitch = w + (int)rng_below(&r, 20), from = (int)rng_below(&r, 16), to = (int)rng_below(&r, 16);
+        for (int i = 0; i < PIX; i++)
+            pix[i] = (uint8_t)rng_next(&r);
+        for (int i = 0; i < 256; i++)
+            rgb[i] = (uint32_t)rng_next(&r) | 1;
+        for (int i = 0; i < OUT; i++)
+            out[i] = NONE;
+        plat_rgb(out + to, out_pitch, pix + from, pitch, w, h, rgb);
+        for (int i = 0; i < OUT; i++) {
+            int x = out_pitch ? (i - to) % out_pitch : 0, y = out_pitch ? (i - to) / out_pitch : h;
+            bool in = i >= to && x < w && y < h;
+            assert_int_equal(out[i], in ? rgb[pix[from + y * pitch + x]] : NONE);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(save_load_append),         cmocka_unit_test(folders_are_made),
-        cmocka_unit_test(the_users_folder),         cmocka_unit_test(listing),
-        cmocka_unit_test(a_failed_save_leaves_all), cmocka_unit_test(the_alarm_rings_where_it_was_armed),
+        cmocka_unit_test(pictures_become_colours),
+        cmocka_unit_test(save_load_append),
+        cmocka_unit_test(folders_are_made),
+        cmocka_unit_test(the_users_folder),
+        cmocka_unit_test(listing),
+        cmocka_unit_test(a_failed_save_leaves_all),
+        cmocka_unit_test(the_alarm_rings_where_it_was_armed),
     };
     return cmocka_run_group_tests(tests, into_folder, out_of_folder);
 }

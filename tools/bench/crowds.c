@@ -7,7 +7,7 @@
 #include "../../src/base/rng.h"
 #include "bench.h"
 #include "crowd.h"
-#include "present.h"
+#include "../../platform/platform.h"
 
 enum {
     REFERENCES = 2,
@@ -82,7 +82,7 @@ static void engine_frame(struct arena *a, struct size *s, bool count)
     bench_tick(&a->scene);
     scene_draw(&a->scene);
     laps_end(l, LAP_DRAW);
-    present(a->shown[0], a->crowd.w, a->scene.fb.pix, a->scene.fb.pitch, a->crowd.w, a->crowd.h, a->scene.rgb);
+    plat_rgb(a->shown[0], a->crowd.w, a->scene.fb.pix, a->scene.fb.pitch, a->crowd.w, a->crowd.h, a->scene.rgb);
     laps_end(l, LAP_PRESENT);
     crowd_count(&s->counts[0], &a->scene, true);
     for (int i = 0; i < LAPS; i++)

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 #include "bench.h"
-#include "present.h"
+#include "../../platform/platform.h"
 
 enum { ROUNDS = 15 };
 static const double PRESENT_US = 20;
@@ -66,7 +66,7 @@ static void presenting(void)
     scene_draw(&s);
     for (int i = 0; i < TIMES; i++) {
         double from = bench_now();
-        present(out, W, s.fb.pix, s.fb.pitch, W, H, s.rgb);
+        plat_rgb(out, W, s.fb.pix, s.fb.pitch, W, H, s.rgb);
         samples_add(&ns, bench_since(from));
     }
     double us = samples_median(&ns) / 1e3;

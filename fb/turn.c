@@ -1,0 +1,239 @@
+/*
+ * turn.c - see turn.h.
+ *
+ * Each pixel of the result asks SAMPLES x SAMPLES points of its square what colour they have in the image, made
+ * smoother by Scale2x (Andrea Mazzoleni, 2001) applied twice, and the majority decides: first whether it is opaque,
+ * then the colour. A pixel at the rim of the result then votes again among points at the rim of the image, so that a
+ * bullet's outline stays closed. Chosen by eye among seven ways, on 12 px rice, arrow and knife bullets in 32
+ * directions.
+ *
+ * The smooth image is made once for all turns. Outside the image all is transparent, also after Scale2x: no pixel there
+ * has two neighbours inside that touch it at one corner.
+ */
+#include "turn.h"
+#include "fb.h"
+#include "../src/base/trig.h"
+#include <assert.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
+/* From the point to the farthest corner of pixel (x, y), squared, in half pixels. */
+static int64_t reach_of(int64_t x, int64_t y, int64_t ox, int64_t oy)
+{
+    int64_t dx = 2 * x + 1 - ox, dy = 2 * y + 1 - oy; /* to the pixel's middle; its far corner is one more each way */
+
+    dx = (dx < 0 ? -dx : dx) + 1;
+    dy = (dy < 0 ? -dy : dy) + 1;
+    return dx * dx + dy * dy;
+}
+
+void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h)
+{
+    int64_t far = 1, side = 1;
+
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++)
+            if (in[(ptrdiff_t)y * pitch + x] != 0 && reach_of(x, y, ox, oy) > far)
+                far = reach_of(x, y, ox, oy);
+    while (side * side < far)
+        side++;
+    *out_w = (int)(side + ((side ^ ox) & 1));
+    *out_h = (int)(side + ((side ^ oy) & 1));
+}
+
+enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image a pixel, each way */ };
+
+/* ---- preparing ---- */
+
+static int pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, int y)
+{
+    return x < 0 || y < 0 || x >= w || y >= h ? 0 : pix[y * pitch + x];
+}
+
+/* Scale2x: a corner of pixel e takes the colour of the two neighbours it touches, if these agree and their opposites do
+ * not join them. */
+static uint8_t corner(int e, int beside, int above, int opposite, int below)
+{
+    return (uint8_t)(beside == above && above != opposite && beside != below ? beside : e);
+}
+
+/* Twice as large, into rows without padding. */
+static void scale2x(uint8_t *out, const uint8_t *in, int w, int h, int pitch)
+{
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++) {
+            int e = in[(ptrdiff_t)y * pitch + x];
+            int left = pixel(in, w, h, pitch, x - 1, y), right = pixel(in, w, h, pitch, x + 1, y);
+            int above = pixel(in, w, h, pitch, x, y - 1), below = pixel(in, w, h, pitch, x, y + 1);
+            uint8_t *d = out + 4 * (ptrdiff_t)w * y + 2 * x;
+            d[0] = corner(e, left, above, right, below);
+            d[1] = corner(e, right, above, left, below);
+            d[2 * w] = corner(e, left, below, right, above);
+            d[2 * w + 1] = corner(e, right, below, left, above);
+        }
+}
+
+/* Opaque, with a transparent neighbour. */
+static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
+{
+    return pixel(pix, w, h, pitch, x, y) != 0 &&
+           (pixel(pix, w, h, pitch, x - 1, y) == 0 || pixel(pix, w, h, pitch, x + 1, y) == 0 ||
+            pixel(pix, w, h, pitch, x, y - 1) == 0 || pixel(pix, w, h, pitch, x, y + 1) == 0);
+}
+
+/* Clears what has no vote at the rim: the inner pixels of the image. */
+static void keep_rim(const struct turn *t, uint8_t *fine)
+{
+    int row = FINE * t->w;
+
+    for (int y = 0; y < t->h; y++)
+        for (int x = 0; x < t->w; x++)
+            if (t->in[(ptrdiff_t)y * t->pitch + x] != 0 && !is_rim(t->in, t->w, t->h, t->pitch, x, y))
+                for (int k = 0; k < FINE; k++)
+                    memset(fine + (ptrdiff_t)(FINE * y + k) * row + FINE * x, 0, FINE);
+}
+
+/* The image's opaque colours, ascending. */
+static void list_colours(struct turn *t)
+{
+    bool has[256] = { false };
+
+    for (int y = 0; y < t->h; y++)
+        for (int x = 0; x < t->w; x++)
+            has[t->in[(ptrdiff_t)y * t->pitch + x]] = true;
+    t->colours = 0;
+    for (int c = 1; c < 256; c++)
+        if (has[c])
+            t->colour[t->colours++] = (uint8_t)c;
+}
+
+size_t turn_scratch(int w, int h)
+{
+    return 2 * FINE * FINE * (size_t)w * (size_t)h;
+}
+
+void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch)
+{
+    size_t size = turn_scratch(w, h) / 2;
+    uint8_t *smooth = scratch, *rim = smooth + size;
+
+    assert(w <= FB_MAX && h <= FB_MAX);
+    *t = (struct turn){ .in = in, .w = w, .h = h, .pitch = pitch, .ox = ox, .oy = oy, .smooth = smooth, .rim = rim };
+    scale2x(rim, in, w, h, pitch);
+    scale2x(smooth, rim, 2 * w, 2 * h, 2 * w);
+    memcpy(rim, smooth, size);
+    keep_rim(t, rim);
+    list_colours(t);
+}
+
+/* ---- turning ---- */
+
+/* The way from a place in the result to one in the image, in units of 2^-32 quarter pixels a sixteenth of a pixel. */
+struct way {
+    const struct turn *t;
+    int64_t cos30, sin30;
+    int out_w, out_h;
+};
+
+static int at(const struct turn *t, int x, int y)
+{
+    return pixel(t->in, t->w, t->h, t->pitch, x, y);
+}
+
+/* The first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16; to the next in a row add (2 * cos30,
+ * -2 * sin30), to the next in a column (2 * sin30, 2 * cos30). */
+static void locate(const struct way *a, int x, int y, int64_t *px, int64_t *py)
+{
+    int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
+
+    *px = a->cos30 * u + a->sin30 * v + a->t->ox * ((int64_t)1 << 33);
+    *py = a->cos30 * v - a->sin30 * u + a->t->oy * ((int64_t)1 << 33);
+}
+
+/* True: the image has one colour as far round the middle of pixel (x, y) as its points can see. */
+static bool is_flat(const struct way *a, int x, int y, uint8_t *colour)
+{
+    const struct turn *t = a->t;
+    int64_t px, py;
+
+    locate(a, x, y, &px, &py);
+    int mx = (int)((px + SAMPLES * (a->cos30 + a->sin30)) >> 34);
+    int my = (int)((py + SAMPLES * (a->cos30 - a->sin30)) >> 34);
+    *colour = (uint8_t)at(t, mx, my);
+    for (int dy = -2; dy <= 2; dy++)
+        for (int dx = -2; dx <= 2; dx++)
+            if (at(t, mx + dx, my + dy) != *colour)
+                return false;
+    return true;
+}
+
+/* The votes of pixel (x, y)'s points in the smooth image, a colour an entry. */
+static void count(const struct way *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
+{
+    uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
+    int64_t px, py;
+
+    locate(a, x, y, &px, &py);
+    for (int j = 0; j < SAMPLES; j++, px += 2 * a->sin30, py += 2 * a->cos30)
+        for (int i = 0; i < SAMPLES; i++) {
+            uint32_t qx = (uint32_t)((px + 2 * i * a->cos30) >> 32), qy = (uint32_t)((py - 2 * i * a->sin30) >> 32);
+            votes[qx < w && qy < h ? fine[(size_t)qy * w + qx] : 0]++;
+        }
+}
+
+/* The opaque colour with the most votes, the lowest of equals; 0 without votes, or when most are for transparent. */
+static uint8_t vote(const struct way *a, const uint8_t *fine, int x, int y, bool may_clear)
+{
+    uint8_t votes[256], most = 0, best = 0;
+
+    votes[0] = 0;
+    for (int i = 0; i < a->t->colours; i++)
+        votes[a->t->colour[i]] = 0;
+    count(a, fine, x, y, votes);
+    if (may_clear && votes[0] > ALL / 2)
+        return 0;
+    for (int i = 0; i < a->t->colours; i++) {
+        uint8_t c = a->t->colour[i];
+        if (votes[c] > most) {
+            most = votes[c];
+            best = c;
+        }
+    }
+    return best;
+}
+
+static uint8_t turned_pixel(const struct way *a, int x, int y)
+{
+    uint8_t colour;
+
+    return is_flat(a, x, y, &colour) ? colour : vote(a, a->t->smooth, x, y, true);
+}
+
+/* Quarter turns map middles of pixels to middles, or all of them to edges, of which the lower pixel is then taken. */
+static uint8_t quarter_pixel(const struct way *a, int x, int y)
+{
+    int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;
+    int hx = (int)((a->cos30 * u + a->sin30 * v) >> 30) + a->t->ox,
+        hy = (int)((a->cos30 * v - a->sin30 * u) >> 30) + a->t->oy;
+
+    return (uint8_t)at(a->t, hx >> 1, hy >> 1);
+}
+
+void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch)
+{
+    struct way a = { t, trig_cos30(turn), trig_sin30(turn), out_w, out_h };
+    bool quarter = (turn & 0x3fffffff) == 0;
+
+    assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate fits 64 bits */
+    for (int y = 0; y < out_h; y++)
+        for (int x = 0; x < out_w; x++)
+            out[(ptrdiff_t)y * out_pitch + x] = quarter ? quarter_pixel(&a, x, y) : turned_pixel(&a, x, y);
+    for (int y = 0; y < out_h && !quarter; y++)
+        for (int x = 0; x < out_w; x++) {
+            /* No pixel becomes transparent here. */
+            uint8_t colour = is_rim(out, out_w, out_h, out_pitch, x, y) ? vote(&a, t->rim, x, y, false) : 0;
+            if (colour != 0)
+                out[(ptrdiff_t)y * out_pitch + x] = colour;
+        }
+}
