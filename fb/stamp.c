@@ -157,7 +157,7 @@ size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *plac
 /* ---- layers ---- */
 
 /* Pixels of a layer that are drawn, on the average, before the map is worth drawing up: so many, then so many more. */
-enum { FIRST_COATS = 3, MORE_COATS = 2 };
+enum { FIRST_COATS = 4, MORE_COATS = 3 };
 
 static size_t words_of(const struct fb *fb)
 {
@@ -192,14 +192,21 @@ static uint64_t band_bytes(const struct fb *fb, int at)
     return load(b);
 }
 
-/* The map of a row of words, of which `below` is the map of the row under it. False: something is 0 still. */
-static bool map_row(uint8_t *full, const uint8_t *below, const uint8_t *row, int words, const uint64_t *band)
+/* Is no byte of it 0? */
+static inline bool is_full(uint64_t s)
 {
-    bool all = true;
+    return !((s - BYTES(1)) & ~s & BYTES(0x80));
+}
+
+/* The map of a row of words, of which `below` is the map of the row under it. False: something is 0 still. */
+static bool map_row(uint8_t *restrict full, const uint8_t *restrict below, const uint8_t *restrict row, int words,
+                    const uint64_t *restrict band)
+{
+    unsigned all = 1;
 
     for (int i = 0; i < words; i++) {
-        bool is = opaque(load(row + 8 * i) | band[i]) == ~(uint64_t)0;
-        full[i] = is ? (uint8_t)(below[i] + (below[i] < 255)) : 0;
+        unsigned is = is_full(load(row + 8 * i) | band[i]);
+        full[i] = (uint8_t)((below[i] + (unsigned)(below[i] < 255)) & (0u - is));
         all &= is;
     }
     return all;

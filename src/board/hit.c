@@ -5,15 +5,10 @@
  * exact shape test (geom.h) looks at that whole way. A kind with swept = false is tested where it stands.
  *
  * Of bullets only those are tested that the move found near a player (`near` in bullets.h). `reach` covers the largest
- * radius, the graze ring and the player's movement. Enemies are sieved for a shot in 32-bit modular arithmetic over
- * blocks of 64: (u32)(x - (px - reach)) > 2 * reach never drops a near one for reach <= 2^30, because such a distance
- * cannot wrap.
+ * radius, the graze ring and the player's movement. Shots against enemies are in hit_shots.c.
  */
 #include "hit.h"
-#include <string.h>
 #include "hit_parts.h"
-
-enum { MOST_REACH = 1 << 30 };
 
 static fx larger(fx a, fx b)
 {
@@ -63,16 +58,36 @@ static void bullet_against(struct board *b, uint32_t p, const struct body *c, co
     }
 }
 
+/* What the tests will read of a block's bullets. */
+static void fetch(const struct bullets *s, uint32_t block, uint32_t p)
+{
+    for (uint64_t m = s->near[block * PADS + p] & s->s.used[block]; m; m &= m - 1) {
+        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
+        slots_fetch(&s->x[i]);
+        slots_fetch(&s->y[i]);
+        slots_fetch(&s->vx[i]);
+        slots_fetch(&s->vy[i]);
+        slots_fetch(&s->kind[i]);
+        slots_fetch(&s->flags[i]);
+    }
+}
+
+enum { AHEAD = 8 /* blocks */ };
+
 static void bullets_against(struct board *b, uint32_t p, const struct body *c, fx graze)
 {
     const struct bullets *s = &b->bullets;
     int64_t reach = reach_of(b, c, graze);
     struct body ring = *c;
+    uint32_t blocks = s->s.top / SLOTS_BLOCK;
 
     ring.a = graze;
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+    for (uint32_t block = 0; block < blocks; block++) {
+        if (block + AHEAD < blocks)
+            fetch(s, block + AHEAD, p);
         for (uint64_t m = s->near[block * PADS + p] & s->s.used[block]; m; m &= m - 1)
             bullet_against(b, p, c, &ring, reach, block * SLOTS_BLOCK + lowest_bit(m));
+    }
 }
 
 static void enemies_against(struct board *b, uint32_t p, const struct body *c)

@@ -19,7 +19,7 @@ struct canvas {
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times. Measured: docs/speed.md. */
-enum { VIDEO_COATS = 20, VIDEO_NO_COATS = -1 };
+enum { VIDEO_COATS = 50, VIDEO_NO_COATS = -1 };
 
 /* board_draw with another VIDEO_COATS; the picture is the same. VIDEO_NO_COATS: never front to back. */
 struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int coats);

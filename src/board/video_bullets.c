@@ -14,6 +14,7 @@
 enum {
     BATCH_MIN = 8,    /* fewer are not worth a stamp */
     MANY_BANKS = 512, /* so many are not asked for their banks */
+    TOP_COATS = 10,   /* the topmost kinds that would cover the field so many times are drawn without asking */
     SPLIT = 4         /* counters a kind, so that bullets of one kind in a row do not wait for each other */
 };
 
@@ -52,8 +53,7 @@ struct lists {
 struct target {
     const struct fb *fb;
     int x, y;
-    int x0, y0;
-    uint32_t wide, high;
+    int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
 };
 
 static size_t aligned(size_t n)
@@ -205,9 +205,9 @@ static struct target open_target(struct lists *l, uint32_t from, uint32_t to, co
         x1 = (int64_t)c.wide - dx < x1 ? (int64_t)c.wide - dx : x1;
         y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
     }
-    bool some = x0 < x1 && y0 < y1;
-    return (
-        struct target){ fb, x, y, (int)x0, (int)y0, some ? (uint32_t)(x1 - x0) : 0, some ? (uint32_t)(y1 - y0) : 0 };
+    if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
+        return (struct target){ fb, x, y, 1, 1, 0, 0 };
+    return (struct target){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1 };
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
@@ -215,19 +215,29 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
     return l->spot[kind].next - l->style[kind].list;
 }
 
-/* How far each bullet's pixel is from the field's corner on the surface, and its bank; other[k] is 1 for those that may be
- * no places. */
-static void place_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
-                        uint8_t *restrict other, const struct target *target)
+/* How far each bullet's pixel is from the field's corner on the surface, and its bank. True: all are places whichever
+ * kind they are, or dead. */
+static bool place_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
+                        const struct target *target)
 {
     const struct target t = *target;
-    const uint32_t pitch = (uint32_t)t.fb->pitch, x0 = (uint32_t)t.x0, y0 = (uint32_t)t.y0;
+    const uint32_t pitch = (uint32_t)t.fb->pitch;
+    const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
+    int32_t others = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        uint32_t px = (uint32_t)(x[i] >> 16), py = (uint32_t)(y[i] >> 16);
-        at[i] = py * pitch + px + ((uint32_t)bank[i] << 28);
-        other[i] = (px - x0 >= t.wide) | (py - y0 >= t.high);
+        int32_t px = x[i] >> 16, py = y[i] >> 16;
+        at[i] = (uint32_t)py * pitch + (uint32_t)px + ((uint32_t)bank[i] << 28);
+        others |= (px - x0) | (x1 - px) | (py - y0) | (y1 - py);
     }
+    return others >= 0;
+}
+
+static bool is_place(const struct target *t, fx x, fx y)
+{
+    int px = fx_floor(x), py = fx_floor(y);
+
+    return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
 /* Lists bullet i, which is no place for every kind: as one for its own, or by its slot if something of it is inside the
@@ -253,20 +263,22 @@ static void list_block(struct lists *l, const struct bullets *s, const struct ta
     const uint16_t *kinds = s->kind + first;
     uint32_t *list = l->list, at[SLOTS_BLOCK];
     struct spot *spots = l->spot;
-    uint8_t other[SLOTS_BLOCK];
+    bool places = place_block(s->x + first, s->y + first, s->bank + first, at, t) && !l->some_by_slot;
 
-    place_block(s->x + first, s->y + first, s->bank + first, at, other, t);
-    if (l->some_by_slot)
-        for (uint32_t k = 0; k < SLOTS_BLOCK; k++)
-            other[k] |= l->by_slot[kinds[k] % MAX_KINDS]; /* a dead slot's kind may be anything */
-    for (; m; m &= m - 1) {
-        uint32_t k = lowest_bit(m);
-        struct spot *spot = &spots[kinds[k]];
-        if (other[k])
-            list_other(l, s, t, first + k);
-        else
+    if (places && m == ~(uint64_t)0) /* most often */
+        for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
+            struct spot *spot = &spots[kinds[k]];
             list[spot->next++] = at[k] + spot->from;
-    }
+        }
+    else
+        for (; m; m &= m - 1) {
+            uint32_t k = lowest_bit(m);
+            struct spot *spot = &spots[kinds[k]];
+            if (places || (!l->by_slot[kinds[k]] && is_place(t, s->x[first + k], s->y[first + k])))
+                list[spot->next++] = at[k] + spot->from;
+            else
+                list_other(l, s, t, first + k);
+        }
 }
 
 static void list_all(struct lists *l, const struct bullets *s, const struct target *t)
@@ -430,7 +442,7 @@ static void list_seen(struct lists *l, const struct bullets *s, const struct tar
     }
 }
 
-static void draw_layered(struct canvas *c, const struct bullets *s, struct lists *l, uint64_t enough)
+static void draw_layered(struct canvas *c, const struct bullets *s, struct lists *l)
 {
     const struct manifest *m = &c->b->cart.m;
     uint32_t top = l->kinds, drawn;
@@ -439,7 +451,7 @@ static void draw_layered(struct canvas *c, const struct bullets *s, struct lists
     struct target t;
 
     layer_init(&layer, l->layer, m->field_w, m->field_h);
-    while (top > 0 && pixels < enough) {
+    while (top > 0 && pixels < TOP_COATS * (uint64_t)(m->field_w * m->field_h)) {
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
@@ -484,7 +496,7 @@ void video_bullets(struct canvas *c, const struct bullets *s, const struct bulle
     find_kinds(c, k, l);
     c->drawn += s->s.live;
     if (c->coats != VIDEO_NO_COATS && pixels_of_all(l) >= enough)
-        draw_layered(c, s, l, enough);
+        draw_layered(c, s, l);
     else
         draw_over(c, s, l);
 }

@@ -251,10 +251,16 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
+/* Scripts that allocated nothing leave nothing to collect. */
 int vm_collect(lua_State *L)
 {
+    struct vm *vm = &vm_board(L)->vm;
+
+    if (heap_work(vm->heap) == vm->swept)
+        return 0;
     lualib_check_weak(L);
     lua_gc(L, LUA_GCSTEP, 1);
+    vm->swept = heap_work(vm->heap);
     return 0;
 }
 

@@ -32,7 +32,8 @@ struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
-    uint64_t work; /* of this tick */
+    uint64_t work;  /* of this tick */
+    uint64_t swept; /* heap_work when the collector last had its turn */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;

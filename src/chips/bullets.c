@@ -61,13 +61,13 @@ static uint64_t bit(uint32_t i)
     return 1ull << (i % SLOTS_BLOCK);
 }
 
-/* Whether the program of bullet i is looked at each frame, at the clock `end`, or not at all. */
-static void rest(struct bullets *b, uint32_t i, bool busy, bool idle)
+/* Bullet i is looked at in the next frame, or until further notice not at all. */
+static void wake(struct bullets *b, uint32_t i, bool busy)
 {
     uint32_t block = i / SLOTS_BLOCK;
 
     b->busy[block] = busy ? b->busy[block] | bit(i) : b->busy[block] & ~bit(i);
-    b->idle[block] = idle ? b->idle[block] | bit(i) : b->idle[block] & ~bit(i);
+    b->idle[block] &= ~bit(i);
 }
 
 /* Inside every keep box, so that a block with dead slots is not looked at for them. */
@@ -77,7 +77,7 @@ static void park(struct bullets *b, uint32_t i)
     b->vx[i] = b->vy[i] = 0;
     b->motion[i] = 0;
     b->flags[i] = 0;
-    rest(b, i, false, false);
+    wake(b, i, false);
 }
 
 /* The block from slot `first` on comes into use. */
@@ -247,7 +247,7 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     b->end[i] = 0;
     b->from[i] = 0;
     b->mute[i] = 0;
-    rest(b, i, motion || fine, false);
+    wake(b, i, motion || fine);
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
 }
 
@@ -327,13 +327,16 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
         b->bank[i] = s->bank[st];
 }
 
+enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+
 /* What a step does to direction and speed in one of its frames: the k-th of n. */
-static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k, uint32_t n)
+static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
+                  uint32_t n)
 {
     const struct steps *s = w->steps;
     unsigned does = s->does[st];
 
-    if (!(b->mute[i] & MUTE_DIR)) {
+    if (!(mute & MUTE_DIR)) {
         if (does & DOES_DIR)
             b->dir[i] = s->dir[st];
         if (does & DOES_AIM)
@@ -343,7 +346,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         if (does & DOES_HOME)
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
-    if (does & (DOES_SPEED | DOES_ACCEL) && !(b->mute[i] & MUTE_SPEED)) {
+    if (does & (DOES_SPEED | DOES_ACCEL) && !(mute & MUTE_SPEED)) {
         int shift = b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* steps are rounded to units of the bullet's own */
         int64_t v = bullets_speed(b, i) >> shift;
 
@@ -352,7 +355,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         if (does & DOES_ACCEL)
             v += s->accel[st] >> shift;
         bullets_set_speed(b, i, clamp_pace(v * ((int64_t)1 << shift)));
-    } else if (does & (DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME))
+    } else if (does & DOES_STEER)
         bullets_steer(b, i);
 }
 
@@ -370,65 +373,76 @@ static void fly(struct bullets *b, uint32_t i)
     b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
 }
 
-static void loop_step(struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
+/* The step after one that opens or closes a loop. */
+static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
-    uint16_t *left = &b->rounds[i * MOTION_DEPTH + s->depth[st]];
+    uint16_t *left = &rounds[s->depth[st]];
 
     if (s->does[st] & DOES_LOOP) {
         *left = s->count[st];
-        b->pc[i] = *left ? (uint16_t)(b->pc[i] + 1) : s->jump[st];
-    } else if (*left == MOTION_FOREVER || --*left)
-        b->pc[i] = s->jump[st];
-    else
-        b->pc[i]++;
+        return *left ? pc + 1 : s->jump[st];
+    }
+    return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+/* What has to be done for a bullet's program in frames to come. */
+enum rest {
+    REST_NONE, /* nothing, for it is over, or the bullet gone */
+    REST_BUSY, /* it runs in each */
+    REST_IDLE  /* it waits for the clock to be `end` */
+};
 
 /* Runs bullet i's program for this frame. */
-static void run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
+static enum rest run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const struct steps *s = w->steps;
-    uint32_t program = b->motion[i] - 1u;
+    const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
+                   length = w->motions->length[program];
+    const bool fine = b->flags[i] & BULLET_FINE;
+    uint32_t pc = b->pc[i];
+    unsigned mute = b->mute[i];
 
-    while (b->pc[i] < w->motions->length[program]) {
-        uint32_t st = w->motions->first[program] + b->pc[i], n = s->over[st];
-        bool begun = b->mute[i] & STEP_BEGUN;
+    while (pc < length) {
+        const uint32_t st = first + pc, n = s->over[st];
+        const unsigned does = s->does[st];
 
         b->ran++;
-        if (s->does[st] & (DOES_LOOP | DOES_NEXT)) {
-            loop_step(b, s, i, st);
+        if (does & (DOES_LOOP | DOES_NEXT)) {
+            pc = loop_step(s, &b->rounds[i * MOTION_DEPTH], st, pc);
             continue;
         }
-        if (!begun) {
+        if (!(mute & STEP_BEGUN)) {
             b->from[i] = bullets_speed(b, i);
             b->end[i] = w->clock + n;
-            restyle(b, w, i, st);
+            if (does & (DOES_KIND | DOES_BANK))
+                restyle(b, w, i, st);
         }
-        if (s->does[st] & DOES_DIE) {
+        if (does & DOES_DIE) {
             bullets_drop(b, i);
-            return;
+            return REST_NONE;
         }
         if (n && b->end[i] != w->clock) {
-            b->mute[i] |= STEP_BEGUN;
-            if (s->does[st] & DOES_DRIVE)
-                drive(b, w, i, st, n - (b->end[i] - w->clock) + 1, n);
-            else if (!(b->flags[i] & BULLET_FINE)) {
-                b->due[i] = (uint8_t)b->end[i];
-                rest(b, i, false, true);
-            }
-            return;
+            mute |= STEP_BEGUN;
+            b->pc[i] = (uint16_t)pc;
+            b->mute[i] = (uint8_t)mute;
+            if (does & DOES_DRIVE)
+                drive(b, w, i, mute, st, n - (b->end[i] - w->clock) + 1, n);
+            b->due[i] = (uint8_t)b->end[i];
+            return does & DOES_DRIVE || fine ? REST_BUSY : REST_IDLE;
         }
-        if (!n)
-            drive(b, w, i, st, 1, 1);
-        b->mute[i] = 0;
-        b->pc[i]++;
+        if (!n && does & DOES_DRIVE)
+            drive(b, w, i, mute, st, 1, 1);
+        mute = 0;
+        pc++;
     }
-    if (!(b->flags[i] & BULLET_FINE)) {
+    b->pc[i] = (uint16_t)pc;
+    b->mute[i] = (uint8_t)mute;
+    if (!fine)
         b->motion[i] = 0;
-        rest(b, i, false, false);
-    }
+    return fine ? REST_BUSY : REST_NONE;
 }
+
+enum { AHEAD = 4 /* blocks */ };
 
 static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uint8_t now)
 {
@@ -442,33 +456,53 @@ static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uin
     return any;
 }
 
-/* Those of a block whose waiting is over. */
+/* What of a bullet a program reads or writes. Where there are more of them than the caches hold, asking for it some
+ * blocks ahead is worth half the time. */
+static void fetch(const struct bullets *b, uint32_t i)
+{
+    slots_fetch(&b->motion[i]);
+    slots_fetch(&b->pc[i]);
+    slots_fetch(&b->mute[i]);
+    slots_fetch(&b->end[i]);
+    slots_fetch(&b->from[i]);
+    slots_fetch(&b->rounds[i * MOTION_DEPTH]);
+    slots_fetch(&b->dir[i]);
+    slots_fetch(&b->speed[i]);
+    slots_fetch(&b->flags[i]);
+}
+
+/* Those of a block whose waiting may be over. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];
-    uint64_t found = 0;
+    uint64_t found;
 
-    if (!due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
+    if (!b->idle[block] || !due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
         return 0;
-    for (uint64_t m = slots_gather(out) & b->idle[block]; m; m &= m - 1)
-        if (b->end[block * SLOTS_BLOCK + lowest_bit(m)] == clock)
-            found |= m & -m;
+    found = slots_gather(out) & b->idle[block];
+    for (uint64_t m = found; m; m &= m - 1)
+        fetch(b, block * SLOTS_BLOCK + lowest_bit(m));
     return found;
 }
 
-static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block)
+static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
-    uint64_t now = b->idle[block] ? awake(b, block, w->clock) : 0;
+    uint64_t busy = 0, idle = b->idle[block] & ~woken;
 
-    b->busy[block] |= now;
-    b->idle[block] &= ~now;
-    for (uint64_t m = b->busy[block]; m; m &= m - 1) {
+    for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
-        if (b->motion[i])
-            run_program(b, w, i);
+        enum rest rest = REST_BUSY;
+        if (woken & bit(i) && b->end[i] != w->clock)
+            rest = REST_IDLE;
+        else if (b->motion[i])
+            rest = run_program(b, w, i);
         if (b->flags[i] & BULLET_FINE)
             fly(b, i);
+        busy |= rest == REST_BUSY ? bit(i) : 0;
+        idle |= rest == REST_IDLE ? bit(i) : 0;
     }
+    b->busy[block] = busy;
+    b->idle[block] = idle;
 }
 
 /* A range of places a comparison on each axis away; see the top of the file. */
@@ -607,6 +641,8 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     static const struct watch nobody[PADS] = { { .reach = -1 }, { .reach = -1 } };
     uint8_t out[SLOTS_BLOCK];
     struct range kept = keep_range(keep), near;
+    uint32_t blocks = b->s.top / SLOTS_BLOCK;
+    uint64_t woken[AHEAD]; /* of the blocks from the present one on */
     fx fastest = -1;
 
     if (!watch)
@@ -615,12 +651,16 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         b->fastest = fastest_of(b);
     b->moved = 0;
     b->ran = 0;
-    for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
+    for (uint32_t block = 0; block < AHEAD && block < blocks; block++)
+        woken[block] = awake(b, block, w->clock);
+    for (uint32_t block = 0; block < blocks; block++) {
         uint32_t i = block * SLOTS_BLOCK;
-        uint64_t named = 0;
+        uint64_t named = 0, now = woken[block % AHEAD];
 
-        if (b->busy[block] | b->idle[block])
-            run_programs(b, w, block);
+        if (block + AHEAD < blocks)
+            woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
+        if (b->busy[block] | now)
+            run_programs(b, w, block, now);
         if (b->fastest != fastest) { /* a program may have made one faster */
             fastest = b->fastest;
             near = watch_range(&watch[0], fastest);
