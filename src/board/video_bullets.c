@@ -287,6 +287,20 @@ static void list_all(struct lists *l, const struct bullets *s, const struct targ
         list_block(l, s, t, block, s->s.used[block]);
 }
 
+/* The same where m names few of them. */
+static void list_few(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block, uint64_t m)
+{
+    for (; m; m &= m - 1) {
+        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
+        struct spot *spot = &l->spot[s->kind[i]];
+        if (!l->by_slot[s->kind[i]] && is_place(t, s->x[i], s->y[i]))
+            l->list[spot->next++] =
+                stamp_place(t->fb, (uint32_t)fx_floor(s->x[i]), (uint32_t)fx_floor(s->y[i]), s->bank[i]) + spot->from;
+        else
+            list_other(l, s, t, i);
+    }
+}
+
 /* Those of a block whose kinds are open. */
 static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
 {
@@ -301,7 +315,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
 static void list_open(struct lists *l, const struct bullets *s, const struct target *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        list_block(l, s, t, block, open_ones(l, s, block));
+        list_few(l, s, t, block, open_ones(l, s, block));
 }
 
 static bool make_stamp(struct lists *l, const struct fb *fb, const struct style *style, uint32_t n)
@@ -438,7 +452,7 @@ static void list_seen(struct lists *l, const struct bullets *s, const struct tar
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         uint64_t m = seen_ones(cells, s, block);
         if (m)
-            list_block(l, s, t, block, m & open_ones(l, s, block));
+            list_few(l, s, t, block, m & open_ones(l, s, block));
     }
 }
 
