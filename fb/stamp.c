@@ -1,9 +1,10 @@
 /*
  * stamp.c - see stamp.h.
  *
- * A word that is drawn over is (what was there & keep) | colour. In a layer it is what was there | (colour where that
- * is 0): a picture drawn later is the one below. Eight rows of one word each, which most bullets are, have a loop of
- * their own.
+ * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0, the
+ * colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into vector
+ * instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7 pixels, whose
+ * `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -15,75 +16,83 @@ static uint64_t bank_bytes(unsigned bank)
     return BYTES((uint8_t)(bank * 16));
 }
 
-/* The word of a picture's row that begins at pixel x. */
-static uint64_t word_at(const struct image *image, int x, int y)
+bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks)
 {
-    const uint8_t *p = image->pix + (ptrdiff_t)y * image->pitch + x;
-    uint8_t b[8] = { 0 };
-
-    if (x + 8 <= image->pitch)
-        return load(p);
-    memcpy(b, p, (size_t)(image->pitch - x));
-    return load(b);
-}
-
-static bool add_word(struct stamp *stamp, ptrdiff_t at, uint64_t s)
-{
-    if (stamp->n == STAMP_WORDS)
-        return false;
-    stamp->at[stamp->n] = (int32_t)at;
-    stamp->keep[stamp->n] = ~opaque(s);
-    stamp->colour[stamp->n++] = s; /* for the moment */
-    return true;
-}
-
-static bool find_words(struct stamp *stamp, const struct fb *fb, const struct image *image)
-{
-    for (int y = 0; y < image->h; y++) {
-        ptrdiff_t at = (ptrdiff_t)y * fb->pitch;
-        if (image->w <= 8) {
-            if (!add_word(stamp, at, word_at(image, 0, y)))
-                return false;
-            continue;
-        }
-        for (int x = 0; x < image->w; x++)
-            if (image->pix[(ptrdiff_t)y * image->pitch + x]) {
-                if (!add_word(stamp, at + x, word_at(image, x, y)))
-                    return false;
-                x += 7;
-            }
-    }
-    return true;
-}
-
-bool stamp_make(struct stamp *stamp, const struct fb *fb, const struct image *image, unsigned banks)
-{
-    uint64_t words[STAMP_WORDS];
-
-    stamp->n = 0;
     stamp->w = image->w;
     stamp->h = image->h;
-    stamp->rows = image->w <= 8;
-    if (!find_words(stamp, fb, image))
+    stamp->row = (image->w + 7) / 8 * 8;
+    if ((int64_t)stamp->row * image->h > STAMP_BYTES)
         return false;
-    memcpy(words, stamp->colour, (size_t)stamp->n * sizeof *words);
-    for (unsigned bank = 0; bank < 16; bank++)
-        for (int k = 0; k < stamp->n && banks >> bank & 1; k++)
-            stamp->colour[(int)bank * stamp->n + k] = add_bytes(words[k], bank_bytes(bank)) & ~stamp->keep[k];
+    stamp->bytes = stamp->row * image->h;
+    for (int at = 0, y = 0; y < image->h; y++)
+        for (int x = 0; x < stamp->row; x += 8, at += 8) {
+            uint64_t s = load(image->pix + (ptrdiff_t)y * image->pitch + x), mask = opaque(s);
+            store(stamp->keep + at, ~mask);
+            for (unsigned bank = 0; bank < 16; bank++)
+                if (banks >> bank & 1)
+                    store(stamp->colour + (int)bank * stamp->bytes + at, add_bytes(s, bank_bytes(bank)) & mask);
+        }
     return true;
 }
 
-static inline void over(uint8_t *d, uint64_t keep, uint64_t colour)
+static inline void over(uint8_t *d, const uint8_t *keep, const uint8_t *colour)
 {
-    store(d, (load(d) & keep) | colour);
+    store(d, (load(d) & load(keep)) | load(colour));
 }
 
-static inline void under(uint8_t *d, uint64_t keep, uint64_t colour)
+static inline void over_pair(uint8_t *restrict d, const uint8_t *restrict keep, const uint8_t *restrict colour)
+{
+    for (int k = 0; k < 16; k++)
+        d[k] = (uint8_t)((d[k] & keep[k]) | colour[k]);
+}
+
+static inline void under(uint8_t *d, uint64_t colour)
 {
     uint64_t s = load(d);
 
-    (void)keep;
     store(d, s | (colour & ~opaque(s)));
+}
+
+static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colour)
+{
+    for (int k = 0; k < 16; k++)
+        d[k] = (uint8_t)(d[k] | (colour[k] & (uint8_t)(0 - (d[k] == 0))));
+}
+
+/* All rows of a picture; row and h are constants in most calls. */
+static inline void paint_over(uint8_t *d, ptrdiff_t pitch, const uint8_t *keep, const uint8_t *colour, int row, int h)
+{
+    for (int y = 0; y < h; y++, d += pitch, keep += row, colour += row) {
+        int k = 0;
+        for (; k + 16 <= row; k += 16)
+            over_pair(d + k, keep + k, colour + k);
+        if (k < row)
+            over(d + k, keep + k, colour + k);
+    }
+}
+
+static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colour, int row, int h)
+{
+    for (int y = 0; y < h; y++, d += pitch, colour += row) {
+        int k = 0;
+        for (; k + 16 <= row; k += 16)
+            under_pair(d + k, colour + k);
+        if (k < row)
+            under(d + k, load(colour + k));
+    }
+}
+
+/* Eight rows of eight: most bullets. Written out, because compilers leave the loop. */
+static inline void paint_eight(uint8_t *d, ptrdiff_t pitch, const uint8_t *keep, const uint8_t *colour)
+{
+    over(d, keep, colour), d += pitch;
+    over(d, keep + 8, colour + 8), d += pitch;
+    over(d, keep + 16, colour + 16), d += pitch;
+    over(d, keep + 24, colour + 24), d += pitch;
+    over(d, keep + 32, colour + 32), d += pitch;
+    over(d, keep + 40, colour + 40), d += pitch;
+    over(d, keep + 48, colour + 48), d += pitch;
+    over(d, keep + 56, colour + 56);
 }
 
 /* The first byte of a surface's band. */
@@ -100,37 +109,12 @@ struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
     return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
 }
 
-/* The two ways through a stamp's words: eight rows of one word each, which most bullets are, and any words. */
-#define EIGHT_ROWS(way, d, pitch, keep, colour)                                                                        \
-    do {                                                                                                               \
-        way(d, keep[0], colour[0]), d += pitch;                                                                        \
-        way(d, keep[1], colour[1]), d += pitch;                                                                        \
-        way(d, keep[2], colour[2]), d += pitch;                                                                        \
-        way(d, keep[3], colour[3]), d += pitch;                                                                        \
-        way(d, keep[4], colour[4]), d += pitch;                                                                        \
-        way(d, keep[5], colour[5]), d += pitch;                                                                        \
-        way(d, keep[6], colour[6]), d += pitch;                                                                        \
-        way(d, keep[7], colour[7]);                                                                                    \
-    } while (0)
-
-#define ANY_WORDS(way, d, stamp, c)                                                                                    \
-    do {                                                                                                               \
-        int w_ = 0;                                                                                                    \
-        for (; w_ + 4 <= (stamp)->n; w_ += 4) {                                                                        \
-            way(d + (stamp)->at[w_], (stamp)->keep[w_], c[w_]);                                                        \
-            way(d + (stamp)->at[w_ + 1], (stamp)->keep[w_ + 1], c[w_ + 1]);                                            \
-            way(d + (stamp)->at[w_ + 2], (stamp)->keep[w_ + 2], c[w_ + 2]);                                            \
-            way(d + (stamp)->at[w_ + 3], (stamp)->keep[w_ + 3], c[w_ + 3]);                                            \
-        }                                                                                                              \
-        for (; w_ < (stamp)->n; w_++)                                                                                  \
-            way(d + (stamp)->at[w_], (stamp)->keep[w_], c[w_]);                                                        \
-    } while (0)
-
-/* `eight` is a constant in its calls. */
+/* row is a constant in its calls, or 0; so is h. */
 static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp, const uint32_t *places, size_t n,
-                               bool eight)
+                               int row, int h)
 {
     const ptrdiff_t pitch = fb->pitch;
+    const uint32_t bytes = (uint32_t)(row && h ? row * h : stamp->bytes);
     uint8_t *first = fb->pix + fb->sy0 * pitch + fb->sx0;
 
     for (size_t i = 0; i < n; i++) {
@@ -138,20 +122,22 @@ static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp, c
         if (place & STAMP_OTHER)
             return i;
         uint8_t *d = first + (place & (STAMP_OTHER - 1));
-        const uint64_t *colour = stamp->colour + (size_t)(place >> 28) * (size_t)(eight ? 8 : stamp->n);
-        if (eight)
-            EIGHT_ROWS(over, d, pitch, stamp->keep, colour);
+        const uint8_t *colour = stamp->colour + (place >> 28) * bytes;
+        if (row == 8 && h == 8)
+            paint_eight(d, pitch, stamp->keep, colour);
         else
-            ANY_WORDS(over, d, stamp, colour);
+            paint_over(d, pitch, stamp->keep, colour, row ? row : stamp->row, h ? h : stamp->h);
     }
     return n;
 }
 
 size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *places, size_t n)
 {
-    if (stamp->rows && stamp->n == 8)
-        return draw_over(fb, stamp, places, n, true);
-    return draw_over(fb, stamp, places, n, false);
+    if (stamp->row == 8)
+        return stamp->h == 8 ? draw_over(fb, stamp, places, n, 8, 8) : draw_over(fb, stamp, places, n, 8, 0);
+    if (stamp->row == 16)
+        return draw_over(fb, stamp, places, n, 16, 0);
+    return draw_over(fb, stamp, places, n, 0, 0);
 }
 
 /* ---- layers ---- */
@@ -244,35 +230,21 @@ static void used(struct layer *l, size_t pixels)
         layer_map(l);
 }
 
-static inline void draw_under(struct layer *l, const struct stamp *stamp, const uint32_t *places, size_t n,
-                              size_t pixels, bool eight)
+void layer_stamp(struct layer *l, const struct stamp *stamp, const uint32_t *places, size_t n, size_t pixels)
 {
-    const ptrdiff_t pitch = l->fb.pitch;
     uint8_t *first = origin(&l->fb);
 
     while (n > 0 && !l->covered) {
         uint32_t place = places[--n], at = place & (STAMP_OTHER - 1);
+        const uint8_t *colour = stamp->colour + (place >> 28) * (uint32_t)stamp->bytes;
         if (layer_hides(l, at, (uint32_t)stamp->w, (uint32_t)stamp->h)) {
             l->hidden++;
             continue;
         }
-        uint8_t *d = first + at;
-        const uint64_t *colour = stamp->colour + (size_t)(place >> 28) * (size_t)(eight ? 8 : stamp->n);
-        if (eight)
-            EIGHT_ROWS(under, d, pitch, stamp->keep, colour);
-        else
-            ANY_WORDS(under, d, stamp, colour);
+        paint_under(first + at, l->fb.pitch, colour, stamp->row, stamp->h);
         used(l, pixels);
     }
     l->hidden += n;
-}
-
-void layer_stamp(struct layer *l, const struct stamp *stamp, const uint32_t *places, size_t n, size_t pixels)
-{
-    if (stamp->rows && stamp->n == 8)
-        draw_under(l, stamp, places, n, pixels, true);
-    else
-        draw_under(l, stamp, places, n, pixels, false);
 }
 
 static void cells_across(int w, int h, uint32_t *across, uint32_t *down)
@@ -341,7 +313,7 @@ void layer_sprite(struct layer *l, const struct image *image, uint32_t place, si
         uint8_t *d = first + (ptrdiff_t)row * l->fb.pitch;
         for (int k = 0; k < image->w; k += 8) {
             uint64_t v = load(s + k);
-            under(d + k, 0, add_bytes(v, add) & opaque(v));
+            under(d + k, add_bytes(v, add) & opaque(v));
         }
     }
     used(l, pixels);

@@ -11,21 +11,20 @@
 #include "blit.h"
 
 enum {
-    STAMP_WORDS = 192,    /* a picture that needs more is no stamp */
+    STAMP_BYTES = 2048,   /* a picture with more, its rows filled up to multiples of 8, is no stamp */
     STAMP_OTHER = 1 << 27 /* in a list of places: this is none, but a number of the caller's, below 2^27 */
 };
 
-/* The opaque pixels of a picture in as few 64-bit words as cover them, wherever those begin. */
+/* A picture made ready: of each byte what to keep of the surface, and, in each bank, what to put there. */
 struct stamp {
-    int n, w, h;
-    bool rows;               /* word k is row k */
-    int32_t at[STAMP_WORDS]; /* from the picture's top left corner, in the surface */
-    uint64_t keep[STAMP_WORDS];
-    uint64_t colour[16 * STAMP_WORDS]; /* n words a bank */
+    int w, h;
+    int row, bytes; /* of a row, a multiple of 8; of all rows */
+    uint8_t keep[STAMP_BYTES];
+    uint8_t colour[16 * STAMP_BYTES]; /* `bytes` a bank */
 };
 
-/* Makes a stamp for surfaces of fb's size. banks: a bit for each bank that will be drawn. False: too many words. */
-bool stamp_make(struct stamp *stamp, const struct fb *fb, const struct image *image, unsigned banks);
+/* Makes a stamp. banks: a bit for each bank that will be drawn. False: too many bytes. */
+bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks);
 
 /* The corners of a w x h picture, its top left pixels, that need no clipping on fb: so far to the right of and below
  * (x0, y0), which is the same for all pictures. */

@@ -294,8 +294,9 @@ static void list_few(struct lists *l, const struct bullets *s, const struct targ
         uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
         struct spot *spot = &l->spot[s->kind[i]];
         if (!l->by_slot[s->kind[i]] && is_place(t, s->x[i], s->y[i]))
-            l->list[spot->next++] =
-                stamp_place(t->fb, (uint32_t)fx_floor(s->x[i]), (uint32_t)fx_floor(s->y[i]), s->bank[i]) + spot->from;
+            l->list[spot->next++] = ((uint32_t)s->bank[i] << 28) +
+                                    (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch + (uint32_t)fx_floor(s->x[i]) +
+                                    spot->from;
         else
             list_other(l, s, t, i);
     }
@@ -318,7 +319,7 @@ static void list_open(struct lists *l, const struct bullets *s, const struct tar
         list_few(l, s, t, block, open_ones(l, s, block));
 }
 
-static bool make_stamp(struct lists *l, const struct fb *fb, const struct style *style, uint32_t n)
+static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 {
     struct image image = video_image(style->pic, 0, false, 0);
     const uint32_t *list = l->list + style->list;
@@ -326,7 +327,7 @@ static bool make_stamp(struct lists *l, const struct fb *fb, const struct style 
 
     for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
         banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
-    return stamp_make(&l->stamp, fb, &image, banks);
+    return stamp_make(&l->stamp, &image, banks);
 }
 
 /* ---- back to front ---- */
@@ -355,7 +356,7 @@ static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l
     const struct style *style = &l->style[kind];
     const uint32_t *list = l->list + style->list;
     uint32_t n = listed(l, kind);
-    bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, c->fb, style, n);
+    bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, style, n);
 
     for (uint32_t k = 0; k < n; k++) {
         if (stamped)
@@ -391,7 +392,7 @@ static void layer_kind(const struct canvas *c, struct layer *layer, const struct
     int x, y;
 
     if (style->alike) {
-        bool made = make_stamp(l, &layer->fb, style, n);
+        bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
         if (made)
             layer_stamp(layer, &l->stamp, list, n, style->pixels);
