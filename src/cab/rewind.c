@@ -127,7 +127,7 @@ static bool make_room(struct rewind *r, size_t size, uint32_t present, struct re
 
     while (r->n > 0 && (r->n == REWIND_KEYS || r->held > r->budget || room > r->budget - r->held)) {
         *k = take_out(r, least_missed(r, present));
-        if (k->room >= size && k->room / 2 <= room)
+        if (r->held <= r->budget && k->room >= size && k->room / 2 <= room)
             return true;
         release(r, k);
     }
@@ -189,6 +189,10 @@ static bool more_pads(struct rewind *r)
     r->held += bytes - old * sizeof *pads;
     r->pads = pads;
     r->pads_room = room;
+    while (r->n > 1 && r->held > r->budget) {
+        struct rewind_key lost = take_out(r, least_missed(r, r->end));
+        release(r, &lost);
+    }
     return true;
 }
 
