@@ -24,7 +24,7 @@ struct style {
     bool turns, alike; /* alike: all show one picture, opaque */
     unsigned blend;    /* index + 1, 0: opaque */
     uint32_t n;
-    size_t pixels; /* that are opaque */
+    size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
 };
 
@@ -111,26 +111,14 @@ static void count_kinds(const struct bullets *s, uint32_t kinds, struct lists *l
     }
 }
 
-static size_t opaque_pixels(const struct image *image)
-{
-    size_t n = 0;
-
-    for (int y = 0; y < image->h; y++)
-        for (int x = 0; x < image->w; x++)
-            n += image->pix[(ptrdiff_t)y * image->pitch + x] != 0;
-    return n;
-}
-
 static void find_style(const struct canvas *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
-    struct image image = video_image(pic, 0, false, 0);
 
     style->pic = pic;
     style->turns = k->flags[kind] & KIND_TURNS && pic->rotations > 1;
     style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
     style->alike = !style->turns && pic->frames == 1 && !style->blend;
-    style->pixels = opaque_pixels(&image);
 }
 
 /* The larger pictures are lower, equal ones in order of declaration. */
@@ -309,7 +297,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
     uint8_t is[SLOTS_BLOCK];
 
     for (int i = 0; i < SLOTS_BLOCK; i++)
-        is[i] = l->open[kinds[i] % MAX_KINDS]; /* as above */
+        is[i] = l->open[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
     return slots_gather(is) & s->s.used[block];
 }
 
@@ -394,8 +382,7 @@ static void layer_kind(const struct canvas *c, struct layer *layer, const struct
     if (style->alike) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
-        if (made)
-            layer_stamp(layer, &l->stamp, list, n, style->pixels);
+        layer_stamp(layer, &l->stamp, list, n, style->pixels);
         return;
     }
     while (n-- > 0) {
@@ -485,18 +472,37 @@ static void draw_layered(struct canvas *c, const struct bullets *s, struct lists
     c->hidden += s->s.live - drawn + layer.hidden;
 }
 
-/* How many pixels all of them have; 0 when one is too large for a layer's band, or needs what is under it. */
-static uint64_t pixels_of_all(const struct lists *l)
+static size_t opaque_pixels(const struct image *image)
 {
-    uint64_t sum = 0;
+    size_t n = 0;
+
+    for (int y = 0; y < image->h; y++)
+        for (int x = 0; x < image->w; x++)
+            n += image->pix[(ptrdiff_t)y * image->pitch + x] != 0;
+    return n;
+}
+
+/* Would all of them cover the field so many times? Not when a picture is too large for a layer's band, or needs what is
+ * under it. Pixels are counted only where the pictures' sizes leave a doubt. */
+static bool is_layered(struct lists *l, uint64_t enough)
+{
+    uint64_t most = 0, sum = 0;
 
     for (uint32_t o = 0; o < l->kinds; o++) {
         const struct style *style = &l->style[l->order[o]];
         if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
-            return 0;
+            return false;
+        most += style->n * (uint64_t)(style->pic->w * style->pic->h);
+    }
+    if (most < enough)
+        return false;
+    for (uint32_t o = 0; o < l->kinds; o++) {
+        struct style *style = &l->style[l->order[o]];
+        struct image image = video_image(style->pic, 0, false, 0);
+        style->pixels = opaque_pixels(&image);
         sum += style->n * (uint64_t)style->pixels;
     }
-    return sum;
+    return sum >= enough;
 }
 
 void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k)
@@ -510,7 +516,7 @@ void video_bullets(struct canvas *c, const struct bullets *s, const struct bulle
     count_kinds(s, k->s.live, l);
     find_kinds(c, k, l);
     c->drawn += s->s.live;
-    if (c->coats != VIDEO_NO_COATS && pixels_of_all(l) >= enough)
+    if (c->coats != VIDEO_NO_COATS && is_layered(l, enough))
         draw_layered(c, s, l);
     else
         draw_over(c, s, l);

@@ -251,14 +251,14 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* Scripts that allocated nothing leave nothing to collect. */
+/* Scripts that allocated nothing since the last step made nothing that will be missed. */
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
 
+    lualib_check_weak(L);
     if (heap_work(vm->heap) == vm->swept)
         return 0;
-    lualib_check_weak(L);
     lua_gc(L, LUA_GCSTEP, 1);
     vm->swept = heap_work(vm->heap);
     return 0;
@@ -455,6 +455,7 @@ bool vm_open(struct board *b, void *block, size_t size)
     *(struct board **)lua_getextraspace(b->vm.L) = b;
     lua_atpanic(b->vm.L, panic);
     b->vm.running = b->vm.L;
+    b->vm.swept = 0;
     b->vm.kind = FAULT_NONE;
     return true;
 }

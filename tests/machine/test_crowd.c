@@ -20,135 +20,214 @@ static bool is_used(const struct slots *s, uint32_t i)
 
 /* ---- pictures ---- */
 
+enum { OWN = 12 }; /* sprites of a game made here, beside the rig's */
+
 /* One byte at a time, clipped to the field by asking for every pixel. */
-static void paint(const struct board *b, uint8_t *out, const struct image *image, int x, int y, uint8_t bank)
+static void paint(const struct board *b, uint8_t *out, const struct image *image, int x, int y, uint8_t bank,
+                  const uint8_t *table)
 {
     const struct manifest *m = &b->cart.m;
 
     for (int v = 0; v < image->h; v++)
         for (int u = 0; u < image->w; u++) {
             uint8_t c = image->pix[v * image->pitch + u];
-            if (c && x + u >= 0 && x + u < m->field_w && y + v >= 0 && y + v < m->field_h)
-                out[(y + v + m->field_y) * m->screen_w + x + u + m->field_x] = (uint8_t)(c + bank * 16);
+            uint8_t *d = &out[(y + v + m->field_y) * m->screen_w + x + u + m->field_x];
+            if (!c || x + u < 0 || x + u >= m->field_w || y + v < 0 || y + v >= m->field_h)
+                continue;
+            c = (uint8_t)(c + bank * 16);
+            *d = table ? table[*d * 256 + c] : c;
+        }
+}
+
+static void paint_kind(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t kind,
+                       uint8_t *out)
+{
+    const struct sprite *pic = &b->pictures[k->sprite[kind]];
+    unsigned blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+
+    for (uint32_t i = 0; i < s->s.top; i++)
+        if (is_used(&s->s, i) && s->kind[i] == kind) {
+            struct image image = video_image(pic, b->core.clock - s->born[i], k->flags[kind] & KIND_TURNS, s->dir[i]);
+            paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
+                  blend ? b->cart.blend[blend - 1] : NULL);
         }
 }
 
 /* The larger pictures first, equal ones in order of declaration, then by slot. */
 static void paint_all(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint8_t *out)
 {
-    int last = INT32_MAX;
-
-    for (;;) {
-        int area = -1;
+    for (int last = INT32_MAX, area = 0; area >= 0; last = area) {
+        area = -1;
         for (uint32_t kind = 0; kind < k->s.live; kind++) {
             const struct sprite *pic = &b->pictures[k->sprite[kind]];
             if (pic->w * pic->h < last && pic->w * pic->h > area)
                 area = pic->w * pic->h;
         }
-        if (area < 0)
-            return;
         for (uint32_t kind = 0; kind < k->s.live; kind++) {
             const struct sprite *pic = &b->pictures[k->sprite[kind]];
-            for (uint32_t i = 0; i < s->s.top && pic->w * pic->h == area; i++)
-                if (is_used(&s->s, i) && s->kind[i] == kind) {
-                    struct image image =
-                        video_image(pic, b->core.clock - s->born[i], k->flags[kind] & KIND_TURNS, s->dir[i]);
-                    paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i]);
-                }
+            if (pic->w * pic->h == area)
+                paint_kind(b, s, k, kind, out);
         }
-        last = area;
     }
 }
 
-static void throw_bullets(struct board *b, uint32_t n, uint32_t kinds, bool everywhere)
+/* A sprite lump of noise: any size up to `most`, any pitch and origin, often outside of the picture. */
+static uint8_t *noise_sprite(uint32_t *size, int most)
+{
+    int w = 1 + below(most), h = 1 + below(most), pitch = (w + 7) / 8 * 8 + 8 * below(3), bank = below(16);
+    int frames = below(3) ? 1 : 1 + below(5), turns = below(3) ? 1 : 1 + below(9), solid = below(2) ? 100 : below(101);
+    int ox = below(3) ? w / 2 : below(8) ? below(4 * w) - w : below(3073) - 1024;
+    int oy = below(3) ? h / 2 : below(8) ? below(4 * h) - h : below(3073) - 1024;
+    const int header[] = { w, h, pitch, ox, oy, frames, 1 + below(3), turns, bank };
+    *size = (uint32_t)(CART_GFX_HEADER + frames * turns * h * pitch);
+    uint8_t *lump = calloc(1, *size);
+
+    assert_non_null(lump);
+    for (int i = 0; i < 9; i++)
+        put16(lump + 2 * i, (uint16_t)header[i]);
+    for (int y = 0; y < frames * turns * h; y++)
+        for (int x = 0; x < w; x++)
+            lump[CART_GFX_HEADER + y * pitch + x] = (uint8_t)(below(100) < solid ? bank * 16 + 1 + below(15) : 0);
+    return lump;
+}
+
+/* A game with a screen, field and pools of any size, and sprites of noise; half of the games have small ones alone. */
+static void random_game(struct rig_game *g)
+{
+    struct manifest m = rig_manifest();
+    struct lump lumps[64];
+    char names[OWN][16];
+    uint8_t *own[OWN];
+    struct rig_game plain;
+    bool small = below(2);
+
+    m.screen_w = 64 + 8 * below(24);
+    m.screen_h = 64 + 8 * below(24);
+    m.field_w = below(3) ? 16 + below(m.screen_w - 15) : 16 + below(20);
+    m.field_h = below(3) ? 16 + below(m.screen_h - 15) : 16 + below(20);
+    m.field_x = below(3) ? below(m.screen_w - m.field_w + 1) : 0;
+    m.field_y = below(3) ? below(m.screen_h - m.field_h + 1) : 0;
+    m.bullets = below(8) ? 64 * (1 + below(30)) + below(2) * below(64) : 1 + below(3);
+    m.shots = 1 + below(500);
+    rig_script(&plain, &m, "");
+    rig_blends(&plain);
+    int n = (int)plain.image.rom.count;
+    for (int i = 0; i < n; i++)
+        rom_lump(&plain.image.rom, i, &lumps[i]);
+    for (int i = 0; i < OWN; i++) {
+        uint32_t size;
+        snprintf(names[i], sizeof names[i], "gfx/noise%02d", i);
+        own[i] = noise_sprite(&size, small ? 16 : below(6) ? 33 : 100);
+        lumps[n++] = (struct lump){ names[i], own[i], size };
+    }
+    rig_write(g, lumps, n);
+    rig_game_free(&plain);
+    for (int i = 0; i < OWN; i++)
+        free(own[i]);
+}
+
+/* Kinds of any sprites, a quarter of the time with blends; dead slots hold rubbish. */
+static void random_bullets(struct board *b, struct bullets *s, struct bullet_kinds *k)
 {
     const struct manifest *m = &b->cart.m;
-    struct bullets *s = &b->bullets;
-    uint32_t only = (uint32_t)below((int)b->bullet_kinds.s.live);
+    uint32_t n = below(2) ? s->s.cap : (uint32_t)below((int)s->s.cap + 1), first, kinds;
+    bool blended = below(4) == 0, holes = below(3) == 0, far = below(3) == 0;
 
-    while (s->s.live < n && s->s.live < s->s.cap) {
-        struct bullet_shape shape = { .kind = (uint16_t)((only + (uint32_t)below((int)kinds)) % b->bullet_kinds.s.live),
+    k->s.live = (uint32_t)(1 + below(below(4) ? 20 : MAX_KINDS));
+    for (uint32_t i = 0; i < k->s.live; i++) {
+        k->sprite[i] = (uint16_t)below(b->cart.sprites);
+        k->flags[i] = (uint8_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0));
+    }
+    EACH_LIVE (i, &s->s)
+        bullets_drop(s, i);
+    slots_trim(&s->s);
+    memset(s->kind, 0xff, s->s.cap * sizeof *s->kind);
+    memset(s->bank, 0xff, s->s.cap);
+    first = (uint32_t)below((int)k->s.live);
+    kinds = below(3) ? k->s.live : 1;
+    while (s->s.live < n) {
+        struct bullet_shape shape = { .kind = (uint16_t)((first + (uint32_t)below((int)kinds)) % k->s.live),
                                       .bank = (uint8_t)below(16),
-                                      .dir = (ang)rng_next(&rng),
-                                      .x = (fx)(below((m->field_w + 100) << 16) - (50 << 16)),
-                                      .y = (fx)(below((m->field_h + 100) << 16) - (50 << 16)) };
-        if (everywhere && below(9) == 0)
-            shape.x = (below(2 * WORLD) - WORLD) << 16;
-        if (everywhere && below(9) == 0)
-            shape.y = (below(2 * WORLD) - WORLD) << 16;
+                                      .dir = (ang)rng_next(&rng) };
+        const struct sprite *pic = &b->pictures[k->sprite[shape.kind]];
+        shape.x = (below(m->field_w + 2 * pic->w + 20) - pic->w - 10 + pic->ox) * 65536 + below(65536);
+        shape.y = (below(m->field_h + 2 * pic->h + 20) - pic->h - 10 + pic->oy) * 65536 + below(65536);
+        if (far && below(9) == 0)
+            shape.x = (below(2 * WORLD + 1) - WORLD) * 65536;
+        if (far && below(9) == 0)
+            shape.y = (below(2 * WORLD + 1) - WORLD) * 65536;
         bullets_fire(s, &shape, b->core.clock - (uint32_t)below(100));
     }
+    EACH_LIVE (i, &s->s)
+        if (holes && below(9) == 0) {
+            bullets_drop(s, i);
+            s->kind[i] = (uint16_t)rng_next(&rng);
+        }
 }
 
-static long hidden, drawn;
+static struct {
+    long drawn, hidden, layered, blended;
+} seen;
 
-static void compare(struct rig *r, uint8_t *want, uint8_t *backdrop, int coats)
+static void picture(struct rig *r, const struct bullets *s, const struct bullet_kinds *k)
 {
-    struct board *b = r->b;
+    static const int coats[] = { VIDEO_NO_COATS, 0, 1, 5, VIDEO_COATS };
+    const struct board *b = r->b;
     const struct manifest *m = &b->cart.m;
-    struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, coats, 0, 0 };
-
-    for (int y = 0; y < m->screen_h; y++)
-        memcpy(r->fb.pix + y * r->fb.pitch, backdrop + y * m->screen_w, (size_t)m->screen_w);
-    fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
-    video_bullets(&c, &b->bullets, &b->bullet_kinds);
-    for (int y = 0; y < m->screen_h; y++)
-        if (memcmp(r->fb.pix + y * r->fb.pitch, want + y * m->screen_w, (size_t)m->screen_w))
-            fail_msg("%u bullets, %d coats: row %d differs", b->bullets.s.live, coats, y);
-    assert_int_equal(c.drawn, b->bullets.s.live);
-    assert_true(c.hidden <= c.drawn && (coats != VIDEO_NO_COATS || !c.hidden));
-    hidden += (long)c.hidden;
-    drawn += (long)c.drawn;
-}
-
-static void picture(struct rig *r, int scene)
-{
-    static const int coats[] = { VIDEO_NO_COATS, 0, 1, VIDEO_COATS };
-    struct board *b = r->b;
-    const struct manifest *m = &b->cart.m;
-    size_t size = (size_t)(m->screen_w * m->screen_h);
+    size_t w = (size_t)m->screen_w, size = w * (size_t)m->screen_h;
     uint8_t *want = malloc(size), *backdrop = malloc(size);
 
-    EACH_LIVE (i, &b->bullets.s)
-        bullets_drop(&b->bullets, i);
-    slots_trim(&b->bullets.s);
-    throw_bullets(b, (uint32_t)below(scene % 4 ? 400 : (int)b->bullets.s.cap), scene % 3 ? 64 : 1, scene % 5 == 0);
-    EACH_LIVE (i, &b->bullets.s)
-        if (below(8) == 0 && scene % 2)
-            bullets_drop(&b->bullets, i);
+    assert_true(want && backdrop);
     for (size_t i = 0; i < size; i++)
-        backdrop[i] = (uint8_t)rng_next(&rng);
-    memcpy(want, backdrop, size);
-    paint_all(b, &b->bullets, &b->bullet_kinds, want);
-    for (size_t i = 0; i < sizeof coats / sizeof *coats; i++)
-        compare(r, want, backdrop, coats[i]);
+        want[i] = backdrop[i] = (uint8_t)rng_next(&rng);
+    paint_all(b, s, k, want);
+    for (size_t i = 0; i < sizeof coats / sizeof *coats; i++) {
+        struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, coats[i], 0, 0 };
+        for (int y = 0; y < m->screen_h; y++)
+            memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
+        fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+        memset(r->scratch, 0xa5, board_scratch(b));
+        video_bullets(&c, s, k);
+        for (int y = 0; y < m->screen_h; y++)
+            if (memcmp(r->fb.pix + y * r->fb.pitch, want + (size_t)y * w, w))
+                fail_msg("%u bullets, %d coats: row %d differs", s->s.live, coats[i], y);
+        assert_int_equal(c.drawn, s->s.live);
+        assert_true(c.hidden <= c.drawn && (coats[i] != VIDEO_NO_COATS || !c.hidden));
+        seen.drawn += (long)c.drawn;
+        seen.hidden += (long)c.hidden;
+        seen.layered += c.hidden > 0;
+    }
+    for (uint32_t i = 0; i < k->s.live; i++)
+        seen.blended += (k->flags[i] & KIND_BLEND) != 0;
     free(want);
     free(backdrop);
 }
 
-static void pictures_of(const char *folder, int scenes)
-{
-    const struct board_start start = { .difficulty = -1 };
-    struct rig_game game;
-    struct rig r;
-
-    rig_folder(&game, folder);
-    rig_power(&r, &game, &start);
-    hidden = drawn = 0;
-    for (int i = 0; i < scenes; i++)
-        picture(&r, i);
-    print_message("# %s: %ld drawn, %ld hidden\n", folder, drawn, hidden);
-    assert_true(hidden > drawn / 20 && hidden < drawn);
-    rig_free(&r);
-    rig_game_free(&game);
-}
-
 static void test_pictures(void **state)
 {
+    const struct board_start start = { .difficulty = -1 };
+    int games = rig_long() ? 600 : 60;
+
     (void)state;
     rng_seed(&rng, 5);
-    pictures_of("glasstide", 60);
-    pictures_of("torture", 60);
+    for (int i = 0; i < games; i++) {
+        struct rig_game game;
+        struct rig r;
+        random_game(&game);
+        rig_power(&r, &game, &start);
+        for (int scene = 0; scene < 8; scene++) {
+            struct bullets *s = scene % 2 ? &r.b->shots : &r.b->bullets;
+            struct bullet_kinds *k = scene % 2 ? &r.b->shot_kinds : &r.b->bullet_kinds;
+            r.b->core.clock = (uint32_t)rng_next(&rng);
+            random_bullets(r.b, s, k);
+            picture(&r, s, k);
+        }
+        rig_free(&r);
+        rig_game_free(&game);
+    }
+    print_message("# %ld drawn, %ld hidden in %ld pictures; %ld kinds with blends\n", seen.drawn, seen.hidden,
+                  seen.layered, seen.blended);
+    assert_true(seen.hidden > seen.drawn / 20 && seen.layered > 100 && seen.blended > 1000);
 }
 
 /* ---- the pass that moves ---- */

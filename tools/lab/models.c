@@ -240,7 +240,8 @@ void section_models(void)
     report_section("8. What a scene may choose");
     report_text(
         "The defaults are the exact models. Each price is that of the engine's own code. A bullet that is not close "
-        "to a player costs no hit test, whatever its kind: the move, which finds who is close, takes all alike (section 6).");
+        "to a player costs no hit test, whatever its kind: the move, which finds who is close, takes all alike "
+        "(section 6).");
     print_choices();
     print_flights();
     print_rooms();
