@@ -17,6 +17,8 @@ static const struct way {
     { "clipped", "half of it over the left edge" },
     { "sprite", "free sprites" },
     { "flipped", "free sprites, flipped" },
+    { "blended", "bullets of one kind, blended (`add`)" },
+    { "blended_banks", "blended, each in a bank of its own" },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
 static const int SIDES[] = { 8, 16, 32, 64, 128 };
