@@ -151,47 +151,6 @@ static void plot_run(const double *ns, uint32_t frames)
     report_plot_end();
 }
 
-/* board_save at every second of the run. */
-static void snapshots(const struct rom *rom, const struct demo *d)
-{
-    struct player_piano p;
-    struct samples us = { 0 }, bytes = { 0 };
-    size_t room = 0;
-    void *buf = NULL;
-
-    piano_open(&p, rom, d);
-    for (uint32_t f = 0; f < d->frames; f++) {
-        piano_frame(&p, false);
-        if (f % SECOND)
-            continue;
-        size_t size = board_snapshot_size(p.b);
-        if (size > room) {
-            free(buf);
-            room = 2 * size;
-            buf = malloc(room);
-            if (!buf)
-                report_fail("out of memory");
-            memset(buf, 0, room);
-        }
-        board_save(p.b, buf);
-        double from = bench_now();
-        board_save(p.b, buf);
-        samples_add(&us, bench_since(from));
-        samples_add(&bytes, (double)size);
-    }
-    report_text(
-        "**A snapshot** (`board_save`), taken each second of the run, has %s bytes (%s at most) and takes %s µs (%s "
-        "in the slowest hundredth).",
-        report_figure(samples_median(&bytes)), report_figure(samples_quantile(&bytes, 1)), samples_figure(&us, 1e3),
-        report_figure(samples_quantile(&us, 0.99) / 1e3));
-    bench_target("a snapshot of the built-in game", "20 µs",
-                 report_string("%s µs", report_figure(samples_median(&us) / 1e3)), samples_median(&us) < 20e3);
-    samples_free(&us);
-    samples_free(&bytes);
-    free(buf);
-    piano_close(&p);
-}
-
 void section_game(void)
 {
     static struct demo demo;
@@ -218,7 +177,6 @@ void section_game(void)
                report_count(both.at / SECOND), NULL);
     report_table_end();
     plot_run(ns, demo.frames);
-    snapshots(&image.rom, &demo);
     bench_target("the built-in game's whole run with drawing", "2,000 frames a second", report_count((int64_t)both.all),
                  both.all >= 2000);
     bench_target("... in its slowest 600 frames", "1,000 frames a second", report_count((int64_t)both.slowest),
@@ -239,7 +197,7 @@ static double live_bytes(void)
     for (int i = 0; i < 2; i++) {
         struct scene s;
         bench_scene(&s, &(struct scene_want){ .does = "creep", .n = i * N, .bullets = N });
-        bytes[i] = (double)board_snapshot_size(s.b) - (double)heap_extent(s.b->vm.heap);
+        bytes[i] = (double)board_snapshot_size(s.b) - (double)heap_save(s.b->vm.heap, NULL);
         scene_close(&s);
     }
     return (bytes[1] - bytes[0]) / N;
