@@ -31,6 +31,9 @@ double bench_since(double from);
 /* From now on bench_now is the thread's own time, for what takes longer than some 100 us; or the wall's again. */
 void bench_own_clock(bool on);
 
+/* The clock for what took so long last time: the thread's own if that is long enough to be interrupted. */
+void bench_clock_for(double ns);
+
 /* Times of one thing. */
 struct samples {
     double *ns;
