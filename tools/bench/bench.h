@@ -6,6 +6,7 @@
 #ifndef BENCH_BENCH_H
 #define BENCH_BENCH_H
 
+#include "../../src/cab/demo.h"
 #include "../report/report.h"
 #include "scene.h"
 
@@ -77,6 +78,14 @@ void bench_tick(struct scene *s);
 
 /* roms/bench itself. */
 const struct rom *bench_rom(void);
+
+/* ---- the built-in game ---- */
+
+#define BENCH_GAME "roms/glasstide"
+#define BENCH_DEMO BENCH_GAME "/demos/run.demo"
+
+/* Loads it and its whole run, or ends the program. */
+void bench_game(struct rom_image *game, struct demo *run);
 
 /* ---- the machine's limits, as plain C meets them ---- */
 

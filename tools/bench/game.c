@@ -3,11 +3,9 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/demo.h"
 #include "bench.h"
 
 enum { RUNS = 3, WINDOW = 600, SECOND = 60 };
-static const char GAME[] = "roms/glasstide", DEMO[] = "roms/glasstide/demos/run.demo";
 
 /* A board that plays the demo. */
 struct player_piano {
@@ -70,7 +68,7 @@ static void piano_check(const struct player_piano *p)
     bench_claim(d->parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->parts * sizeof *row)
                     ? NULL
                     : "the demo did not hold",
-                DEMO);
+                BENCH_DEMO);
 }
 
 /* Nanoseconds of each frame, run by run: ns[(run * frames + f) * 2 + drawn]. The two boards take turns, a second each. */
@@ -155,10 +153,8 @@ void section_game(void)
 {
     static struct demo demo;
     struct rom_image image;
-    char err[512];
 
-    if (!rom_image_load(GAME, false, &image, err, sizeof err) || !demo_load(&demo, DEMO, err, sizeof err))
-        report_fail(err);
+    bench_game(&image, &demo);
     double *ns = malloc((size_t)demo.frames * RUNS * 2 * sizeof *ns);
     if (!ns)
         report_fail("out of memory");
@@ -169,7 +165,7 @@ void section_game(void)
     report_text(
         "Its whole-run demo (`%s`): %s frames, %s minutes, each frame's median of %d runs. At the end of each run "
         "the state's hashes are those recorded.",
-        DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
+        BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
     report_table(NULL, "| frames a second> | in the slowest 600 frames> | which begin at second>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
                report_count(tick.at / SECOND), NULL);
@@ -219,7 +215,7 @@ void section_memory(void)
 {
     enum { MANY = 1 << 20 };
     double reserved = ((double)scene_ram(bench_rom(), 2 * MANY) - (double)scene_ram(bench_rom(), MANY)) / MANY;
-    double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(GAME) / (1 << 20);
+    double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(BENCH_GAME) / (1 << 20);
 
     report_section("Memory");
     report_text(

@@ -58,6 +58,14 @@ const struct rom *bench_rom(void)
     return &bench.image.rom;
 }
 
+void bench_game(struct rom_image *game, struct demo *run)
+{
+    char err[512];
+
+    if (!rom_image_load(BENCH_GAME, false, game, err, sizeof err) || !demo_load(run, BENCH_DEMO, err, sizeof err))
+        report_fail(err);
+}
+
 void bench_scene(struct scene *s, const struct scene_want *want)
 {
     char err[256];
