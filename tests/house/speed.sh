@@ -58,14 +58,15 @@ mkdir -p "$tree/src/board"
 ln -s "$PWD/fb" "$tree/fb"
 ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
 cp src/board/*.h "$tree/src/board"
-sed 's/events_push(&b->events, kind, a, b2)/events_push(\&b->events, kind, a, kind == EV_SHOT ? b2 ^ 1 : b2)/' \
-    src/board/board.c >"$tree/src/board/board.c"
+sed 's/\.kind = EV_SHOT, \.a = who, \.b = whom }/.kind = EV_SHOT, .a = who, .b = whom ^ 1 }/' \
+    src/board/hit_shots.c >"$tree/src/board/hit_shots.c"
 another() {
-    ! cmp -s src/board/board.c "$tree/src/board/board.c" || return 2
+    ! cmp -s src/board/hit_shots.c "$tree/src/board/hit_shots.c" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/bench" "$tree/src/board/board.c" $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name board.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        -o "$scratch/bench" "$tree/src/board/hit_shots.c" \
+        $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
+        $(find "$OUT/src" -name '*.o' ! -name hit_shots.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
         "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm || return 2
     "$scratch/bench" battle
 }
