@@ -1,10 +1,12 @@
--- pictures.lua - n pictures that stand still, drawn as DIP picture says: bullets of one kind, in banks of their own, turned
--- or across the left edge; free sprites, plain and flipped.
+-- pictures.lua - n pictures that stand still, drawn as DIP picture says: bullets of one kind, in banks of their own, turned,
+-- across the left edge or blended; free sprites, plain and flipped.
 local how = board.dip("picture")
 local free = how == "sprite" or how == "flipped"
+local blended = how == "blended" or how == "blended_banks"
+local banks = how == "banks" or how == "blended_banks"
 
 if not free then
-  bullet.def("thing", { sprite = "kind1", hit = "none", turns = how == "turned" })
+  bullet.def("thing", { sprite = "kind1", hit = "none", turns = how == "turned", blend = blended and "glow" or nil })
 end
 
 return function(n)
@@ -14,7 +16,7 @@ return function(n)
       if free then
         sprite.put { sprite = "kind1", x = x, y = y, flip_x = how == "flipped" }
       else
-        bullet.fire { kind = "thing", x = x, y = y, speed = 0, dir = rng.dir(), bank = how == "banks" and rng.int(0, 7) or 0 }
+        bullet.fire { kind = "thing", x = x, y = y, speed = 0, dir = rng.dir(), bank = banks and rng.int(0, 7) or 0 }
       end
     end
   end

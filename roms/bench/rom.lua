@@ -4,7 +4,7 @@ return {
   title = "Bench", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
   board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384 },
-  palette = "art/palette.png", font = "art/font.png",
+  palette = "art/palette.png", font = "art/font.png", blends = { glow = "add" },
   sheets = { discs = { file = "art/discs.png", bank = 0 } },
   sprites = {
     d8  = { sheet = "discs", x = 0,  y = 0, w = 8,  h = 8 },
@@ -25,6 +25,6 @@ return {
     does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },
-    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped" } },
+    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
   players = 1,
 }

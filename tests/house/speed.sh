@@ -12,6 +12,7 @@ What a bullet costs
 Shots against enemies
 Pictures
 The built-in game
+Snapshots and going back
 Memory
 END
 whole() { # PAGE
@@ -19,7 +20,7 @@ whole() { # PAGE
         grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`; .+ %' "$1" || return 1
     local rows
     rows=$(awk '/^## /{ in_it = /Targets/ } in_it && /\| (met|\*\*missed\*\*) \|$/' "$1" | wc -l)
-    [ "$rows" = 13 ] || { echo "$rows targets"; return 1; }
+    [ "$rows" = 16 ] || { echo "$rows targets"; return 1; }
     local n
     for n in 1,024 4,096 16,384 65,536 262,144 1,048,576; do
         [ "$(grep -c "^| $n |" "$1")" -ge 5 ] || { echo "the crowd of $n is not in every table"; return 1; }
@@ -29,7 +30,7 @@ check "docs/speed.md has all sections, targets and crowds" whole docs/speed.md
 sed '/^## Pictures/d' docs/speed.md >"$scratch/a.md"
 refuse "planted: a section that is missing" "< Pictures" whole "$scratch/a.md"
 sed '/| met |$/{x;s/^/x/;/^x$/{x;d};x}' docs/speed.md >"$scratch/a.md"
-refuse "planted: a target that is missing" "12 targets" whole "$scratch/a.md"
+refuse "planted: a target that is missing" "15 targets" whole "$scratch/a.md"
 sed '0,/^| 65,536 |/{/^| 65,536 |/d}' docs/speed.md >"$scratch/a.md"
 refuse "planted: a row that is missing" "the crowd of 65,536" whole "$scratch/a.md"
 
@@ -49,21 +50,23 @@ sed 's/<polyline.*//' docs/speed/crowd.svg >"$scratch/crowd.svg"
 refuse "planted: a plot without its lines" "too few lines" well_formed "$scratch/crowd.svg"
 
 # What holds whatever the clock says: a section ends with exit code 1 when the engine does not do what it must.
-check "shots hit the nearest enemy, and every sprite is drawn" "$bench" battle pictures
+check "shots hit the nearest enemy, every sprite is drawn, and steps back find the frames that were" \
+    "$bench" battle pictures rewind
 refuse "a section it does not have" "sections: machine crowd prices" "$bench" nothing
 tree=$scratch/tree
 mkdir -p "$tree/src/board"
 ln -s "$PWD/fb" "$tree/fb"
 ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
 cp src/board/*.h "$tree/src/board"
-sed 's/events_push(&b->events, kind, a, b2)/events_push(\&b->events, kind, a, kind == EV_SHOT ? b2 ^ 1 : b2)/' \
-    src/board/board.c >"$tree/src/board/board.c"
+sed 's/\.kind = EV_SHOT, \.a = who, \.b = whom }/.kind = EV_SHOT, .a = who, .b = whom ^ 1 }/' \
+    src/board/hit_shots.c >"$tree/src/board/hit_shots.c"
 another() {
-    ! cmp -s src/board/board.c "$tree/src/board/board.c" || return 2
+    ! cmp -s src/board/hit_shots.c "$tree/src/board/hit_shots.c" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/bench" "$tree/src/board/board.c" $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name board.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        -o "$scratch/bench" "$tree/src/board/hit_shots.c" \
+        $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
+        $(find "$OUT/src" -name '*.o' ! -name hit_shots.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
         "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm || return 2
     "$scratch/bench" battle
 }

@@ -6,6 +6,7 @@
 #ifndef BENCH_BENCH_H
 #define BENCH_BENCH_H
 
+#include "../../src/cab/demo.h"
 #include "../report/report.h"
 #include "scene.h"
 
@@ -17,6 +18,7 @@ void section_prices(void);
 void section_battle(void);
 void section_pictures(void);
 void section_game(void);
+void section_rewind(void);
 void section_memory(void);
 
 /* ---- times ---- */
@@ -29,6 +31,9 @@ double bench_since(double from);
 
 /* From now on bench_now is the thread's own time, for what takes longer than some 100 us; or the wall's again. */
 void bench_own_clock(bool on);
+
+/* The clock for what took so long last time: the thread's own if that is long enough to be interrupted. */
+void bench_clock_for(double ns);
 
 /* Times of one thing. */
 struct samples {
@@ -73,6 +78,14 @@ void bench_tick(struct scene *s);
 
 /* roms/bench itself. */
 const struct rom *bench_rom(void);
+
+/* ---- the built-in game ---- */
+
+#define BENCH_GAME "roms/glasstide"
+#define BENCH_DEMO BENCH_GAME "/demos/run.demo"
+
+/* Loads it and its whole run, or ends the program. */
+void bench_game(struct rom_image *game, struct demo *run);
 
 /* ---- the machine's limits, as plain C meets them ---- */
 

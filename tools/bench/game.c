@@ -3,11 +3,9 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/demo.h"
 #include "bench.h"
 
 enum { RUNS = 3, WINDOW = 600, SECOND = 60 };
-static const char GAME[] = "roms/glasstide", DEMO[] = "roms/glasstide/demos/run.demo";
 
 /* A board that plays the demo. */
 struct player_piano {
@@ -70,7 +68,7 @@ static void piano_check(const struct player_piano *p)
     bench_claim(d->parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->parts * sizeof *row)
                     ? NULL
                     : "the demo did not hold",
-                DEMO);
+                BENCH_DEMO);
 }
 
 /* Nanoseconds of each frame, run by run: ns[(run * frames + f) * 2 + drawn]. The two boards take turns, a second each. */
@@ -151,55 +149,12 @@ static void plot_run(const double *ns, uint32_t frames)
     report_plot_end();
 }
 
-/* board_save at every second of the run. */
-static void snapshots(const struct rom *rom, const struct demo *d)
-{
-    struct player_piano p;
-    struct samples us = { 0 }, bytes = { 0 };
-    size_t room = 0;
-    void *buf = NULL;
-
-    piano_open(&p, rom, d);
-    for (uint32_t f = 0; f < d->frames; f++) {
-        piano_frame(&p, false);
-        if (f % SECOND)
-            continue;
-        size_t size = board_snapshot_size(p.b);
-        if (size > room) {
-            free(buf);
-            room = 2 * size;
-            buf = malloc(room);
-            if (!buf)
-                report_fail("out of memory");
-            memset(buf, 0, room);
-        }
-        board_save(p.b, buf);
-        double from = bench_now();
-        board_save(p.b, buf);
-        samples_add(&us, bench_since(from));
-        samples_add(&bytes, (double)size);
-    }
-    report_text(
-        "**A snapshot** (`board_save`), taken each second of the run, has %s bytes (%s at most) and takes %s µs (%s "
-        "in the slowest hundredth).",
-        report_figure(samples_median(&bytes)), report_figure(samples_quantile(&bytes, 1)), samples_figure(&us, 1e3),
-        report_figure(samples_quantile(&us, 0.99) / 1e3));
-    bench_target("a snapshot of the built-in game", "20 µs",
-                 report_string("%s µs", report_figure(samples_median(&us) / 1e3)), samples_median(&us) < 20e3);
-    samples_free(&us);
-    samples_free(&bytes);
-    free(buf);
-    piano_close(&p);
-}
-
 void section_game(void)
 {
     static struct demo demo;
     struct rom_image image;
-    char err[512];
 
-    if (!rom_image_load(GAME, false, &image, err, sizeof err) || !demo_load(&demo, DEMO, err, sizeof err))
-        report_fail(err);
+    bench_game(&image, &demo);
     double *ns = malloc((size_t)demo.frames * RUNS * 2 * sizeof *ns);
     if (!ns)
         report_fail("out of memory");
@@ -210,7 +165,7 @@ void section_game(void)
     report_text(
         "Its whole-run demo (`%s`): %s frames, %s minutes, each frame's median of %d runs. At the end of each run "
         "the state's hashes are those recorded.",
-        DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
+        BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
     report_table(NULL, "| frames a second> | in the slowest 600 frames> | which begin at second>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
                report_count(tick.at / SECOND), NULL);
@@ -218,7 +173,6 @@ void section_game(void)
                report_count(both.at / SECOND), NULL);
     report_table_end();
     plot_run(ns, demo.frames);
-    snapshots(&image.rom, &demo);
     bench_target("the built-in game's whole run with drawing", "2,000 frames a second", report_count((int64_t)both.all),
                  both.all >= 2000);
     bench_target("... in its slowest 600 frames", "1,000 frames a second", report_count((int64_t)both.slowest),
@@ -239,7 +193,7 @@ static double live_bytes(void)
     for (int i = 0; i < 2; i++) {
         struct scene s;
         bench_scene(&s, &(struct scene_want){ .does = "creep", .n = i * N, .bullets = N });
-        bytes[i] = (double)board_snapshot_size(s.b) - (double)heap_extent(s.b->vm.heap);
+        bytes[i] = (double)board_snapshot_size(s.b) - (double)heap_save(s.b->vm.heap, NULL);
         scene_close(&s);
     }
     return (bytes[1] - bytes[0]) / N;
@@ -261,7 +215,7 @@ void section_memory(void)
 {
     enum { MANY = 1 << 20 };
     double reserved = ((double)scene_ram(bench_rom(), 2 * MANY) - (double)scene_ram(bench_rom(), MANY)) / MANY;
-    double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(GAME) / (1 << 20);
+    double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(BENCH_GAME) / (1 << 20);
 
     report_section("Memory");
     report_text(

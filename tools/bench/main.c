@@ -17,7 +17,7 @@ static const struct {
 } SECTIONS[] = {
     { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
     { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
-    { "memory", section_memory },
+    { "rewind", section_rewind },   { "memory", section_memory },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
@@ -36,10 +36,10 @@ static const char ABOUT[] =
     "nothing with it move, test, hit, graze and draw the same, is compared in each run, and a difference fails it.\n"
     "\n"
     "* A figure is the median over many frames; **±** is half the distance of the quartiles. Times are the wall's, but "
-    "for the\n"
-    "  largest crowds and for memory, where they are the bench's own share of it. Things that are compared "
-    "run in\n"
-    "  turns, a slice of frames each, so a ratio is of one run and one moment.\n"
+    "of what takes\n"
+    "  long and is likely to be interrupted they are the bench's own share. Things that are compared run in turns, a "
+    "slice\n"
+    "  of frames each, so a ratio is of one run and one moment.\n"
     "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
     "picture\n"
     "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
@@ -56,6 +56,14 @@ const struct rom *bench_rom(void)
     if (!bench.image.bytes && !rom_image_load("roms/bench", false, &bench.image, err, sizeof err))
         report_fail(err);
     return &bench.image.rom;
+}
+
+void bench_game(struct rom_image *game, struct demo *run)
+{
+    char err[512];
+
+    if (!rom_image_load(BENCH_GAME, false, game, err, sizeof err) || !demo_load(run, BENCH_DEMO, err, sizeof err))
+        report_fail(err);
 }
 
 void bench_scene(struct scene *s, const struct scene_want *want)
