@@ -247,7 +247,7 @@ static void check_guess(struct tally *t, ang dir, u128 cosine, u128 sine)
     if (off + 0x1p-13 < 1.0 / 3)
         tally_right(t, 0.5 - off, dir, 0);
     else
-        tally_wrong(t, off, dir, 0, (int64_t)(c * FX_ONE), (int64_t)(s * FX_ONE));
+        tally_wrong(t, off, dir, 0, (int64_t)(off * 1000), 333);
 }
 
 static void guesses(uint64_t chunk, struct tally *t, uint64_t *random)
