@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""trig_tables.py - makes src/base/trig_tables.h: polynomials for the first guesses of sines and arc tangents.
+"""trig_tables.py - makes src/base/trig_tables.h: polynomials for the first guesses of sines, headings and arc tangents.
 
     tools/trig_tables.py >src/base/trig_tables.h
 
@@ -125,6 +125,39 @@ def arc_error(i, cell):
     return worst
 
 
+# ---- headings: RAYS rays of a turn, and what lies between them, h = -1/2 .. 1/2 of their distance in 2^-40 turns ----
+
+RAYS = 256
+REACH = Fraction(1 << 40, 2 * RAYS)
+
+
+def ray_parts(h):
+    """Cosine and sine of h / 2^40 turns."""
+    return [Fraction(v, ONE) for v in circle(2 * PI * h.numerator // (h.denominator << 40))]
+
+
+def ray(i):
+    return [float(v) if abs(v) > Fraction(1, 1 << 60) else 0.0 for v in ray_parts(Fraction(i << 40, RAYS))]
+
+
+def ray_step():
+    """The sine is odd: (s0 + s1 h^2) h. The cosine is even: 1 - (v0 + v1 h^2) h^2."""
+    sine = interpolate(lambda h: ray_parts(h)[1], 4, -REACH, REACH)
+    versine = interpolate(lambda h: (1 - ray_parts(h)[0]) / h**2, 3, -REACH, REACH)
+    return [float(v) for v in (sine[1], sine[3], versine[0], versine[2])]
+
+
+def ray_error(step):
+    s0, s1, v0, v1 = map(Fraction, step)
+    worst = 0
+    for k in range(1, 201):
+        h = REACH * k / 200
+        c, s = ray_parts(h)
+        c, s = 1 - (v0 + v1 * h**2) * h**2 - c, (s0 + s1 * h**2) * h - s
+        worst = max(worst, c * c + s * s)
+    return float(worst) ** 0.5
+
+
 # ---- the header ----
 
 
@@ -144,9 +177,11 @@ def main():
     arcs = [arc_cell(i) for i in range(65)]
     print("sines: off by at most %d / 2^40 of a unit" % max(map(sine_error, range(CELLS), sines)), file=sys.stderr)
     print("arcs: off by at most %.0f / 2^24 of an ang" % max(map(arc_error, range(65), arcs)), file=sys.stderr)
+    step = ray_step()
+    print("headings: off by at most %.4f / 2^44 of one" % (ray_error(step) * 2**44), file=sys.stderr)
     print("""/*
- * trig_tables.h - first guesses of sines and arc tangents; made by tools/trig_tables.py.
- * floor: base    used by: trig.c
+ * trig_tables.h - first guesses of sines, headings and arc tangents; made by tools/trig_tables.py.
+ * floor: base    used by: trig.c, trig_guess.h
  */
 #ifndef BASE_TRIG_TABLES_H
 #define BASE_TRIG_TABLES_H
@@ -169,8 +204,18 @@ static const double ARC[65][5] = {""")
     for c in arcs:
         print("    { %s }," % ", ".join(v.hex() for v in c))
     print("""};
+
+/* Cosine and sine of each of 256 rays. */
+static const double RAY[256][2] = {""")
+    print(column(("{ %s, %s }" % tuple(v.hex() for v in ray(i)) for i in range(RAYS))))
+    print("""};
+
+/* The sine of h / 2^40 turns, |h| <= 2^31, is (a + b h^2) h; one less its cosine is (c + d h^2) h^2. */
+static const struct {
+    double a, b, c, d;
+} RAY_STEP = { %s };
 #endif
-/* clang-format on */
+""" % ", ".join(v.hex() for v in step) + """/* clang-format on */
 
 #endif""")
 

@@ -10,9 +10,11 @@
  *
  * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides unless it is near halfway between
  * two; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
- * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-31 of a unit, and decided likewise.
+ * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h), what that leaves
+ * in doubt by the series to 2^-29, and decided likewise. Strides start from the series.
  */
 #include "trig.h"
+#include "trig_guess.h"
 #include "trig_tables.h"
 
 /* A step of Horner's rule. Terms are in units of 2^-(64 + n), to keep 64 bits busy; n falls by `shift` a step. */
@@ -329,13 +331,52 @@ static inline int64_t along_y(const struct heading *h, int64_t length)
     return scaled(length, h->s, h->v, h->swap, h->up);
 }
 
-void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+FX_COLD static void polar_by_series(fx speed, ang dir, fx *vx, fx *vy)
 {
     struct heading h = heading_of(dir);
 
     *vx = fx_sat(along_x(&h, speed));
     *vy = fx_sat(along_y(&h, speed));
 }
+
+#ifdef FX_INTEGER
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    polar_by_series(speed, dir, vx, vy);
+}
+#else
+/* The whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below 2^-10. */
+static inline uint64_t in_steps(double v)
+{
+    double sum = v + 6597069766656.5;
+    uint64_t bits;
+
+    memcpy(&bits, &sum, sizeof bits);
+    return bits;
+}
+
+/*
+ * The guess is off by less than 2.56 / 2^44, so the product by less than a third of a step of 2^-10, its rounding
+ * included, and the step nearest to it by less than one. So unless that is a whole number of units, nothing whole lies
+ * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides. Only
+ * from FX_MIN can more come than an fx holds.
+ */
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    double cosine, sine;
+
+    trig_circle_guess(dir, &cosine, &sine);
+
+    uint64_t x = in_steps(speed * cosine), y = in_steps(speed * sine);
+
+    if (!FX_USUAL(x & 1023 && y & 1023 && speed != FX_MIN)) {
+        polar_by_series(speed, dir, vx, vy);
+        return;
+    }
+    *vx = (fx)(x >> 10);
+    *vy = (fx)(y >> 10);
+}
+#endif
 
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
 {

@@ -551,6 +551,7 @@ RIVAL_2(polar_64k,
         (x = fx_mul(s->a, SINES_64K[(ang)(s->dir + QUARTER) >> 16]), y = fx_mul(s->a, SINES_64K[s->dir >> 16])))
 RIVAL_2(polar_q30, (x = times_30(s->a, trig_cos30(s->dir)), y = times_30(s->a, trig_sin30(s->dir))))
 RIVAL_2(polar_engine, trig_polar(s->a, s->dir, &x, &y))
+RIVAL_2(polar_twin, twin_polar(s->a, s->dir, &x, &y))
 RIVAL_2(polar_cordic, polar_cordic_of(s->a, s->dir, &x, &y))
 RIVAL_2(polar_106, (x = (fx)exact(truth_sin((int64_t)s->a * 65536, s->dir + QUARTER)),
                     y = (fx)exact(truth_sin((int64_t)s->a * 65536, s->dir))))
@@ -560,13 +561,14 @@ RIVAL_2(polar_lfm, (x = fix16_smul(s->a, fix16_cos(s->rad)), y = fix16_smul(s->a
 static const struct rival POLAR[] = {
     ROW(CHEAPER, false, polar_256, "256 entries, cut", "1 KiB, 1.4°",
         "the look of an 8-bit machine: headings are 1.4° off"),
-    ROW(CHEAPER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB, 0.0027°",
-        "short-lived bullets of a 16-bit machine"),
-    ROW(CHEAPER, false, polar_q16, "speed × Q16 sine", "a rounding that grows with the speed",
-        "nobody: the sine's rounding is multiplied by the speed"),
-    ROW(CHEAPER, false, polar_q30, "speed × Q30 sine", "a second rounding",
-        "who holds such a sine already: one rounding, off by 0.02 ulp"),
     ROW(ENGINE, false, polar_engine, "trig_polar", "nothing", "every scene; motion.def{ fine=true } for more bits"),
+    ROW(DEARER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB, 0.0027°; time",
+        "the look of a 16-bit machine: headings are 0.0027° off"),
+    ROW(DEARER, false, polar_q16, "speed × Q16 sine", "a rounding that grows with the speed; time",
+        "nobody: the sine's rounding is multiplied by the speed"),
+    ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time",
+        "who holds such a sine already: one rounding, off by 0.02 ulp"),
+    ROW(DEARER, false, polar_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(ORACLE, false, polar_106, "106 bits", "time", "oracles"),
     ROW(LIBRARY, true, polar_libm, "libm sin and cos", "sameness between hosts",

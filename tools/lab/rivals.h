@@ -50,6 +50,7 @@ fx twin_sqrt(fx x);
 fx twin_rsqrt(fx x);
 fx twin_hypot(fx x, fx y);
 ang twin_atan2(fx y, fx x);
+void twin_polar(fx speed, ang dir, fx *vx, fx *vy);
 void twin_normalise(fx x, fx y, fx *ux, fx *uy);
 
 #endif

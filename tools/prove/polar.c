@@ -3,20 +3,22 @@
  * floor: tools
  *
  * A part is +-m c, where m <= 2^31 is the speed's magnitude and c the cosine of u angs, u in a quarter turn: 2^30 + 1
- * values c. trig_polar is right by its error bound unless m c is near halfway between two whole numbers, and then it
- * decides with 128 bits; so what has to be shown is that these suffice for the nearest there is. m c near halfway
- * means 2mc near an odd number. Wherever |2mc - odd| < 1/(4m), which is 2^-33 at most, odd/2m is a convergent of the
- * continued fraction of c, or an odd multiple of one (Legendre). So all of them are found by walking the continued
- * fractions of all c as far as denominators of 2^32; each m found within 2^-33 of halfway is tried.
+ * values c. trig_polar is right by its error bounds unless m c is near halfway between two whole numbers, and then it
+ * decides with 128 bits. That of the guess in doubles is checked in every direction. What then has to be shown is that
+ * the 128 bits suffice for the nearest there is. m c near halfway means 2mc near an odd number. Wherever
+ * |2mc - odd| < 1/(4m), which is 2^-33 at most, odd/2m is a convergent of the continued fraction of c, or an odd
+ * multiple of one (Legendre). So all of them are found by walking the continued fractions of all c as far as
+ * denominators of 2^32; each m found within 2^-33 of halfway is tried.
  *
  * Oracle: c to 124 bits, so m c to 2^-93; what is nearer to halfway than 2^-90 is decided by MPFR.
  *
  * trig_stride, the same for lengths to 2^48, is held to what its header says, for random arguments.
  */
 #include "../../src/base/trig.h"
+#include "../../src/base/trig_guess.h"
 #include "oracle.h"
 
-enum { POLAR, STRIDE, CHUNK = 1 << 10 };
+enum { POLAR, STRIDE, GUESS, CHUNK = 1 << 10 };
 static const uint64_t SPEED_MOST = (uint64_t)1 << 31;
 static const ang QUARTER = 0x40000000;
 
@@ -225,11 +227,60 @@ static void prove_stride(void)
     prove_line(STRIDE, "trig_stride", "random lengths to 2^48; not held to places within 2^-70 of halfway");
 }
 
+#ifndef FX_INTEGER
+/* |guess - exact| in steps of 2^-41: of the greatest speed's velocity, that is 2^-10 units. */
+static double guess_error(double guess, u128 exact, bool minus)
+{
+    int64_t q = (int64_t)(exact >> 66), off = (int64_t)(guess * 0x1p62) - (minus ? -q : q);
+
+    return fabs((double)off) * 0x1p-21;
+}
+
+/* Both parts must be within a third of a step, the rounding of the product, 2^-13 of it, included. */
+static void check_guess(struct tally *t, ang dir, u128 cosine, u128 sine)
+{
+    uint32_t q = dir >> 30;
+    double c, s, off;
+
+    trig_circle_guess(dir, &c, &s);
+    off = fmax(guess_error(c, q & 1 ? sine : cosine, q == 1 || q == 2), guess_error(s, q & 1 ? cosine : sine, q >= 2));
+    if (off + 0x1p-13 < 1.0 / 3)
+        tally_right(t, 0.5 - off, dir, 0);
+    else
+        tally_wrong(t, off, dir, 0, (int64_t)(off * 1000), 333);
+}
+
+static void guesses(uint64_t chunk, struct tally *t, uint64_t *random)
+{
+    (void)random;
+    for (uint32_t i = 0; i < CHUNK; i++) {
+        uint32_t u = (uint32_t)chunk * CHUNK + i;
+        u128 s, c;
+
+        oracle_circle(2 * u, &s, &c);
+        for (uint32_t q = 0; q < 4; q++)
+            check_guess(&t[GUESS], q * QUARTER + u, c, s);
+    }
+}
+
+static void prove_guess(void)
+{
+    oracle_open();
+    prove_phase(guesses, QUARTER / CHUNK, 4000);
+    prove_line(GUESS, "trig_guess",
+               "every direction; an ulp being 2^-41, of which less than 1/3 is right; against sums of two angles of "
+               "128-bit tables");
+}
+#endif
+
 int main(int argc, char **argv)
 {
     static const struct proof PROOFS[] = {
         { "trig_polar", prove_polar },
         { "trig_stride", prove_stride },
+#ifndef FX_INTEGER
+        { "trig_guess", prove_guess },
+#endif
     };
 
     return prove_main(argc, argv, PROOFS, COUNT(PROOFS));

@@ -16,8 +16,8 @@ for program; do
     "$dir/$program" --hard "$dir/hard.new" | tee -a "$dir/said"
     [ "${PIPESTATUS[0]}" = 0 ] || { echo "prove: $program FAILED" | tee -a "$dir/said"; failed=1; }
 done
-# Of strides and of products, all are alike.
-grep -v -e trig_stride -e trig_turn -e fx_mul -e fx_lerp "$dir/hard.new" >"$dir/hard.inc"
+# Of strides and of products, all are alike; of guesses, none is near a tie.
+grep -v -e trig_stride -e trig_guess -e trig_turn -e fx_mul -e fx_lerp "$dir/hard.new" >"$dir/hard.inc"
 summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
     END { printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong; exit wrong > 0 }' "$dir/said") || failed=1
 {

@@ -1,0 +1,30 @@
+/*
+ * trig_guess.h - the first guess of trig_polar: cosine and sine of a direction in doubles. In a file of its own so that
+ * the proof can try it in all directions.
+ * floor: base    used by: trig.c, tools/prove/
+ */
+#ifndef BASE_TRIG_GUESS_H
+#define BASE_TRIG_GUESS_H
+
+#ifndef FX_INTEGER
+#include "fx.h"
+#include "trig_tables.h"
+
+/*
+ * It is h / 2^40 turns from the nearest of 256 rays, |h| <= 2^31: c cos h - s sin h and s cos h + c sin h. With the
+ * polynomials that is within 2.551 / 2^44. The roundings add less than 2^-52 to a part: 2^-54 each that of the table's
+ * entry and that of the last sum, 2^-57 those of the change, which is below 2^-6.3. So 2.56 / 2^44 in all (make prove:
+ * every direction).
+ */
+static inline void trig_circle_guess(ang dir, double *cosine, double *sine)
+{
+    const double *ray = RAY[(ang)(dir + 0x800000) >> 24];
+    double c = ray[0], s = ray[1], h = (int32_t)(dir << 8), hh = h * h;
+    double sin_h = (RAY_STEP.a + RAY_STEP.b * hh) * h, versin_h = (RAY_STEP.c + RAY_STEP.d * hh) * hh;
+
+    *cosine = c - (c * versin_h + s * sin_h);
+    *sine = s + (c * sin_h - s * versin_h);
+}
+#endif
+
+#endif
