@@ -17,32 +17,33 @@
 
 enum {
     MANY = 4,      /* fewer shots are not worth a sort */
-    A_CELL = 1,    /* enemies a cell: fewer make empty cells, more make long scans */
-    SMALLEST = 16, /* cells are 2^16 wide, a pixel, at the least */
-    MOST_CELLS = 3 * (MAX_ENEMIES / A_CELL + 2),
+    RUN = 5,       /* enemies of three cells in a row that are looked at in one go */
+    MOST_CELLS = 3 * (MAX_ENEMIES * 3 / 2 + 2),
     NOBODY = MAX_ENEMIES
 };
 
-/*
- * Enemies that shots can hit, by cell, row by row. The outermost cells are empty. The grid's unit is 2^-up of an fx, so
- * that in a dense crowd the squares of distances are multiples of a number above any rank.
- */
+/* Where an enemy was, seen from the grid's corner, and the square of that, times 2^bits, with its slot in the low bits. */
+struct place {
+    uint32_t x, y;
+    int64_t square;
+};
+
+/* Enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
 struct crowd {
     uint32_t n;
-    int64_t left, top;        /* the grid's corner, an fx */
+    int64_t left, top;        /* the grid's corner */
     int64_t wide, high;       /* of the grid */
-    int64_t reach_x, reach_y; /* most that an enemy extends from where it was, in fx */
-    int64_t core; /* whoever was that near to an enemy touched it, in fx; negative: an enemy touches nothing */
-    int up, shift_x, shift_y; /* cells are 2^shift wide */
-    int64_t half_x, half_y;   /* half a cell */
+    int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
+    int64_t core;             /* whoever was that near to an enemy touched it; negative: an enemy touches nothing */
+    int64_t scale;            /* from fx to 2^-32 of a cell */
+    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    uint32_t ranks; /* all bits of ranks */
+    int bits; /* of slots */
     bool dense;
-    int64_t x[MAX_ENEMIES], y[MAX_ENEMIES];
-    uint64_t rank[MAX_ENEMIES];
-    uint16_t slot[MAX_ENEMIES];     /* by rank */
+    uint16_t slot[MAX_ENEMIES];        /* of each, not sorted */
+    struct place place[MAX_ENEMIES + RUN];
     uint16_t begin[MOST_CELLS + 1]; /* of each cell; the last: n */
-    uint64_t sure[MAX_KINDS];       /* a shot of that kind touches what was less far, squared, in the grid */
+    int64_t sure[MAX_KINDS];        /* a shot of that kind touches what was less far, squared */
 };
 
 /* A shot that searches. */
@@ -53,8 +54,8 @@ struct search {
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
-    uint64_t best;          /* the square of the distance of what was found, in fx */
-    uint64_t found;         /* its rank */
+    uint64_t best;          /* the square of the distance of what was found */
+    uint32_t found;         /* its slot */
 };
 
 static inline int64_t least(int64_t a, int64_t b)
@@ -72,20 +73,9 @@ static inline int64_t size(int64_t v)
     return v < 0 ? -v : v;
 }
 
-static inline uint64_t lower(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 static inline int32_t clamp(int64_t v, int32_t lo, int32_t hi)
 {
     return v < lo ? lo : v > hi ? hi : (int32_t)v;
-}
-
-/* Is it, a square, less than the square of d? For 0 <= d < 2^32. */
-static inline bool less_far(uint64_t best, int64_t d)
-{
-    return best < (uint64_t)d * (uint64_t)d;
 }
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
@@ -93,13 +83,24 @@ static inline uint64_t squares(int64_t dx, int64_t dy)
     return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
-/* v in units of the grid. */
-static inline int64_t scaled(const struct crowd *c, int64_t v)
+static inline uint32_t slot_of(const struct crowd *c, int64_t square)
 {
-    return (int64_t)((uint64_t)v << c->up);
+    return (uint32_t)square & (((uint32_t)1 << c->bits) - 1);
 }
 
 /* ---- the grid ---- */
+
+/* The column or row of a place in the grid. */
+static inline int64_t cell_of(const struct crowd *c, int64_t v)
+{
+    return v * c->scale >> 32;
+}
+
+/* How far what is so many 2^-32 of a cell away is at the least. */
+static inline int64_t length(const struct crowd *c, int64_t share)
+{
+    return (share >> 16) * c->cell >> 16;
+}
 
 /* Half the height of a kind's shape. */
 static inline fx half_height(uint8_t shape, fx a, fx b)
@@ -107,14 +108,8 @@ static inline fx half_height(uint8_t shape, fx a, fx b)
     return shape == SHAPE_BOX ? b : a;
 }
 
-/* Where they were, and the size of the box around that. */
-struct places {
-    fx x[MAX_ENEMIES], y[MAX_ENEMIES];
-    int64_t across, down;
-};
-
-/* Lists those that can be hit, and measures them. */
-static void gather(struct crowd *c, const struct board *b, struct places *was)
+/* Lists those that can be hit, and measures them: the box they were in, and how far they extend. */
+static void gather(struct crowd *c, const struct board *b)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -131,9 +126,7 @@ static void gather(struct crowd *c, const struct board *b, struct places *was)
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
             assert(n < MAX_ENEMIES);
-            c->slot[n] = (uint16_t)i;
-            was->x[n] = x;
-            was->y[n++] = y;
+            c->slot[n++] = (uint16_t)i;
             left = x < left ? x : left;
             right = x > right ? x : right;
             top = y < top ? y : top;
@@ -145,57 +138,49 @@ static void gather(struct crowd *c, const struct board *b, struct places *was)
     c->n = n;
     c->left = left;
     c->top = top;
+    c->wide = (int64_t)right - left;
+    c->high = (int64_t)bottom - top;
     c->reach_x = reach_x;
     c->reach_y = reach_y;
     c->core = core;
-    was->across = (int64_t)right - left;
-    was->down = (int64_t)bottom - top;
 }
 
-/* Halves the cells, the wider side first, while no more than so many are needed for a box of this size. */
-static void divide(struct crowd *c, int64_t across, int64_t down, uint32_t cells)
+/* Makes the cells as small as they can be if no more than so many are to hold the box. */
+static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
 {
-    int x = 31, y = 31;
-
-    for (bool wider = true; x > SMALLEST; wider = x >= y) {
-        uint64_t cols = (uint64_t)(across >> (x - wider)) + 1, rows = (uint64_t)(down >> (y - !wider)) + 1;
-        if (cols * rows > cells)
-            break;
-        x -= wider;
-        y -= !wider;
+    c->scale = 2;
+    for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
+        int64_t finer = c->scale | bit;
+        if (((c->wide * finer >> 32) + 1) * ((c->high * finer >> 32) + 1) <= cells)
+            c->scale = finer;
     }
-    c->cols = (across >> x) + 3;
-    c->rows = (down >> y) + 3;
-    c->left -= (int64_t)1 << x;
-    c->top -= (int64_t)1 << y;
-    c->up = 0;
-    while (c->n >> 2 * c->up)
-        c->up++;
-    int64_t wide = c->cols << x, high = c->rows << y;
-    c->dense = most(wide, high) << c->up <= (int64_t)1 << 31 && c->reach_x * 2 > (int64_t)1 << x &&
-               c->reach_y * 2 > (int64_t)1 << y;
-    c->up = c->dense ? c->up : 0;
-    c->ranks = ((uint32_t)1 << 2 * c->up) - 1;
-    c->shift_x = x + c->up;
-    c->shift_y = y + c->up;
-    c->half_x = (int64_t)1 << c->shift_x >> 1;
-    c->half_y = (int64_t)1 << c->shift_y >> 1;
-    c->wide = wide << c->up;
-    c->high = high << c->up;
+    c->cell = ((int64_t)1 << 32) / c->scale;
+    c->left -= c->cell + 1;
+    c->top -= c->cell + 1;
+    c->cols = cell_of(c, c->wide + c->cell + 1) + 2;
+    c->rows = cell_of(c, c->high + c->cell + 1) + 2;
+    c->wide = c->cols * (c->cell + 1);
+    c->high = c->rows * (c->cell + 1);
+    for (c->bits = 0; slots > (uint32_t)1 << c->bits; c->bits++)
+        ;
+    c->dense = squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
+               c->reach_y * 2 > c->cell;
 }
 
 /* A counting sort. */
-static void sort(struct crowd *c, const struct places *was)
+static void sort(struct crowd *c, const struct enemies *e)
 {
     uint16_t cell[MAX_ENEMIES], *begin = c->begin;
     const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
     const int64_t left = c->left, top = c->top, cols = c->cols;
-    const int up = c->up, shift_x = c->shift_x - up, shift_y = c->shift_y - up;
+    const int64_t scale = c->scale;
+    const int bits = c->bits;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
     for (size_t i = 0; i < n; i++) {
-        cell[i] = (uint16_t)(((was->y[i] - top) >> shift_y) * cols + ((was->x[i] - left) >> shift_x));
+        uint32_t slot = c->slot[i];
+        cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
         begin[cell[i]]++;
     }
     for (size_t i = 0; i <= cells; i++) {
@@ -203,33 +188,34 @@ static void sort(struct crowd *c, const struct places *was)
         begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
     }
     for (size_t i = n; i-- > 0;) {
-        uint32_t at = --begin[cell[i]];
-        c->x[at] = (was->x[i] - left) << up;
-        c->y[at] = (was->y[i] - top) << up;
-        c->rank[at] = i;
+        uint32_t at = --begin[cell[i]], slot = c->slot[i];
+        int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
+        c->place[at] = (struct place){ (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
     }
+    for (size_t i = n; i < n + RUN; i++)
+        c->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
 /* ---- the search by rings ---- */
 
-/* The nearest of a run of cells that is touched; of equals, the one of the lower rank. */
+/* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
 static void touched(struct search *s, int32_t row, int32_t from, int32_t to)
 {
     const uint16_t *begin = s->c->begin + row * s->c->cols;
 
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
-        int64_t x = s->c->x[i], y = s->c->y[i];
-        uint64_t rank = s->c->rank[i];
+        const struct place *p = &s->c->place[i];
+        const int64_t x = p->x, y = p->y;
+        uint32_t slot = slot_of(s->c, p->square);
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
-        int64_t dx = (s->x - x) >> s->c->up, dy = (s->y - y) >> s->c->up;
-        uint64_t d = squares(dx, dy);
-        if (d > s->best || (d == s->best && rank > s->found))
+        uint64_t d = squares(s->x - x, s->y - y);
+        if (d > s->best || (d == s->best && slot > s->found))
             continue;
-        struct body e = enemy(s->b, s->c->slot[rank]);
+        struct body e = enemy(s->b, slot);
         if (touch(&s->shot, &e, s->swept)) {
             s->best = d;
-            s->found = rank;
+            s->found = slot;
         }
     }
 }
@@ -239,11 +225,11 @@ static bool reach(struct search *s)
 {
     const struct crowd *c = s->c;
     const struct body *p = &s->shot;
-    int64_t x = scaled(c, p->x - c->left), ex = scaled(c, p->a + c->reach_x);
-    int64_t y = scaled(c, p->y - c->top), ey = scaled(c, half_height(p->shape, p->a, p->b) + c->reach_y);
+    int64_t x = p->x - c->left, ex = p->a + c->reach_x;
+    int64_t y = p->y - c->top, ey = half_height(p->shape, p->a, p->b) + c->reach_y;
 
-    s->x = x - scaled(c, p->mx);
-    s->y = y - scaled(c, p->my);
+    s->x = x - p->mx;
+    s->y = y - p->my;
     s->x0 = most(least(x, s->x) - ex, 0);
     s->x1 = least(most(x, s->x) + ex, c->wide - 1);
     s->y0 = most(least(y, s->y) - ey, 0);
@@ -258,12 +244,13 @@ static bool reach(struct search *s)
  */
 static void search_rings(struct search *s)
 {
-    const int shift_x = s->c->shift_x, shift_y = s->c->shift_y, up = s->c->up;
-    const int32_t left = (int32_t)(s->x0 >> shift_x), right = (int32_t)(s->x1 >> shift_x);
-    const int32_t top = (int32_t)(s->y0 >> shift_y), bottom = (int32_t)(s->y1 >> shift_y);
-    const int32_t x = clamp(s->x >> shift_x, left, right), y = clamp(s->y >> shift_y, top, bottom);
-    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0) >> up;
-    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0) >> up;
+    const struct crowd *c = s->c;
+    const int32_t left = (int32_t)cell_of(c, s->x0), right = (int32_t)cell_of(c, s->x1);
+    const int32_t top = (int32_t)cell_of(c, s->y0), bottom = (int32_t)cell_of(c, s->y1);
+    const int32_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
+    const int64_t in_x = s->x * c->scale, in_y = s->y * c->scale;
+    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0);
+    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0);
     const int64_t far = INT64_MAX;
 
     for (int32_t r = 0;; r++) {
@@ -279,11 +266,12 @@ static void search_rings(struct search *s)
             if (x1 <= right)
                 touched(s, row, x1, x1);
         }
-        int64_t dx = least(x0 > left ? s->x - ((int64_t)x0 << shift_x) : far,
-                           x1 < right ? ((int64_t)(x1 + 1) << shift_x) - s->x : far);
-        int64_t dy = least(y0 > top ? s->y - ((int64_t)y0 << shift_y) : far,
-                           y1 < bottom ? ((int64_t)(y1 + 1) << shift_y) - s->y : far);
-        if ((dx == far || s->best < squares(dx >> up, gap_y)) && (dy == far || s->best < squares(dy >> up, gap_x)))
+        int64_t dx = least(x0 > left ? in_x - ((int64_t)x0 << 32) : far,
+                           x1 < right ? ((int64_t)(x1 + 1) << 32) - in_x : far);
+        int64_t dy = least(y0 > top ? in_y - ((int64_t)y0 << 32) : far,
+                           y1 < bottom ? ((int64_t)(y1 + 1) << 32) - in_y : far);
+        if ((dx == far || s->best < squares(length(c, dx), gap_y)) &&
+            (dy == far || s->best < squares(length(c, dy), gap_x)))
             return;
     }
 }
@@ -297,64 +285,90 @@ static uint32_t target_by_rings(const struct board *b, const struct crowd *c, ui
     if (s.shot.shape == SHAPE_NONE || !reach(&s))
         return NOBODY;
     search_rings(&s);
-    return (uint32_t)s.found;
+    return s.found;
 }
 
 /* ---- the search of a dense crowd ---- */
 
-/* How far enemy i was, squared, and its rank: the lowest key is the enemy to be hit if it is touched. */
-static inline uint64_t key(const struct crowd *c, size_t i, int64_t x, int64_t y)
+/* Of all enemies, the nearest to (x, y) has the lowest key: by how much its distance, squared, is above that of ... */
+static inline int64_t lower(const struct place *p, int64_t x, int64_t y, int64_t best)
 {
-    int64_t dx = c->x[i] - x, dy = c->y[i] - y;
+    int64_t key = p->square + p->x * x + p->y * y;
 
-    return (uint64_t)(dx * dx + dy * dy) | c->rank[i];
+    return key < best ? key : best;
 }
 
-/* The lowest key of a run of cells, or best. */
-static inline uint64_t lowest(const struct crowd *c, size_t i, size_t end, int64_t x, int64_t y, uint64_t best)
+/* The lowest key in the cells that are h or less from (col, row). */
+static int64_t lowest_around(const struct crowd *c, int64_t col, int64_t row, int64_t h, int64_t x, int64_t y)
 {
-    for (; i < end; i++)
-        best = lower(best, key(c, i, x, y));
-    return best;
-}
-
-/* The same for the cells that are h or less around the corner (col, row). */
-static uint64_t lowest_around(const struct crowd *c, int64_t col, int64_t row, int64_t h, int64_t x, int64_t y)
-{
-    const int64_t from = most(col - h, 0), to = least(col + h, c->cols), end = least(row + h, c->rows);
-    uint64_t best = UINT64_MAX;
+    const int64_t from = most(col - h, 0), to = least(col + h + 1, c->cols), end = least(row + h + 1, c->rows);
+    int64_t best = INT64_MAX;
 
     for (int64_t r = most(row - h, 0); r < end; r++)
-        best = lowest(c, c->begin[r * c->cols + from], c->begin[r * c->cols + to], x, y, best);
+        for (uint32_t i = c->begin[r * c->cols + from]; i < c->begin[r * c->cols + to]; i++)
+            best = lower(&c->place[i], x, y, best);
     return best;
 }
 
-/* The rank of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
-static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i)
+static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y, int64_t best)
 {
-    const struct bullets *s = &b->shots;
-    const int64_t half_x = c->half_x, half_y = c->half_y;
-    const int64_t x = scaled(c, (int64_t)s->x[i] - s->vx[i] - c->left), ahead_x = x + half_x;
-    const int64_t y = scaled(c, (int64_t)s->y[i] - s->vy[i] - c->top), ahead_y = y + half_y;
-    const int64_t col = ahead_x >> c->shift_x, row = ahead_y >> c->shift_y; /* of the nearest corner of four cells */
+    best = lower(p, x, y, best);
+    best = lower(p + 1, x, y, best);
+    best = lower(p + 2, x, y, best);
+    best = lower(p + 3, x, y, best);
+    return lower(p + 4, x, y, best);
+}
 
-    if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 1) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 1))
+/* Places of a block of shots before their moves, in a dense crowd's grid; those that are far outside are so modulo 2^32. */
+struct flight {
+    uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
+};
+
+static void locate(struct flight *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+{
+    const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        f->x[i] = (uint32_t)x[i] - (uint32_t)vx[i] - left;
+        f->y[i] = (uint32_t)y[i] - (uint32_t)vy[i] - top;
+    }
+}
+
+/* The slot of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
+static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i, int64_t x, int64_t y)
+{
+    const int64_t in_x = x * c->scale, in_y = y * c->scale, one = (int64_t)1 << 32;
+    const int64_t col = in_x >> 32, row = in_y >> 32;
+
+    if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 2))
         return NOBODY;
-    const uint16_t *below = c->begin + row * c->cols + col, *above = below - c->cols;
-    const int64_t off_x = size((ahead_x & (2 * half_x - 1)) - half_x);
-    const int64_t off_y = size((ahead_y & (2 * half_y - 1)) - half_y);
-    uint64_t best = lowest(c, above[-1], above[1], x, y, UINT64_MAX);
-    best = lowest(c, below[-1], below[1], x, y, best);
-    if (!less_far(best, least(2 * half_x - off_x, 2 * half_y - off_y))) {
-        best = lowest_around(c, col, row, 2, x, y);
-        if (!less_far(best, least(4 * half_x - off_x, 4 * half_y - off_y)))
+    const uint16_t *middle = c->begin + row * c->cols + col - 1, *above = middle - c->cols, *below = middle + c->cols;
+    const int64_t kx = -(x << (c->bits + 1)), ky = -(y << (c->bits + 1));
+    const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
+    const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
+    int64_t best = INT64_MAX;
+    if (above[3] - above[0] > RUN || middle[3] - middle[0] > RUN || below[3] - below[0] > RUN) {
+        best = lowest_around(c, col, row, 1, kx, ky);
+    } else {
+        best = lowest_run(&c->place[above[0]], kx, ky, best);
+        best = lowest_run(&c->place[middle[0]], kx, ky, best);
+        best = lowest_run(&c->place[below[0]], kx, ky, best);
+    }
+    const int64_t here = x * x + y * y;
+    int64_t d = (best >> c->bits) + here;
+    if (d >= edge * edge) {
+        best = lowest_around(c, col, row, 2, kx, ky);
+        d = (best >> c->bits) + here;
+        const int64_t e2 = edge + c->cell;
+        if (d >= e2 * e2)
             return NOBODY;
     }
-    uint32_t rank = (uint32_t)best & c->ranks;
-    if (best < c->sure[s->kind[i]])
-        return rank;
-    struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, c->slot[rank]);
-    return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? rank : NOBODY;
+    uint32_t slot = slot_of(c, best);
+    const struct bullets *s = &b->shots;
+    if (d < c->sure[s->kind[i]])
+        return slot;
+    struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, slot);
+    return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NOBODY;
 }
 
 /* A circle fits into each shape; swept shots touch whom their circle touched before they moved. */
@@ -363,7 +377,7 @@ static void judge(struct crowd *c, const struct bullet_kinds *k)
     for (uint32_t i = 0; i < k->s.live; i++) {
         int64_t core = least(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && c->core >= 0;
-        uint64_t r = sure ? (uint64_t)least(scaled(c, core + c->core), UINT32_MAX) : 0;
+        int64_t r = sure ? least(core + c->core, FX_MAX) : 0;
         c->sure[i] = r * r;
     }
 }
@@ -384,23 +398,25 @@ void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
     struct crowd c;
-    struct places was;
 
     if (!s->live || !b->enemies.s.live)
         return;
-    gather(&c, b, &was);
+    gather(&c, b);
     if (!c.n)
         return;
-    divide(&c, was.across, was.down, s->live < MANY ? 1 : c.n / A_CELL);
-    sort(&c, &was);
+    divide(&c, s->live < MANY ? 1 : c.n * 3 / 2, b->enemies.s.top);
+    sort(&c, &b->enemies);
     if (c.dense)
         judge(&c, &b->shot_kinds);
-    for (uint32_t word = 0; word < s->top / 64; word++)
+    struct flight f;
+    for (uint32_t word = 0; word < s->top / 64; word++) {
+        locate(&f, &b->shots, word * 64, (uint32_t)c.left, (uint32_t)c.top);
         for (uint64_t bits = s->used[word]; bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits);
-            uint32_t rank = c.dense ? target_nearest(b, &c, i) : NOBODY;
-            rank = rank == NOBODY ? target_by_rings(b, &c, i) : rank;
-            if (rank != NOBODY)
-                hit(b, i, c.slot[rank]);
+            uint32_t at = lowest_bit(bits), i = word * 64 + at;
+            uint32_t slot = c.dense ? target_nearest(b, &c, i, f.x[at], f.y[at]) : NOBODY;
+            slot = slot == NOBODY ? target_by_rings(b, &c, i) : slot;
+            if (slot != NOBODY)
+                hit(b, i, slot);
         }
+    }
 }
