@@ -16,8 +16,8 @@
 #include <string.h>
 
 enum {
-    MANY = 4,      /* fewer shots are not worth a sort */
-    RUN = 5,       /* enemies of three cells in a row that are looked at in one go */
+    MANY = 4, /* fewer shots are not worth a sort */
+    RUN = 10, /* enemies of three cells in a row that are looked at in one go */
     MOST_CELLS = 3 * (MAX_ENEMIES * 3 / 2 + 2),
     NOBODY = MAX_ENEMIES
 };
@@ -38,9 +38,10 @@ struct crowd {
     int64_t scale;            /* from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int bits; /* of slots */
+    int64_t spread; /* a row's list also holds the rows so many above and below it: 1, or 0 when there is no room */
+    int bits;       /* of slots */
     bool dense;
-    uint16_t slot[MAX_ENEMIES];        /* of each, not sorted */
+    uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
     struct place place[MAX_ENEMIES + RUN];
     uint16_t begin[MOST_CELLS + 1]; /* of each cell; the last: n */
     int64_t sure[MAX_KINDS];        /* a shot of that kind touches what was less far, squared */
@@ -73,9 +74,9 @@ static inline int64_t size(int64_t v)
     return v < 0 ? -v : v;
 }
 
-static inline int32_t clamp(int64_t v, int32_t lo, int32_t hi)
+static inline int64_t clamp(int64_t v, int64_t lo, int64_t hi)
 {
-    return v < lo ? lo : v > hi ? hi : (int32_t)v;
+    return v < lo ? lo : v > hi ? hi : v;
 }
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
@@ -163,7 +164,8 @@ static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
     c->high = c->rows * (c->cell + 1);
     for (c->bits = 0; slots > (uint32_t)1 << c->bits; c->bits++)
         ;
-    c->dense = squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
+    c->spread = c->n <= MAX_ENEMIES / 3;
+    c->dense = c->spread && squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
                c->reach_y * 2 > c->cell;
 }
 
@@ -173,7 +175,7 @@ static void sort(struct crowd *c, const struct enemies *e)
     uint16_t cell[MAX_ENEMIES], *begin = c->begin;
     const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
     const int64_t left = c->left, top = c->top, cols = c->cols;
-    const int64_t scale = c->scale;
+    const int64_t scale = c->scale, spread = c->spread * cols;
     const int bits = c->bits;
     uint32_t sum = 0;
 
@@ -181,25 +183,28 @@ static void sort(struct crowd *c, const struct enemies *e)
     for (size_t i = 0; i < n; i++) {
         uint32_t slot = c->slot[i];
         cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
-        begin[cell[i]]++;
+        for (int64_t at = cell[i] - spread; at <= cell[i] + spread; at += cols)
+            begin[at]++;
     }
     for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
         begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
     }
     for (size_t i = n; i-- > 0;) {
-        uint32_t at = --begin[cell[i]], slot = c->slot[i];
+        uint32_t slot = c->slot[i];
         int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
-        c->place[at] = (struct place){ (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
+        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
+        for (int64_t at = cell[i] - spread; at <= cell[i] + spread; at += cols)
+            c->place[--begin[at]] = p;
     }
-    for (size_t i = n; i < n + RUN; i++)
+    for (size_t i = sum; i < sum + RUN; i++)
         c->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
 /* ---- the search by rings ---- */
 
 /* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
-static void touched(struct search *s, int32_t row, int32_t from, int32_t to)
+static void touched(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->c->begin + row * s->c->cols;
 
@@ -245,31 +250,34 @@ static bool reach(struct search *s)
 static void search_rings(struct search *s)
 {
     const struct crowd *c = s->c;
-    const int32_t left = (int32_t)cell_of(c, s->x0), right = (int32_t)cell_of(c, s->x1);
-    const int32_t top = (int32_t)cell_of(c, s->y0), bottom = (int32_t)cell_of(c, s->y1);
-    const int32_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
+    const int64_t left = most(cell_of(c, s->x0), 1), right = least(cell_of(c, s->x1), c->cols - 2);
+    const int64_t top = most(cell_of(c, s->y0), 1), bottom = least(cell_of(c, s->y1), c->rows - 2);
+    const int64_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
+    const int64_t w = c->spread, step = 2 * w + 1;
     const int64_t in_x = s->x * c->scale, in_y = s->y * c->scale;
     const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0);
     const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0);
     const int64_t far = INT64_MAX;
 
-    for (int32_t r = 0;; r++) {
-        int32_t x0 = x - r, x1 = x + r, y0 = y - r, y1 = y + r;
-        int32_t from = x0 > left ? x0 : left, to = x1 < right ? x1 : right;
-        for (int32_t row = y0 > top ? y0 : top; row <= y1 && row <= bottom; row++) {
-            if (row == y0 || row == y1) {
+    if (left > right || top > bottom)
+        return;
+    for (int64_t r = 0;; r += step) {
+        int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
+        int64_t from = most(x0, left), to = least(x1, right);
+        for (int64_t row = y - r; row <= y + r; row += step) {
+            if (row + w < top || row - w > bottom)
+                continue;
+            if (row == y - r || row == y + r) {
                 touched(s, row, from, to);
                 continue;
             }
-            if (x0 >= left)
-                touched(s, row, x0, x0);
-            if (x1 <= right)
-                touched(s, row, x1, x1);
+            if (x0 + 2 * w >= left)
+                touched(s, row, from, x0 + 2 * w);
+            if (x1 - 2 * w <= right)
+                touched(s, row, x1 - 2 * w, to);
         }
-        int64_t dx = least(x0 > left ? in_x - ((int64_t)x0 << 32) : far,
-                           x1 < right ? ((int64_t)(x1 + 1) << 32) - in_x : far);
-        int64_t dy = least(y0 > top ? in_y - ((int64_t)y0 << 32) : far,
-                           y1 < bottom ? ((int64_t)(y1 + 1) << 32) - in_y : far);
+        int64_t dx = least(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
+        int64_t dy = least(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
         if ((dx == far || s->best < squares(length(c, dx), gap_y)) &&
             (dy == far || s->best < squares(length(c, dy), gap_x)))
             return;
@@ -298,19 +306,15 @@ static inline int64_t lower(const struct place *p, int64_t x, int64_t y, int64_t
     return key < best ? key : best;
 }
 
-/* The lowest key in the cells that are h or less from (col, row). */
-static int64_t lowest_around(const struct crowd *c, int64_t col, int64_t row, int64_t h, int64_t x, int64_t y)
+static int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
-    const int64_t from = most(col - h, 0), to = least(col + h + 1, c->cols), end = least(row + h + 1, c->rows);
-    int64_t best = INT64_MAX;
-
-    for (int64_t r = most(row - h, 0); r < end; r++)
-        for (uint32_t i = c->begin[r * c->cols + from]; i < c->begin[r * c->cols + to]; i++)
-            best = lower(&c->place[i], x, y, best);
+    for (; i < end; i++)
+        best = lower(&c->place[i], x, y, best);
     return best;
 }
 
-static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y, int64_t best)
+/* The lowest key of RUN / 2 places. */
+static inline int64_t lowest_half(const struct place *p, int64_t x, int64_t y, int64_t best)
 {
     best = lower(p, x, y, best);
     best = lower(p + 1, x, y, best);
@@ -342,22 +346,22 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
 
     if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 2))
         return NOBODY;
-    const uint16_t *middle = c->begin + row * c->cols + col - 1, *above = middle - c->cols, *below = middle + c->cols;
+    const uint16_t *begin = c->begin + row * c->cols + col;
+    const uint32_t from = begin[-1], to = begin[2];
     const int64_t kx = -(x << (c->bits + 1)), ky = -(y << (c->bits + 1));
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
     const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
     int64_t best = INT64_MAX;
-    if (above[3] - above[0] > RUN || middle[3] - middle[0] > RUN || below[3] - below[0] > RUN) {
-        best = lowest_around(c, col, row, 1, kx, ky);
-    } else {
-        best = lowest_run(&c->place[above[0]], kx, ky, best);
-        best = lowest_run(&c->place[middle[0]], kx, ky, best);
-        best = lowest_run(&c->place[below[0]], kx, ky, best);
-    }
+    if (to - from > RUN)
+        best = lowest(c, from, to, kx, ky, best);
+    else
+        best = lowest_half(&c->place[from + RUN / 2], kx, ky, lowest_half(&c->place[from], kx, ky, best));
     const int64_t here = x * x + y * y;
     int64_t d = (best >> c->bits) + here;
     if (d >= edge * edge) {
-        best = lowest_around(c, col, row, 2, kx, ky);
+        const int64_t a = most(-2, -col), z = least(3, c->cols - col), cols = c->cols;
+        best = lowest(c, begin[a - cols], begin[z - cols], kx, ky, best);
+        best = lowest(c, begin[a + cols], begin[z + cols], kx, ky, best);
         d = (best >> c->bits) + here;
         const int64_t e2 = edge + c->cell;
         if (d >= e2 * e2)
@@ -410,7 +414,8 @@ void hit_shots(struct board *b)
         judge(&c, &b->shot_kinds);
     struct flight f;
     for (uint32_t word = 0; word < s->top / 64; word++) {
-        locate(&f, &b->shots, word * 64, (uint32_t)c.left, (uint32_t)c.top);
+        if (c.dense)
+            locate(&f, &b->shots, word * 64, (uint32_t)c.left, (uint32_t)c.top);
         for (uint64_t bits = s->used[word]; bits; bits &= bits - 1) {
             uint32_t at = lowest_bit(bits), i = word * 64 + at;
             uint32_t slot = c.dense ? target_nearest(b, &c, i, f.x[at], f.y[at]) : NOBODY;
