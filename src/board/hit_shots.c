@@ -38,8 +38,10 @@ struct crowd {
     int64_t scale;            /* from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread; /* a row's list also holds the rows so many above and below it: 1, or 0 when there is no room */
-    int bits;       /* of slots */
+    int64_t spread;    /* a row's list also holds the rows so many above and below it: 1, or 0 when there is no room */
+    int bits;          /* of slots */
+    uint32_t mask;     /* of those bits */
+    int64_t minus_two; /* times 2^bits */
     bool dense;
     uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
     struct place place[MAX_ENEMIES + RUN];
@@ -86,7 +88,7 @@ static inline uint64_t squares(int64_t dx, int64_t dy)
 
 static inline uint32_t slot_of(const struct crowd *c, int64_t square)
 {
-    return (uint32_t)square & (((uint32_t)1 << c->bits) - 1);
+    return (uint32_t)square & c->mask;
 }
 
 /* ---- the grid ---- */
@@ -118,6 +120,7 @@ static void gather(struct crowd *c, const struct board *b)
     int64_t reach_x = 0, reach_y = 0, core = FX_MAX;
     uint32_t n = 0;
 
+    assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + lowest_bit(bits);
@@ -126,7 +129,6 @@ static void gather(struct crowd *c, const struct board *b)
             fx h = half_height(k->shape[kind], a, k->b[kind]);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
-            assert(n < MAX_ENEMIES);
             c->slot[n++] = (uint16_t)i;
             left = x < left ? x : left;
             right = x > right ? x : right;
@@ -164,6 +166,8 @@ static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
     c->high = c->rows * (c->cell + 1);
     for (c->bits = 0; slots > (uint32_t)1 << c->bits; c->bits++)
         ;
+    c->mask = ((uint32_t)1 << c->bits) - 1;
+    c->minus_two = -2 * ((int64_t)1 << c->bits);
     c->spread = c->n <= MAX_ENEMIES / 3;
     c->dense = c->spread && squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
                c->reach_y * 2 > c->cell;
@@ -298,29 +302,35 @@ static uint32_t target_by_rings(const struct board *b, const struct crowd *c, ui
 
 /* ---- the search of a dense crowd ---- */
 
-/* Of all enemies, the nearest to (x, y) has the lowest key: by how much its distance, squared, is above that of ... */
-static inline int64_t lower(const struct place *p, int64_t x, int64_t y, int64_t best)
+/*
+ * Of all enemies, the nearest to a shot has the lowest key: the square of their distance, less the square of the shot's
+ * distance from the grid's corner, times 2^bits, with the slot in the low bits. The shot is at (x, y) / -2^(bits + 1).
+ */
+static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 {
-    int64_t key = p->square + p->x * x + p->y * y;
-
-    return key < best ? key : best;
+    return p->square + p->x * x + p->y * y;
 }
 
+/* The lowest key from place i to before end, or best. */
 static int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
     for (; i < end; i++)
-        best = lower(&c->place[i], x, y, best);
+        best = least(best, key(&c->place[i], x, y));
     return best;
 }
 
-/* The lowest key of RUN / 2 places. */
-static inline int64_t lowest_half(const struct place *p, int64_t x, int64_t y, int64_t best)
+/* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
+static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 {
-    best = lower(p, x, y, best);
-    best = lower(p + 1, x, y, best);
-    best = lower(p + 2, x, y, best);
-    best = lower(p + 3, x, y, best);
-    return lower(p + 4, x, y, best);
+    int64_t a = least(key(p, x, y), key(p + 1, x, y)), b = least(key(p + 2, x, y), key(p + 3, x, y));
+
+    a = least(a, key(p + 4, x, y));
+    b = least(b, key(p + 5, x, y));
+    a = least(a, key(p + 6, x, y));
+    b = least(b, key(p + 7, x, y));
+    a = least(a, key(p + 8, x, y));
+    b = least(b, key(p + 9, x, y));
+    return least(a, b);
 }
 
 /* Places of a block of shots before their moves, in a dense crowd's grid; those that are far outside are so modulo 2^32. */
@@ -348,14 +358,10 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
         return NOBODY;
     const uint16_t *begin = c->begin + row * c->cols + col;
     const uint32_t from = begin[-1], to = begin[2];
-    const int64_t kx = -(x << (c->bits + 1)), ky = -(y << (c->bits + 1));
+    const int64_t kx = x * c->minus_two, ky = y * c->minus_two;
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
     const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
-    int64_t best = INT64_MAX;
-    if (to - from > RUN)
-        best = lowest(c, from, to, kx, ky, best);
-    else
-        best = lowest_half(&c->place[from + RUN / 2], kx, ky, lowest_half(&c->place[from], kx, ky, best));
+    int64_t best = to - from > RUN ? lowest(c, from, to, kx, ky, INT64_MAX) : lowest_run(&c->place[from], kx, ky);
     const int64_t here = x * x + y * y;
     int64_t d = (best >> c->bits) + here;
     if (d >= edge * edge) {
