@@ -179,7 +179,7 @@ static void sort(struct crowd *c, const struct enemies *e)
     uint16_t cell[MAX_ENEMIES], *begin = c->begin;
     const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
     const int64_t left = c->left, top = c->top, cols = c->cols;
-    const int64_t scale = c->scale, spread = c->spread * cols;
+    const int64_t scale = c->scale;
     const int bits = c->bits;
     uint32_t sum = 0;
 
@@ -187,8 +187,11 @@ static void sort(struct crowd *c, const struct enemies *e)
     for (size_t i = 0; i < n; i++) {
         uint32_t slot = c->slot[i];
         cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
-        for (int64_t at = cell[i] - spread; at <= cell[i] + spread; at += cols)
-            begin[at]++;
+        begin[cell[i]]++;
+        if (c->spread) {
+            begin[cell[i] - cols]++;
+            begin[cell[i] + cols]++;
+        }
     }
     for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
@@ -198,8 +201,11 @@ static void sort(struct crowd *c, const struct enemies *e)
         uint32_t slot = c->slot[i];
         int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
         struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
-        for (int64_t at = cell[i] - spread; at <= cell[i] + spread; at += cols)
-            c->place[--begin[at]] = p;
+        c->place[--begin[cell[i]]] = p;
+        if (c->spread) {
+            c->place[--begin[cell[i] - cols]] = p;
+            c->place[--begin[cell[i] + cols]] = p;
+        }
     }
     for (size_t i = sum; i < sum + RUN; i++)
         c->place[i] = (struct place){ 0, 0, INT64_MAX };
@@ -311,14 +317,6 @@ static inline int64_t key(const struct place *p, int64_t x, int64_t y)
     return p->square + p->x * x + p->y * y;
 }
 
-/* The lowest key from place i to before end, or best. */
-static int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
-{
-    for (; i < end; i++)
-        best = least(best, key(&c->place[i], x, y));
-    return best;
-}
-
 /* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
 static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 {
@@ -331,6 +329,17 @@ static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
     a = least(a, key(p + 8, x, y));
     b = least(b, key(p + 9, x, y));
     return least(a, b);
+}
+
+/*
+ * The lowest key from place i to before end, or best; maybe of what is behind that. Mostly there is one run: processors
+ * foresee that, but not how many enemies are in some cells.
+ */
+static inline int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
+{
+    for (; i < end; i += RUN)
+        best = least(best, lowest_run(&c->place[i], x, y));
+    return best;
 }
 
 /* Places of a block of shots before their moves, in a dense crowd's grid; those that are far outside are so modulo 2^32. */
@@ -361,7 +370,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
     const int64_t kx = x * c->minus_two, ky = y * c->minus_two;
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
     const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
-    int64_t best = to - from > RUN ? lowest(c, from, to, kx, ky, INT64_MAX) : lowest_run(&c->place[from], kx, ky);
+    int64_t best = lowest(c, from + RUN, to, kx, ky, lowest_run(&c->place[from], kx, ky));
     const int64_t here = x * x + y * y;
     int64_t d = (best >> c->bits) + here;
     if (d >= edge * edge) {
