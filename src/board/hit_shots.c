@@ -2,14 +2,17 @@
  * hit_shots.c - see hit_parts.h.
  *
  * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
- * before their moves are sorted into the cells of a grid, and a shot searches it in rings of cells around its own,
- * until what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of
- * a box: the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ * before their moves are sorted into the cells of a grid, and a shot searches it in rings around its own cell, until
+ * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
+ * the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ *
+ * Enemies are few and scattered, so the length of each list surprises the processor, and a branch that it foresees
+ * wrongly costs as much as several enemies. So a row's list also holds the rows above and below: the nine cells around a
+ * shot are one run.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There the two by two cells around the shot are looked at first, without branches and without testing
- * what is touched: only whether the shot touches the nearest of them, and nothing outside of them is nearer. The ring
- * search takes what is left, so it alone says what is hit; the rest is speed.
+ * one of them. There it is found first, among nine cells in whole runs of places, and only whether the shot touches it is
+ * asked. The ring search takes what is left, so it alone says what is hit; the rest is speed.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -17,8 +20,9 @@
 
 enum {
     MANY = 4, /* fewer shots are not worth a sort */
-    RUN = 10, /* enemies of three cells in a row that are looked at in one go */
-    MOST_CELLS = 3 * (MAX_ENEMIES * 3 / 2 + 2),
+    RUN = 8,  /* places of a list looked at in one go: nearly always more than nine cells hold */
+    MOST_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
+    MOST_CELLS = 4 * (MOST_FILLED + 3),
     NOBODY = MAX_ENEMIES
 };
 
@@ -83,7 +87,7 @@ static inline int64_t clamp(int64_t v, int64_t lo, int64_t hi)
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
 {
-    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
+    return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
 }
 
 static inline uint32_t slot_of(const struct crowd *c, int64_t square)
@@ -168,8 +172,9 @@ static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
         ;
     c->mask = ((uint32_t)1 << c->bits) - 1;
     c->minus_two = -2 * ((int64_t)1 << c->bits);
-    c->spread = c->n <= MAX_ENEMIES / 3;
-    c->dense = c->spread && squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
+    c->spread = c->n <= MAX_ENEMIES / 3; /* each is in three lists */
+    c->dense = c->spread && most(c->wide, c->high) <= INT32_MAX &&
+               squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
                c->reach_y * 2 > c->cell;
 }
 
@@ -207,6 +212,7 @@ static void sort(struct crowd *c, const struct enemies *e)
             c->place[--begin[cell[i] + cols]] = p;
         }
     }
+    /* runs may go on behind the last */
     for (size_t i = sum; i < sum + RUN; i++)
         c->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
@@ -326,8 +332,6 @@ static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
     b = least(b, key(p + 5, x, y));
     a = least(a, key(p + 6, x, y));
     b = least(b, key(p + 7, x, y));
-    a = least(a, key(p + 8, x, y));
-    b = least(b, key(p + 9, x, y));
     return least(a, b);
 }
 
@@ -372,18 +376,17 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
     const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
     int64_t best = lowest(c, from + RUN, to, kx, ky, lowest_run(&c->place[from], kx, ky));
     const int64_t here = x * x + y * y;
-    int64_t d = (best >> c->bits) + here;
+    int64_t d = (best >> c->bits) + here; /* its square */
     if (d >= edge * edge) {
         const int64_t a = most(-2, -col), z = least(3, c->cols - col), cols = c->cols;
         best = lowest(c, begin[a - cols], begin[z - cols], kx, ky, best);
         best = lowest(c, begin[a + cols], begin[z + cols], kx, ky, best);
         d = (best >> c->bits) + here;
-        const int64_t e2 = edge + c->cell;
-        if (d >= e2 * e2)
+        if (d >= (edge + c->cell) * (edge + c->cell))
             return NOBODY;
     }
-    uint32_t slot = slot_of(c, best);
     const struct bullets *s = &b->shots;
+    const uint32_t slot = slot_of(c, best);
     if (d < c->sure[s->kind[i]])
         return slot;
     struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, slot);
@@ -423,7 +426,7 @@ void hit_shots(struct board *b)
     gather(&c, b);
     if (!c.n)
         return;
-    divide(&c, s->live < MANY ? 1 : c.n * 3 / 2, b->enemies.s.top);
+    divide(&c, s->live < MANY ? 1 : c.n * 5 / 4, b->enemies.s.top);
     sort(&c, &b->enemies);
     if (c.dense)
         judge(&c, &b->shot_kinds);
