@@ -6,13 +6,12 @@
  * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
  * the shot's way, grown by its extent and by the largest extent and move of an enemy.
  *
- * Enemies are few and scattered, so the length of each list surprises the processor, and a branch that it foresees
- * wrongly costs as much as several enemies. So a row's list also holds the rows above and below: the nine cells around a
- * shot are one run.
+ * How many enemies a few cells hold surprises the processor, and a branch that it foresees wrongly costs as much as
+ * several enemies. So a row's list also holds the rows above and below: the nine cells around a shot are one run.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There it is found first, among nine cells in whole runs of places, and only whether the shot touches it is
- * asked. The ring search takes what is left, so it alone says what is hit; the rest is speed.
+ * one of them. There it is found first, among nine cells in whole runs of places, and only whether the shot touches it
+ * is asked. The ring search takes what is left, so it alone says what is hit; the rest is speed.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -26,7 +25,7 @@ enum {
     NOBODY = MAX_ENEMIES
 };
 
-/* Where an enemy was, seen from the grid's corner, and the square of that, times 2^bits, with its slot in the low bits. */
+/* Where an enemy was, seen from the grid's corner; the square of that, times 2^bits, with its slot in the low bits. */
 struct place {
     uint32_t x, y;
     int64_t square;
@@ -346,7 +345,7 @@ static inline int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, in
     return best;
 }
 
-/* Places of a block of shots before their moves, in a dense crowd's grid; those that are far outside are so modulo 2^32. */
+/* Places of a block of shots before their moves, in a dense crowd's grid; far outside of it they are so modulo 2^32. */
 struct flight {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
