@@ -19,6 +19,7 @@
 
 enum {
     MANY = 4, /* fewer shots are not worth a sort */
+    PAYS = 4, /* enemies a shot at the most, for whom lists of three rows are worth their making */
     RUN = 8,  /* places of a list looked at in one go: nearly always more than nine cells hold */
     MOST_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
     MOST_CELLS = 4 * (MOST_FILLED + 3),
@@ -41,7 +42,7 @@ struct crowd {
     int64_t scale;            /* from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;    /* a row's list also holds the rows so many above and below it: 1, or 0 when there is no room */
+    int64_t spread;    /* a row's list also holds the rows so many above and below it: 1, or 0 */
     int bits;          /* of slots */
     uint32_t mask;     /* of those bits */
     int64_t minus_two; /* times 2^bits */
@@ -151,9 +152,11 @@ static void gather(struct crowd *c, const struct board *b)
     c->core = core;
 }
 
-/* Makes the cells as small as they can be if no more than so many are to hold the box. */
-static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
+/* Makes the cells as small as they can be when so many are to hold the box. */
+static void divide(struct crowd *c, uint32_t shots, uint32_t slots)
 {
+    const uint32_t cells = shots < MANY ? 1 : c->n * 5 / 4;
+
     c->scale = 2;
     for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
         int64_t finer = c->scale | bit;
@@ -171,7 +174,7 @@ static void divide(struct crowd *c, uint32_t cells, uint32_t slots)
         ;
     c->mask = ((uint32_t)1 << c->bits) - 1;
     c->minus_two = -2 * ((int64_t)1 << c->bits);
-    c->spread = c->n <= MAX_ENEMIES / 3; /* each is in three lists */
+    c->spread = c->n <= MAX_ENEMIES / 3 && c->n <= shots * PAYS;
     c->dense = c->spread && most(c->wide, c->high) <= INT32_MAX &&
                squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
                c->reach_y * 2 > c->cell;
@@ -425,7 +428,7 @@ void hit_shots(struct board *b)
     gather(&c, b);
     if (!c.n)
         return;
-    divide(&c, s->live < MANY ? 1 : c.n * 5 / 4, b->enemies.s.top);
+    divide(&c, s->live, b->enemies.s.top);
     sort(&c, &b->enemies);
     if (c.dense)
         judge(&c, &b->shot_kinds);
