@@ -92,12 +92,18 @@ static void bullets_against(struct board *b, uint32_t p, const struct body *c, f
 
 static void enemies_against(struct board *b, uint32_t p, const struct body *c)
 {
-    EACH_LIVE (i, &b->enemies.s) {
-        struct body e = enemy(b, i);
-        uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
-        if (flags & ENEMY_TOUCH && !(b->enemies.flags[i] & ENEMY_DYING) && touch(&e, c, flags & ENEMY_SWEPT))
-            board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
-    }
+    const struct slots *s = &b->enemies.s;
+
+    for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
+        for (uint64_t m = s->used[word]; m; m &= m - 1) {
+            uint32_t i = word * SLOTS_BLOCK + lowest_bit(m);
+            uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
+            if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
+                continue;
+            struct body e = enemy(b, i);
+            if (touch(&e, c, flags & ENEMY_SWEPT))
+                board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
+        }
 }
 
 static struct body pilot(const struct board *b, uint32_t p)

@@ -2,47 +2,55 @@
  * hit_shots.c - see hit_parts.h.
  *
  * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
- * before their moves are sorted into the cells of a grid, and a shot searches it in rings of cells around its own,
- * until what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of
- * a box: the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ * before their moves are sorted into the cells of a grid, and a shot searches it in rings around its own cell, until
+ * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
+ * the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ *
+ * How many enemies a few cells hold surprises the processor, and a branch that it foresees wrongly costs as much as
+ * several enemies. So a row's list also holds the rows above and below: the nine cells around a shot are one run.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There the two by two cells around the shot are looked at first, without branches and without testing
- * what is touched: only whether the shot touches the nearest of them, and nothing outside of them is nearer. The ring
- * search takes what is left, so it alone says what is hit; the rest is speed.
+ * one of them. There it is found first, among nine cells in whole runs of places, and only whether the shot touches it
+ * is asked. The ring search takes what is left, so it alone says what is hit; the rest is speed.
  */
 #include "hit_parts.h"
 #include <assert.h>
 #include <string.h>
 
 enum {
-    MANY = 4,      /* fewer shots are not worth a sort */
-    A_CELL = 1,    /* enemies a cell: fewer make empty cells, more make long scans */
-    SMALLEST = 16, /* cells are 2^16 wide, a pixel, at the least */
-    MOST_CELLS = 3 * (MAX_ENEMIES / A_CELL + 2),
+    MANY = 4, /* fewer shots are not worth a sort */
+    PAYS = 4, /* enemies a shot at the most, for whom lists of three rows are worth their making */
+    RUN = 8,  /* places of a list looked at in one go: nearly always more than nine cells hold */
+    MOST_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
+    MOST_CELLS = 4 * (MOST_FILLED + 3),
     NOBODY = MAX_ENEMIES
 };
 
-/*
- * Enemies that shots can hit, by cell, row by row. The outermost cells are empty. The grid's unit is 2^-up of an fx, so
- * that in a dense crowd the squares of distances are multiples of a number above any rank.
- */
+/* Where an enemy was, seen from the grid's corner; the square of that, times 2^bits, with its slot in the low bits. */
+struct place {
+    uint32_t x, y;
+    int64_t square;
+};
+
+/* Enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
 struct crowd {
     uint32_t n;
-    int64_t left, top;        /* the grid's corner, an fx */
+    int64_t left, top;        /* the grid's corner */
     int64_t wide, high;       /* of the grid */
-    int64_t reach_x, reach_y; /* most that an enemy extends from where it was, in fx */
-    int64_t core; /* whoever was that near to an enemy touched it, in fx; negative: an enemy touches nothing */
-    int up, shift_x, shift_y; /* cells are 2^shift wide */
-    int64_t half_x, half_y;   /* half a cell */
+    int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
+    int64_t core;             /* whoever was that near to an enemy touched it; negative: an enemy touches nothing */
+    int64_t scale;            /* from fx to 2^-32 of a cell */
+    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    uint32_t ranks; /* all bits of ranks */
+    int64_t spread;    /* a row's list also holds the rows so many above and below it: 1, or 0 */
+    int bits;          /* of slots */
+    uint32_t mask;     /* of those bits */
+    int64_t minus_two; /* times 2^bits */
     bool dense;
-    int64_t x[MAX_ENEMIES], y[MAX_ENEMIES];
-    uint64_t rank[MAX_ENEMIES];
-    uint16_t slot[MAX_ENEMIES];     /* by rank */
+    uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
+    struct place place[MAX_ENEMIES + RUN];
     uint16_t begin[MOST_CELLS + 1]; /* of each cell; the last: n */
-    uint64_t sure[MAX_KINDS];       /* a shot of that kind touches what was less far, squared, in the grid */
+    int64_t sure[MAX_KINDS];        /* a shot of that kind touches what was less far, squared */
 };
 
 /* A shot that searches. */
@@ -53,8 +61,8 @@ struct search {
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
-    uint64_t best;          /* the square of the distance of what was found, in fx */
-    uint64_t found;         /* its rank */
+    uint64_t best;          /* the square of the distance of what was found */
+    uint32_t found;         /* its slot */
 };
 
 static inline int64_t least(int64_t a, int64_t b)
@@ -72,34 +80,34 @@ static inline int64_t size(int64_t v)
     return v < 0 ? -v : v;
 }
 
-static inline uint64_t lower(uint64_t a, uint64_t b)
+static inline int64_t clamp(int64_t v, int64_t lo, int64_t hi)
 {
-    return a < b ? a : b;
-}
-
-static inline int32_t clamp(int64_t v, int32_t lo, int32_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : (int32_t)v;
-}
-
-/* Is it, a square, less than the square of d? For 0 <= d < 2^32. */
-static inline bool less_far(uint64_t best, int64_t d)
-{
-    return best < (uint64_t)d * (uint64_t)d;
+    return v < lo ? lo : v > hi ? hi : v;
 }
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
 {
-    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
+    return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
 }
 
-/* v in units of the grid. */
-static inline int64_t scaled(const struct crowd *c, int64_t v)
+static inline uint32_t slot_of(const struct crowd *c, int64_t square)
 {
-    return (int64_t)((uint64_t)v << c->up);
+    return (uint32_t)square & c->mask;
 }
 
 /* ---- the grid ---- */
+
+/* The column or row of a place in the grid. */
+static inline int64_t cell_of(const struct crowd *c, int64_t v)
+{
+    return v * c->scale >> 32;
+}
+
+/* How far what is so many 2^-32 of a cell away is at the least. */
+static inline int64_t length(const struct crowd *c, int64_t share)
+{
+    return (share >> 16) * c->cell >> 16;
+}
 
 /* Half the height of a kind's shape. */
 static inline fx half_height(uint8_t shape, fx a, fx b)
@@ -107,14 +115,8 @@ static inline fx half_height(uint8_t shape, fx a, fx b)
     return shape == SHAPE_BOX ? b : a;
 }
 
-/* Where they were, and the size of the box around that. */
-struct places {
-    fx x[MAX_ENEMIES], y[MAX_ENEMIES];
-    int64_t across, down;
-};
-
-/* Lists those that can be hit, and measures them. */
-static void gather(struct crowd *c, const struct board *b, struct places *was)
+/* Lists those that can be hit, and measures them: the box they were in, and how far they extend. */
+static void gather(struct crowd *c, const struct board *b)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -122,6 +124,7 @@ static void gather(struct crowd *c, const struct board *b, struct places *was)
     int64_t reach_x = 0, reach_y = 0, core = FX_MAX;
     uint32_t n = 0;
 
+    assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + lowest_bit(bits);
@@ -130,10 +133,7 @@ static void gather(struct crowd *c, const struct board *b, struct places *was)
             fx h = half_height(k->shape[kind], a, k->b[kind]);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
-            assert(n < MAX_ENEMIES);
-            c->slot[n] = (uint16_t)i;
-            was->x[n] = x;
-            was->y[n++] = y;
+            c->slot[n++] = (uint16_t)i;
             left = x < left ? x : left;
             right = x > right ? x : right;
             top = y < top ? y : top;
@@ -145,91 +145,100 @@ static void gather(struct crowd *c, const struct board *b, struct places *was)
     c->n = n;
     c->left = left;
     c->top = top;
+    c->wide = (int64_t)right - left;
+    c->high = (int64_t)bottom - top;
     c->reach_x = reach_x;
     c->reach_y = reach_y;
     c->core = core;
-    was->across = (int64_t)right - left;
-    was->down = (int64_t)bottom - top;
 }
 
-/* Halves the cells, the wider side first, while no more than so many are needed for a box of this size. */
-static void divide(struct crowd *c, int64_t across, int64_t down, uint32_t cells)
+/* Makes the cells as small as they can be when so many are to hold the box. */
+static void divide(struct crowd *c, uint32_t shots, uint32_t slots)
 {
-    int x = 31, y = 31;
+    const uint32_t cells = shots < MANY ? 1 : c->n * 5 / 4;
 
-    for (bool wider = true; x > SMALLEST; wider = x >= y) {
-        uint64_t cols = (uint64_t)(across >> (x - wider)) + 1, rows = (uint64_t)(down >> (y - !wider)) + 1;
-        if (cols * rows > cells)
-            break;
-        x -= wider;
-        y -= !wider;
+    c->scale = 2;
+    for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
+        int64_t finer = c->scale | bit;
+        if (((c->wide * finer >> 32) + 1) * ((c->high * finer >> 32) + 1) <= cells)
+            c->scale = finer;
     }
-    c->cols = (across >> x) + 3;
-    c->rows = (down >> y) + 3;
-    c->left -= (int64_t)1 << x;
-    c->top -= (int64_t)1 << y;
-    c->up = 0;
-    while (c->n >> 2 * c->up)
-        c->up++;
-    int64_t wide = c->cols << x, high = c->rows << y;
-    c->dense = most(wide, high) << c->up <= (int64_t)1 << 31 && c->reach_x * 2 > (int64_t)1 << x &&
-               c->reach_y * 2 > (int64_t)1 << y;
-    c->up = c->dense ? c->up : 0;
-    c->ranks = ((uint32_t)1 << 2 * c->up) - 1;
-    c->shift_x = x + c->up;
-    c->shift_y = y + c->up;
-    c->half_x = (int64_t)1 << c->shift_x >> 1;
-    c->half_y = (int64_t)1 << c->shift_y >> 1;
-    c->wide = wide << c->up;
-    c->high = high << c->up;
+    c->cell = ((int64_t)1 << 32) / c->scale;
+    c->left -= c->cell + 1;
+    c->top -= c->cell + 1;
+    c->cols = cell_of(c, c->wide + c->cell + 1) + 2;
+    c->rows = cell_of(c, c->high + c->cell + 1) + 2;
+    c->wide = c->cols * (c->cell + 1);
+    c->high = c->rows * (c->cell + 1);
+    for (c->bits = 0; slots > (uint32_t)1 << c->bits; c->bits++)
+        ;
+    c->mask = ((uint32_t)1 << c->bits) - 1;
+    c->minus_two = -2 * ((int64_t)1 << c->bits);
+    c->spread = c->n <= MAX_ENEMIES / 3 && c->n <= shots * PAYS;
+    c->dense = c->spread && most(c->wide, c->high) <= INT32_MAX &&
+               squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
+               c->reach_y * 2 > c->cell;
 }
 
 /* A counting sort. */
-static void sort(struct crowd *c, const struct places *was)
+static void sort(struct crowd *c, const struct enemies *e)
 {
     uint16_t cell[MAX_ENEMIES], *begin = c->begin;
     const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
     const int64_t left = c->left, top = c->top, cols = c->cols;
-    const int up = c->up, shift_x = c->shift_x - up, shift_y = c->shift_y - up;
+    const int64_t scale = c->scale;
+    const int bits = c->bits;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
     for (size_t i = 0; i < n; i++) {
-        cell[i] = (uint16_t)(((was->y[i] - top) >> shift_y) * cols + ((was->x[i] - left) >> shift_x));
+        uint32_t slot = c->slot[i];
+        cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
         begin[cell[i]]++;
+        if (c->spread) {
+            begin[cell[i] - cols]++;
+            begin[cell[i] + cols]++;
+        }
     }
     for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
         begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
     }
     for (size_t i = n; i-- > 0;) {
-        uint32_t at = --begin[cell[i]];
-        c->x[at] = (was->x[i] - left) << up;
-        c->y[at] = (was->y[i] - top) << up;
-        c->rank[at] = i;
+        uint32_t slot = c->slot[i];
+        int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
+        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
+        c->place[--begin[cell[i]]] = p;
+        if (c->spread) {
+            c->place[--begin[cell[i] - cols]] = p;
+            c->place[--begin[cell[i] + cols]] = p;
+        }
     }
+    /* runs may go on behind the last */
+    for (size_t i = sum; i < sum + RUN; i++)
+        c->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
 /* ---- the search by rings ---- */
 
-/* The nearest of a run of cells that is touched; of equals, the one of the lower rank. */
-static void touched(struct search *s, int32_t row, int32_t from, int32_t to)
+/* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
+static void touched(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->c->begin + row * s->c->cols;
 
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
-        int64_t x = s->c->x[i], y = s->c->y[i];
-        uint64_t rank = s->c->rank[i];
+        const struct place *p = &s->c->place[i];
+        const int64_t x = p->x, y = p->y;
+        uint32_t slot = slot_of(s->c, p->square);
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
-        int64_t dx = (s->x - x) >> s->c->up, dy = (s->y - y) >> s->c->up;
-        uint64_t d = squares(dx, dy);
-        if (d > s->best || (d == s->best && rank > s->found))
+        uint64_t d = squares(s->x - x, s->y - y);
+        if (d > s->best || (d == s->best && slot > s->found))
             continue;
-        struct body e = enemy(s->b, s->c->slot[rank]);
+        struct body e = enemy(s->b, slot);
         if (touch(&s->shot, &e, s->swept)) {
             s->best = d;
-            s->found = rank;
+            s->found = slot;
         }
     }
 }
@@ -239,11 +248,11 @@ static bool reach(struct search *s)
 {
     const struct crowd *c = s->c;
     const struct body *p = &s->shot;
-    int64_t x = scaled(c, p->x - c->left), ex = scaled(c, p->a + c->reach_x);
-    int64_t y = scaled(c, p->y - c->top), ey = scaled(c, half_height(p->shape, p->a, p->b) + c->reach_y);
+    int64_t x = p->x - c->left, ex = p->a + c->reach_x;
+    int64_t y = p->y - c->top, ey = half_height(p->shape, p->a, p->b) + c->reach_y;
 
-    s->x = x - scaled(c, p->mx);
-    s->y = y - scaled(c, p->my);
+    s->x = x - p->mx;
+    s->y = y - p->my;
     s->x0 = most(least(x, s->x) - ex, 0);
     s->x1 = least(most(x, s->x) + ex, c->wide - 1);
     s->y0 = most(least(y, s->y) - ey, 0);
@@ -258,32 +267,37 @@ static bool reach(struct search *s)
  */
 static void search_rings(struct search *s)
 {
-    const int shift_x = s->c->shift_x, shift_y = s->c->shift_y, up = s->c->up;
-    const int32_t left = (int32_t)(s->x0 >> shift_x), right = (int32_t)(s->x1 >> shift_x);
-    const int32_t top = (int32_t)(s->y0 >> shift_y), bottom = (int32_t)(s->y1 >> shift_y);
-    const int32_t x = clamp(s->x >> shift_x, left, right), y = clamp(s->y >> shift_y, top, bottom);
-    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0) >> up;
-    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0) >> up;
+    const struct crowd *c = s->c;
+    const int64_t left = most(cell_of(c, s->x0), 1), right = least(cell_of(c, s->x1), c->cols - 2);
+    const int64_t top = most(cell_of(c, s->y0), 1), bottom = least(cell_of(c, s->y1), c->rows - 2);
+    const int64_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
+    const int64_t w = c->spread, step = 2 * w + 1;
+    const int64_t in_x = s->x * c->scale, in_y = s->y * c->scale;
+    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0);
+    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0);
     const int64_t far = INT64_MAX;
 
-    for (int32_t r = 0;; r++) {
-        int32_t x0 = x - r, x1 = x + r, y0 = y - r, y1 = y + r;
-        int32_t from = x0 > left ? x0 : left, to = x1 < right ? x1 : right;
-        for (int32_t row = y0 > top ? y0 : top; row <= y1 && row <= bottom; row++) {
-            if (row == y0 || row == y1) {
+    if (left > right || top > bottom)
+        return;
+    for (int64_t r = 0;; r += step) {
+        int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
+        int64_t from = most(x0, left), to = least(x1, right);
+        for (int64_t row = y - r; row <= y + r; row += step) {
+            if (row + w < top || row - w > bottom)
+                continue;
+            if (row == y - r || row == y + r) {
                 touched(s, row, from, to);
                 continue;
             }
-            if (x0 >= left)
-                touched(s, row, x0, x0);
-            if (x1 <= right)
-                touched(s, row, x1, x1);
+            if (x0 + 2 * w >= left)
+                touched(s, row, from, x0 + 2 * w);
+            if (x1 - 2 * w <= right)
+                touched(s, row, x1 - 2 * w, to);
         }
-        int64_t dx = least(x0 > left ? s->x - ((int64_t)x0 << shift_x) : far,
-                           x1 < right ? ((int64_t)(x1 + 1) << shift_x) - s->x : far);
-        int64_t dy = least(y0 > top ? s->y - ((int64_t)y0 << shift_y) : far,
-                           y1 < bottom ? ((int64_t)(y1 + 1) << shift_y) - s->y : far);
-        if ((dx == far || s->best < squares(dx >> up, gap_y)) && (dy == far || s->best < squares(dy >> up, gap_x)))
+        int64_t dx = least(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
+        int64_t dy = least(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
+        if ((dx == far || s->best < squares(length(c, dx), gap_y)) &&
+            (dy == far || s->best < squares(length(c, dy), gap_x)))
             return;
     }
 }
@@ -297,64 +311,88 @@ static uint32_t target_by_rings(const struct board *b, const struct crowd *c, ui
     if (s.shot.shape == SHAPE_NONE || !reach(&s))
         return NOBODY;
     search_rings(&s);
-    return (uint32_t)s.found;
+    return s.found;
 }
 
 /* ---- the search of a dense crowd ---- */
 
-/* How far enemy i was, squared, and its rank: the lowest key is the enemy to be hit if it is touched. */
-static inline uint64_t key(const struct crowd *c, size_t i, int64_t x, int64_t y)
+/*
+ * Of all enemies, the nearest to a shot has the lowest key: the square of their distance, less the square of the shot's
+ * distance from the grid's corner, times 2^bits, with the slot in the low bits. The shot is at (x, y) / -2^(bits + 1).
+ */
+static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 {
-    int64_t dx = c->x[i] - x, dy = c->y[i] - y;
-
-    return (uint64_t)(dx * dx + dy * dy) | c->rank[i];
+    return p->square + p->x * x + p->y * y;
 }
 
-/* The lowest key of a run of cells, or best. */
-static inline uint64_t lowest(const struct crowd *c, size_t i, size_t end, int64_t x, int64_t y, uint64_t best)
+/* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
+static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 {
-    for (; i < end; i++)
-        best = lower(best, key(c, i, x, y));
+    int64_t a = least(key(p, x, y), key(p + 1, x, y)), b = least(key(p + 2, x, y), key(p + 3, x, y));
+
+    a = least(a, key(p + 4, x, y));
+    b = least(b, key(p + 5, x, y));
+    a = least(a, key(p + 6, x, y));
+    b = least(b, key(p + 7, x, y));
+    return least(a, b);
+}
+
+/*
+ * The lowest key from place i to before end, or best; maybe of what is behind that. Mostly there is one run: processors
+ * foresee that, but not how many enemies are in some cells.
+ */
+static inline int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
+{
+    for (; i < end; i += RUN)
+        best = least(best, lowest_run(&c->place[i], x, y));
     return best;
 }
 
-/* The same for the cells that are h or less around the corner (col, row). */
-static uint64_t lowest_around(const struct crowd *c, int64_t col, int64_t row, int64_t h, int64_t x, int64_t y)
-{
-    const int64_t from = most(col - h, 0), to = least(col + h, c->cols), end = least(row + h, c->rows);
-    uint64_t best = UINT64_MAX;
+/* Places of a block of shots before their moves, in a dense crowd's grid; far outside of it they are so modulo 2^32. */
+struct flight {
+    uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
+};
 
-    for (int64_t r = most(row - h, 0); r < end; r++)
-        best = lowest(c, c->begin[r * c->cols + from], c->begin[r * c->cols + to], x, y, best);
-    return best;
+static void locate(struct flight *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+{
+    const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        f->x[i] = (uint32_t)x[i] - (uint32_t)vx[i] - left;
+        f->y[i] = (uint32_t)y[i] - (uint32_t)vy[i] - top;
+    }
 }
 
-/* The rank of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
-static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i)
+/* The slot of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
+static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i, int64_t x, int64_t y)
 {
-    const struct bullets *s = &b->shots;
-    const int64_t half_x = c->half_x, half_y = c->half_y;
-    const int64_t x = scaled(c, (int64_t)s->x[i] - s->vx[i] - c->left), ahead_x = x + half_x;
-    const int64_t y = scaled(c, (int64_t)s->y[i] - s->vy[i] - c->top), ahead_y = y + half_y;
-    const int64_t col = ahead_x >> c->shift_x, row = ahead_y >> c->shift_y; /* of the nearest corner of four cells */
+    const int64_t in_x = x * c->scale, in_y = y * c->scale, one = (int64_t)1 << 32;
+    const int64_t col = in_x >> 32, row = in_y >> 32;
 
-    if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 1) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 1))
+    if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 2))
         return NOBODY;
-    const uint16_t *below = c->begin + row * c->cols + col, *above = below - c->cols;
-    const int64_t off_x = size((ahead_x & (2 * half_x - 1)) - half_x);
-    const int64_t off_y = size((ahead_y & (2 * half_y - 1)) - half_y);
-    uint64_t best = lowest(c, above[-1], above[1], x, y, UINT64_MAX);
-    best = lowest(c, below[-1], below[1], x, y, best);
-    if (!less_far(best, least(2 * half_x - off_x, 2 * half_y - off_y))) {
-        best = lowest_around(c, col, row, 2, x, y);
-        if (!less_far(best, least(4 * half_x - off_x, 4 * half_y - off_y)))
+    const uint16_t *begin = c->begin + row * c->cols + col;
+    const uint32_t from = begin[-1], to = begin[2];
+    const int64_t kx = x * c->minus_two, ky = y * c->minus_two;
+    const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
+    const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
+    int64_t best = lowest(c, from + RUN, to, kx, ky, lowest_run(&c->place[from], kx, ky));
+    const int64_t here = x * x + y * y;
+    int64_t d = (best >> c->bits) + here; /* its square */
+    if (d >= edge * edge) {
+        const int64_t a = most(-2, -col), z = least(3, c->cols - col), cols = c->cols;
+        best = lowest(c, begin[a - cols], begin[z - cols], kx, ky, best);
+        best = lowest(c, begin[a + cols], begin[z + cols], kx, ky, best);
+        d = (best >> c->bits) + here;
+        if (d >= (edge + c->cell) * (edge + c->cell))
             return NOBODY;
     }
-    uint32_t rank = (uint32_t)best & c->ranks;
-    if (best < c->sure[s->kind[i]])
-        return rank;
-    struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, c->slot[rank]);
-    return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? rank : NOBODY;
+    const struct bullets *s = &b->shots;
+    const uint32_t slot = slot_of(c, best);
+    if (d < c->sure[s->kind[i]])
+        return slot;
+    struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, slot);
+    return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NOBODY;
 }
 
 /* A circle fits into each shape; swept shots touch whom their circle touched before they moved. */
@@ -363,7 +401,7 @@ static void judge(struct crowd *c, const struct bullet_kinds *k)
     for (uint32_t i = 0; i < k->s.live; i++) {
         int64_t core = least(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && c->core >= 0;
-        uint64_t r = sure ? (uint64_t)least(scaled(c, core + c->core), UINT32_MAX) : 0;
+        int64_t r = sure ? least(core + c->core, FX_MAX) : 0;
         c->sure[i] = r * r;
     }
 }
@@ -384,23 +422,26 @@ void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
     struct crowd c;
-    struct places was;
 
     if (!s->live || !b->enemies.s.live)
         return;
-    gather(&c, b, &was);
+    gather(&c, b);
     if (!c.n)
         return;
-    divide(&c, was.across, was.down, s->live < MANY ? 1 : c.n / A_CELL);
-    sort(&c, &was);
+    divide(&c, s->live, b->enemies.s.top);
+    sort(&c, &b->enemies);
     if (c.dense)
         judge(&c, &b->shot_kinds);
-    for (uint32_t word = 0; word < s->top / 64; word++)
+    struct flight f;
+    for (uint32_t word = 0; word < s->top / 64; word++) {
+        if (c.dense)
+            locate(&f, &b->shots, word * 64, (uint32_t)c.left, (uint32_t)c.top);
         for (uint64_t bits = s->used[word]; bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits);
-            uint32_t rank = c.dense ? target_nearest(b, &c, i) : NOBODY;
-            rank = rank == NOBODY ? target_by_rings(b, &c, i) : rank;
-            if (rank != NOBODY)
-                hit(b, i, c.slot[rank]);
+            uint32_t at = lowest_bit(bits), i = word * 64 + at;
+            uint32_t slot = c.dense ? target_nearest(b, &c, i, f.x[at], f.y[at]) : NOBODY;
+            slot = slot == NOBODY ? target_by_rings(b, &c, i) : slot;
+            if (slot != NOBODY)
+                hit(b, i, slot);
         }
+    }
 }
