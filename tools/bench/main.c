@@ -39,7 +39,7 @@ static const char ABOUT[] =
     "of what takes\n"
     "  long and is likely to be interrupted they are the bench's own share. Things that are compared run in turns, a "
     "slice\n"
-    "  of frames each, so a ratio is of one run and one moment.\n"
+    "  of frames each, so a ratio is of one run and one moment; the first frame of a slice warms up.\n"
     "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
     "picture\n"
     "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
