@@ -461,13 +461,13 @@ static void draw_plot(const struct quantity *q, const struct found found[], cons
     report_plot_end();
 }
 
-/* Nothing that was right here costs much less; a guess without the exact test behind it may cost half. */
+/* Nothing that was right here costs much less; a guess without the exact test behind it may cost a third. */
 static void conclude(const struct quantity *q, int engine, const struct found found[], const struct lab_rival time[])
 {
     bool cheapest = true;
 
     for (int i = 0; i < q->rivals->n; i++)
-        if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.4)
+        if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.33)
             cheapest = false;
     lab_conclude(q->question, q->rivals->row[engine].name,
                  report_string("0 misrounded here, none by `make prove`; %s", lab_ns(&time[engine])), q->instead,
