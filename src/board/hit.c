@@ -4,7 +4,8 @@
  * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
  * exact shape test (geom.h) looks at that whole way. A kind with swept = false is tested where it stands.
  *
- * Of bullets only those are tested that the move found near a player (`near` in bullets.h). `reach` covers the largest
+ * Bullets are tested while they move, block by block, because there their columns are at hand: bullets_move asks `judge`
+ * of those it found near a player, who has moved before, and hit_run raises what came of it. `reach` covers the largest
  * radius, the graze ring and the player's movement. Shots against enemies are in hit_shots.c.
  */
 #include "hit.h"
@@ -39,55 +40,36 @@ static bool within(const struct body *bullet, const struct body *c, int64_t reac
     return (dx < 0 ? -dx : dx) <= reach + size(bullet->mx) && (dy < 0 ? -dy : dy) <= reach + size(bullet->my);
 }
 
-static void bullet_against(struct board *b, uint32_t p, const struct body *c, const struct body *ring, int64_t reach,
-                           uint32_t i)
+enum verdict { MISS, HIT, GRAZE };
+
+static enum verdict bullet_against(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
 {
-    struct body bullet = flying(&b->bullets, &b->bullet_kinds, i);
+    struct body bullet = flying(&b->bullets, &b->bullet_kinds, i), ring = *c;
     uint8_t flags = b->bullet_kinds.flags[b->bullets.kind[i]];
 
     if (!within(&bullet, c, reach))
-        return;
+        return MISS;
     b->counts.tested++;
-    if (touch(&bullet, c, flags & KIND_SWEPT)) {
-        b->counts.hit++;
-        board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_BULLET, (int32_t)i));
-    } else if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
-               touch(&bullet, ring, flags & KIND_SWEPT)) {
-        b->counts.grazed++;
-        board_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_BULLET, (int32_t)i));
-    }
+    if (touch(&bullet, c, flags & KIND_SWEPT))
+        return HIT;
+    ring.a = b->player_kinds.graze[b->player.kind[p]];
+    if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) && touch(&bullet, &ring, flags & KIND_SWEPT))
+        return GRAZE;
+    return MISS;
 }
 
-/* What the tests will read of a block's bullets. */
-static void fetch(const struct bullets *s, uint32_t block, uint32_t p)
-{
-    for (uint64_t m = s->near[block * PADS + p] & s->s.used[block]; m; m &= m - 1) {
-        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
-        slots_fetch(&s->x[i]);
-        slots_fetch(&s->y[i]);
-        slots_fetch(&s->vx[i]);
-        slots_fetch(&s->vy[i]);
-        slots_fetch(&s->kind[i]);
-        slots_fetch(&s->flags[i]);
-    }
-}
-
-enum { AHEAD = 8 /* blocks */ };
-
-static void bullets_against(struct board *b, uint32_t p, const struct body *c, fx graze)
+static void bullets_against(struct board *b, uint32_t p)
 {
     const struct bullets *s = &b->bullets;
-    int64_t reach = reach_of(b, c, graze);
-    struct body ring = *c;
-    uint32_t blocks = s->s.top / SLOTS_BLOCK;
 
-    ring.a = graze;
-    for (uint32_t block = 0; block < blocks; block++) {
-        if (block + AHEAD < blocks)
-            fetch(s, block + AHEAD, p);
-        for (uint64_t m = s->near[block * PADS + p] & s->s.used[block]; m; m &= m - 1)
-            bullet_against(b, p, c, &ring, reach, block * SLOTS_BLOCK + lowest_bit(m));
-    }
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        for (uint64_t m = s->near[block * PADS + p]; m; m &= m - 1) {
+            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + lowest_bit(m)));
+            bool grazes = s->grazes[block * PADS + p] & m & -m;
+            b->counts.hit += !grazes;
+            b->counts.grazed += grazes;
+            board_event(b, grazes ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), bullet);
+        }
 }
 
 static void enemies_against(struct board *b, uint32_t p, const struct body *c)
@@ -118,12 +100,27 @@ static struct body pilot(const struct board *b, uint32_t p)
                           .my = pl->y[p] - pl->was_y[p] };
 }
 
-void hit_watch(const struct board *b, struct watch watch[PADS])
+/* Those of a block's bullets that hit player p or graze. */
+static uint64_t judge(const struct watch *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
+{
+    struct board *b = w->context;
+    struct body c = pilot(b, p);
+    uint64_t found = 0;
+
+    for (uint64_t m = near; m; m &= m - 1) {
+        enum verdict v = bullet_against(b, p, &c, w->reach, block * SLOTS_BLOCK + lowest_bit(m));
+        found |= v != MISS ? m & -m : 0;
+        *grazes |= v == GRAZE ? m & -m : 0;
+    }
+    return found;
+}
+
+void hit_watch(struct board *b, struct watch watch[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = pilot(b, p);
         fx graze = b->player_kinds.graze[b->player.kind[p]];
-        watch[p] = (struct watch){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1 };
+        watch[p] = (struct watch){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, judge, b };
     }
 }
 
@@ -133,7 +130,7 @@ void hit_run(struct board *b)
         struct body c = pilot(b, p);
         if (!b->player.in[p])
             continue;
-        bullets_against(b, p, &c, b->player_kinds.graze[b->player.kind[p]]);
+        bullets_against(b, p);
         enemies_against(b, p, &c);
     }
     hit_shots(b);

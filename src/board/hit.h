@@ -11,7 +11,7 @@
 #include "machine.h"
 
 /* What bullets_move must find for hit_run: the bullets near each player, who has moved already. */
-void hit_watch(const struct board *b, struct watch watch[PADS]);
+void hit_watch(struct board *b, struct watch watch[PADS]);
 
 void hit_run(struct board *b);
 

@@ -43,6 +43,7 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
+    DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
     DERIVED_REGISTER(bullets, fastest, "a bound that decides only who is looked at more closely"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
@@ -575,6 +576,26 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
     return any;
 }
 
+/* Bullets of a block may be near player p. */
+static void met(struct bullets *b, const struct watch *w, uint32_t block, uint32_t p, uint64_t near)
+{
+    uint64_t grazes = 0;
+
+    near &= b->s.used[block];
+    if (near && w->met)
+        near = w->met(w, p, block, near, &grazes);
+    b->near[block * PADS + p] = near;
+    b->grazes[block * PADS + p] = grazes;
+}
+
+/* What met will read of a block's bullets besides where they are. */
+static void fetch_met(const struct bullets *b, uint32_t first)
+{
+    slots_fetch(&b->kind[first]);
+    slots_fetch(&b->kind[first + SLOTS_BLOCK / 2]);
+    slots_fetch(&b->flags[first]);
+}
+
 static void watch_block(struct bullets *b, const struct watch *w, uint32_t block, uint32_t p)
 {
     uint32_t first = block * SLOTS_BLOCK;
@@ -582,7 +603,7 @@ static void watch_block(struct bullets *b, const struct watch *w, uint32_t block
     struct range r = watch_range(w, b->fastest);
     bool some = w->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
 
-    b->near[block * PADS + p] = some ? slots_gather(out) : 0;
+    met(b, w, block, p, some ? slots_gather(out) : 0);
 }
 
 void bullets_watch(struct bullets *b, const struct watch watch[PADS])
@@ -657,8 +678,10 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         uint32_t i = block * SLOTS_BLOCK;
         uint64_t named = 0, now = woken[block % AHEAD];
 
-        if (block + AHEAD < blocks)
+        if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
+            fetch_met(b, i + AHEAD * SLOTS_BLOCK);
+        }
         if (b->busy[block] | now)
             run_programs(b, w, block, now);
         if (b->fastest != fastest) { /* a program may have made one faster */
@@ -671,7 +694,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             if (some & 2)
                 named = drop_lost(b, named, i, keep);
         }
-        b->near[block * PADS] = watch[0].reach < 0 ? 0 : named;
+        met(b, &watch[0], block, 0, watch[0].reach < 0 ? 0 : named);
         for (uint32_t p = 1; p < PADS; p++)
             watch_block(b, &watch[p], block, p);
     }

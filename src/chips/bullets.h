@@ -71,20 +71,26 @@ struct bullets {
     int16_t *x_more, *y_more;
 
     /* Of each block of 64, a bit a slot. Bits of dead slots may be left over in `near`. */
-    uint64_t *busy; /* has a program to run this frame, or is fine */
-    uint64_t *idle; /* its program does nothing until the clock is `end` */
-    uint64_t *near; /* PADS words: may be near that player this frame */
-    uint8_t *due;   /* of an idle bullet: the low byte of `end` */
-    fx fastest;     /* no |vx| or |vy| is above it */
-    uint32_t moved; /* bullets moved this frame */
-    uint64_t ran;   /* motion steps run this frame */
+    uint64_t *busy;   /* has a program to run this frame, or is fine */
+    uint64_t *idle;   /* its program does nothing until the clock is `end` */
+    uint64_t *near;   /* PADS words: may be near that player this frame, or what `met` kept of them */
+    uint64_t *grazes; /* PADS words: those of near that `met` marked */
+    uint8_t *due;     /* of an idle bullet: the low byte of `end` */
+    fx fastest;       /* no |vx| or |vy| is above it */
+    uint32_t moved;   /* bullets moved this frame */
+    uint64_t ran;     /* motion steps run this frame */
 };
 
-/* A player whose neighbours a move is to find: bullets that end it within `reach` and their own speed of (x, y), on both
- * axes. Negative: none. */
+/*
+ * A player whose neighbours a move is to find: bullets that end it within `reach` and their own speed of (x, y), on both
+ * axes. Negative: none. `met` (may be NULL) is asked at once, while they are at hand, which of a block's bullets `near`
+ * are to be kept there, and marks those of them that only graze.
+ */
 struct watch {
     fx x, y;
     int64_t reach;
+    uint64_t (*met)(const struct watch *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes);
+    void *context; /* of met */
 };
 
 /* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */

@@ -316,8 +316,10 @@ static void test_moves(void **state)
         else if (below(2))
             keep = (struct box){ -(64 << 16), -(64 << 16), 300 << 16, 300 << 16 };
         for (uint32_t p = 0; p < PADS; p++)
-            watch[p] = (struct watch){ length(world), length(world),
-                                       below(4) ? (int64_t)below(64 << 16) - 1 : (int64_t)rng_below(&rng, 1ull << 33) };
+            watch[p] = (struct watch){ .x = length(world),
+                                       .y = length(world),
+                                       .reach = below(4) ? (int64_t)below(64 << 16) - 1
+                                                         : (int64_t)rng_below(&rng, 1ull << 33) };
         EACH_LIVE (i, &s->s)
             bullets_drop(s, i);
         slots_trim(&s->s);
