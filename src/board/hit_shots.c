@@ -322,7 +322,7 @@ static uint32_t target_by_rings(const struct board *b, const struct crowd *c, ui
  */
 static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 {
-    return p->square + p->x * x + p->y * y;
+    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits, parts may not */
 }
 
 /* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
