@@ -121,8 +121,8 @@ int64_t board_refused(const struct board *b, const char *part);
  * board. NULL: nobody asks, as after power-on and after a restore. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
-    PHASE_MOTION,  /* everything moves; what left the keep box is gone */
-    PHASE_HITS,    /* all collisions */
+    PHASE_MOTION,  /* everything moves, and bullets are tested against players; what left the keep box is gone */
+    PHASE_HITS,    /* all other collisions, and the events of all */
     PHASE_EVENTS,  /* what they led to, and the scripts' handlers */
     PHASE_REST,    /* palette, the Lua collector */
     PHASES

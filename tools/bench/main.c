@@ -44,7 +44,9 @@ static const char ABOUT[] =
     "picture\n"
     "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
     "second;\n"
-    "  it is not in the sums. Sixty frames a second leave 16.67 ms each.\n"
+    "  it is not in the sums. Bullets are tested against players as they move, so *motion* has that too; *hits* "
+    "raises\n"
+    "  what came of it, and has the other collisions. Sixty frames a second leave 16.67 ms each.\n"
     "* Nothing is drawn by the graphics card, no other thread helps, and the compiler's flags are those named below.\n"
     "* px is a pixel, a frame 1/60 s, 1 GB 10^9 bytes.\n"
     "\n";
