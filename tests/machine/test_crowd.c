@@ -43,7 +43,7 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
                        uint8_t *out)
 {
     const struct sprite *pic = &b->pictures[k->sprite[kind]];
-    unsigned blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+    unsigned blend = (k->flags[kind] & (unsigned)KIND_BLEND) / KIND_BLEND_ONE;
 
     for (uint32_t i = 0; i < s->s.top; i++)
         if (is_used(&s->s, i) && s->kind[i] == kind) {
@@ -96,7 +96,7 @@ static void random_game(struct rig_game *g)
 {
     struct manifest m = rig_manifest();
     struct lump lumps[64];
-    char names[OWN][16];
+    char names[OWN][24];
     uint8_t *own[OWN];
     struct rig_game plain;
     bool small = below(2);

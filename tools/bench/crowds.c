@@ -8,6 +8,7 @@
 #include "bench.h"
 #include "crowd.h"
 #include "../../platform/platform.h"
+#include "../../src/board/video.h"
 
 enum {
     REFERENCES = 2,
@@ -31,7 +32,9 @@ struct size {
     struct samples laps[LAPS], total[RIVALS], hash;
     struct samples tick[RIVALS], draw[RIVALS], present[RIVALS];
     struct crowd_counts counts[RIVALS];
-    double update; /* bytes a ns of this many bullets' columns */
+    struct samples over; /* drawing each bullet over the last, never front to back */
+    uint64_t hidden;     /* bullets that need not be drawn in the last picture */
+    double update;       /* bytes a ns of this many bullets' columns */
 };
 
 static struct size sizes[MOST_SIZES];
@@ -156,6 +159,29 @@ static void check(const struct arena *a, const struct size *s)
     bench_claim(crowd_misdrawn(&a->crowd, &a->scene), where);
 }
 
+/* The measured size of n bullets. */
+static struct size *size_of(int n)
+{
+    for (int i = 0; i < n_sizes; i++)
+        if (sizes[i].n == n)
+            return &sizes[i];
+    return NULL;
+}
+
+/* The other way to draw the same picture. */
+static void draw_over(struct arena *a, struct size *s)
+{
+    struct scene *scene = &a->scene;
+
+    for (int k = 0; k < 7; k++) {
+        double from = bench_now();
+        video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_COATS);
+        if (k > 0)
+            samples_add(&s->over, bench_since(from));
+    }
+    s->hidden = video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_COATS).hidden;
+}
+
 /* Runs a crowd of n; its times stay in sizes[]. */
 static struct size *run(int n)
 {
@@ -169,6 +195,7 @@ static struct size *run(int n)
     bench_own_clock(n >= OWN_CLOCK);
     for (int round = -1; round < rounds; round++) /* the first warms up */
         slice(&a, s, frames, round >= 0);
+    draw_over(&a, s);
     bench_own_clock(false);
     check(&a, s);
     close_arena(&a);
@@ -282,6 +309,13 @@ static void counts_table(void)
     report_text("*Tested* are those whose way of the frame, as a box, comes within reach of the player; each grazes a "
                 "player once. At the end of each n the three have every bullet in the same place and show the same "
                 "pixels, and the picture is that of a painter who copies byte by byte and knows nothing of batches.");
+    struct size *million = size_of(M1);
+    report_text(
+        "When bullets would cover the field %d times over, the engine draws them front to back and skips what is "
+        "hidden: of %s, %s in the last picture, which all the same count as drawn. Painted one over the other, "
+        "as the references paint, that picture takes %s ns a bullet instead of %s.",
+        VIDEO_COATS, report_count(M1), report_count((int64_t)million->hidden), per_bullet(&million->over, M1),
+        per_bullet(&million->draw[0], M1));
 }
 
 static void limits_table(void)
@@ -310,16 +344,6 @@ static int by_n(const void *a, const void *b)
 {
     return ((const struct size *)a)->n - ((const struct size *)b)->n;
 }
-
-/* The measured size of n bullets. */
-static struct size *size_of(int n)
-{
-    for (int i = 0; i < n_sizes; i++)
-        if (sizes[i].n == n)
-            return &sizes[i];
-    return NULL;
-}
-
 static int whole_blocks(double n)
 {
     return (int)(n > 1 << 22 ? 1 << 22 : n) / 64 * 64;
@@ -434,5 +458,6 @@ void section_crowd(void)
             samples_free(&s->present[k]);
         }
         samples_free(&s->hash);
+        samples_free(&s->over);
     }
 }
