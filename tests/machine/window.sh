@@ -58,8 +58,13 @@ start() {
         check "a window for: $*" cat "$scratch/err" /none
         return 1
     fi
-    timeout 5 xdotool windowfocus --sync "$win"
-    xdotool windowmove "$win" 0 0
+    soon focused
+}
+# The window that is still there a moment after it got the keys.
+focused() {
+    local first
+    found && first=$win && timeout 5 xdotool windowfocus --sync "$win" 2>/dev/null &&
+        xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
 }
 found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
 leave() {
