@@ -1,10 +1,10 @@
 /*
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
- * A counting sort lists every kind's bullets in slot order, as places (stamp.h) of a picture they all show, which is then
- * stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's edge. When there are so
- * many that they cover the field many times over, they are drawn front to back on a layer of the field's size: first the
- * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
+ * A counting sort lists every kind's bullets in slot order, as places (stamp.h) of a picture they all show, which is
+ * then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's edge.
+ * When there are so many that they cover the field many times over, they are drawn front to back on a layer of the
+ * field's size: first the topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -204,7 +204,7 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
 }
 
 /* How far each bullet's pixel is from the field's corner on the surface, and its bank. True: all are places whichever
- * kind they are, or dead. */
+ * kind they are. */
 static bool place_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
                         const struct target *target)
 {
@@ -244,39 +244,8 @@ static void list_other(struct lists *l, const struct bullets *s, const struct ta
         l->list[spot->next++] = STAMP_OTHER | i;
 }
 
-/* Lists those bullets of a block that m names. */
-static void list_block(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block, uint64_t m)
-{
-    const uint32_t first = block * SLOTS_BLOCK;
-    const uint16_t *kinds = s->kind + first;
-    uint32_t *list = l->list, at[SLOTS_BLOCK];
-    struct spot *spots = l->spot;
-    bool places = place_block(s->x + first, s->y + first, s->bank + first, at, t) && !l->some_by_slot;
-
-    if (places && m == ~(uint64_t)0) /* most often */
-        for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
-            struct spot *spot = &spots[kinds[k]];
-            list[spot->next++] = at[k] + spot->from;
-        }
-    else
-        for (; m; m &= m - 1) {
-            uint32_t k = lowest_bit(m);
-            struct spot *spot = &spots[kinds[k]];
-            if (places || (!l->by_slot[kinds[k]] && is_place(t, s->x[first + k], s->y[first + k])))
-                list[spot->next++] = at[k] + spot->from;
-            else
-                list_other(l, s, t, first + k);
-        }
-}
-
-static void list_all(struct lists *l, const struct bullets *s, const struct target *t)
-{
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        list_block(l, s, t, block, s->s.used[block]);
-}
-
-/* The same where m names few of them. */
-static void list_few(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block, uint64_t m)
+/* Lists those bullets of a block that m names, one by one. */
+static void list_some(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block, uint64_t m)
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
@@ -288,6 +257,29 @@ static void list_few(struct lists *l, const struct bullets *s, const struct targ
         else
             list_other(l, s, t, i);
     }
+}
+
+/* Lists a block whose slots are all live and all places, most often; else nothing. */
+static bool list_block(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block)
+{
+    const uint32_t first = block * SLOTS_BLOCK;
+    const uint16_t *kinds = s->kind + first;
+    uint32_t *list = l->list, at[SLOTS_BLOCK];
+
+    if (l->some_by_slot || ~s->s.used[block] || !place_block(s->x + first, s->y + first, s->bank + first, at, t))
+        return false;
+    for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
+        struct spot *spot = &l->spot[kinds[k]];
+        list[spot->next++] = at[k] + spot->from;
+    }
+    return true;
+}
+
+static void list_all(struct lists *l, const struct bullets *s, const struct target *t)
+{
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        if (!list_block(l, s, t, block))
+            list_some(l, s, t, block, s->s.used[block]);
 }
 
 /* Those of a block whose kinds are open. */
@@ -304,7 +296,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
 static void list_open(struct lists *l, const struct bullets *s, const struct target *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        list_few(l, s, t, block, open_ones(l, s, block));
+        list_some(l, s, t, block, open_ones(l, s, block));
 }
 
 static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
@@ -440,7 +432,7 @@ static void list_seen(struct lists *l, const struct bullets *s, const struct tar
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         uint64_t m = seen_ones(cells, s, block);
         if (m)
-            list_few(l, s, t, block, m & open_ones(l, s, block));
+            list_some(l, s, t, block, m & open_ones(l, s, block));
     }
 }
 

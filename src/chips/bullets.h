@@ -70,7 +70,7 @@ struct bullets {
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
 
-    /* Of each block of 64, a bit a slot. Bits of dead slots may be left over in `near`. */
+    /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;   /* has a program to run this frame, or is fine */
     uint64_t *idle;   /* its program does nothing until the clock is `end` */
     uint64_t *near;   /* PADS words: may be near that player this frame, or what `met` kept of them */
