@@ -58,6 +58,7 @@ end
 local function play(e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
+  sys.mark("phase", phase.id)
   local scope = task.scope(e)
   task.own(scope, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
@@ -74,6 +75,7 @@ end
 
 -- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
 local function fight(b, phases)
+  sys.mark("boss", b.name)
   local e, all, won = fly_in(b), true, false
   for i, phase in ipairs(phases) do
     status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,

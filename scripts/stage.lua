@@ -59,6 +59,7 @@ function stage.wave(args)
   local a = sys.check("stage.wave", args)
   if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
   if stage.skipping() then return end
+  sys.mark("wave", a.kind)
   local t = task.go(fly_wave, a)
   if now then now.waves[#now.waves + 1] = t end
 end
@@ -80,7 +81,9 @@ end
 function stage.mark(name)
   local a, s = sys.check("stage.mark", name), current("stage.mark")
   s.marks[#s.marks + 1] = a.name
-  if s.skip ~= a.name then return end
+  if s.skip and s.skip ~= a.name then return end
+  sys.mark("point", a.name)
+  if not s.skip then return end
   s.skip = nil
   sys.skip(false)
   sys.wipe() -- what the stage made by its own hands on the way here
@@ -108,6 +111,7 @@ function stage.play(name, owner, mark)
   local s = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = mark, marks = {}, waves = {} }
   now = s
   sys.emit("stage", name, "start")
+  sys.mark("stage", name)
   task.own(s.scope, function()
     sys.skip(mark ~= nil)
     stages[name]()

@@ -13,6 +13,8 @@ static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
                                          { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
 static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param pad_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -63,11 +65,22 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* No change of RAM: only the cabinet hears of it. */
+static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave", "boss", "phase", "death" };
+
+    for (int k = 0; k < MARK_KINDS; k++)
+        if (!strcmp(kinds[k], lua_tostring(L, v[0].at)))
+            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at)), 0;
+    return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[0].at));
+}
+
 static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     b->vm.asked = true;
-    lua_pushstring(L, b->start.stage);
+    lua_pushstring(L, b->start.practice.mark);
     return 1;
 }
 
@@ -207,6 +220,7 @@ static const struct api_entry entries[] = {
     { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
+    { "sys.mark", sys_mark, PARAMS(mark), 2, API_SYS, NULL, "a moment of the run, for the cabinet's bar of time" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "string", "the practice start" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },

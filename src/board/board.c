@@ -220,7 +220,7 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
-    b->start.stage[sizeof b->start.stage - 1] = 0;
+    b->start.practice.mark[sizeof b->start.practice.mark - 1] = 0;
     b->vm.counting = count;
     if (!start_fits(&b->cart.m, start, err, err_size))
         return NULL;
@@ -475,6 +475,17 @@ void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
+}
+
+void board_mark(struct board *b, enum board_mark_kind kind, const char *name)
+{
+    struct board_out *out = &b->hand->out;
+
+    if (out->marks == MARKS)
+        return;
+    struct board_mark *m = &out->mark[out->marks++];
+    m->kind = kind;
+    snprintf(m->name, sizeof m->name, "%s", name);
 }
 
 void board_score(struct board *b, uint32_t i, int64_t points)

@@ -37,18 +37,48 @@ struct board_fault {
     char trace[2048];  /* Lua traceback, lines separated by \n */
 };
 
+/* A practice start: one piece of the game, again and again, as @std/boot plays it. Zero: the game from its title. */
+enum { PRACTICE_REGISTERS = 16 };
+struct practice {
+    char mark[64];   /* "", "one", "one:mark", "queen/bloom" */
+    int32_t lives;   /* of the players, 0 to 99: those of their kind */
+    bool invincible; /* nothing hits them */
+    int32_t registers;
+    struct {
+        char name[32];
+        int32_t value;
+    } reg[PRACTICE_REGISTERS]; /* so many registers of the ship start with these values */
+};
+
 /* All that reaches a board besides ROM and pads; every field is in the demo header. Zero is a fine default but for
  * difficulty. */
 struct board_start {
     uint64_t seed;
-    int32_t dip[16];      /* a value for each DIP of the manifest, in its order */
-    int32_t difficulty;   /* index into the manifest's list; -1: the manifest's default */
-    char stage[64];       /* practice start: "", "one", "one:mark", "queen/bloom" */
+    int32_t dip[16];    /* a value for each DIP of the manifest, in its order */
+    int32_t difficulty; /* index into the manifest's list; -1: the manifest's default */
+    struct practice practice;
     const uint8_t *nvram; /* NULL: blank */
     size_t nvram_size;    /* at most NVRAM_BYTES */
 };
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
+
+/* Moments of a run by which a player finds their way in it. */
+enum board_mark_kind {
+    MARK_STAGE, /* a stage starts; its name */
+    MARK_POINT, /* stage.mark; its name */
+    MARK_WAVE,  /* stage.wave; the kind of its enemies */
+    MARK_BOSS,  /* a boss flies in; its name */
+    MARK_PHASE, /* one of its phases starts; the phase's id */
+    MARK_DEATH, /* a player dies; "1" or "2" */
+    MARK_KINDS
+};
+
+enum { MARKS = 16 /* of a tick; what is more is not told */ };
+struct board_mark {
+    enum board_mark_kind kind;
+    char name[32]; /* cut to fit */
+};
 
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */
 struct board_out {
@@ -57,6 +87,8 @@ struct board_out {
     const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
     const char *log;      /* what print wrote this tick, lines ending in \n, at most 4 KiB */
     size_t log_size;
+    struct board_mark mark[MARKS];
+    int marks;
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
 };
 

@@ -104,6 +104,9 @@ struct targets board_players(const struct board *b);
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
+/* Tells the cabinet of a moment. */
+void board_mark(struct board *b, enum board_mark_kind kind, const char *name);
+
 /* Player i's score goes up; lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 

@@ -433,9 +433,9 @@ int vm_boot(lua_State *L)
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
-    if (b->start.stage[0] && !b->vm.asked)
+    if (b->start.practice.mark[0] && !b->vm.asked)
         vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
-                 b->start.stage, b->cart.m.entry);
+                 b->start.practice.mark, b->cart.m.entry);
     return 0;
 }
 

@@ -83,7 +83,7 @@ static const char *game(void)
 
 static bool keeps_nvram(void)
 {
-    return !cab.rewound && !cab.options.demo && !cab.options.start.stage[0] && !cab.options.start.nvram &&
+    return !cab.rewound && !cab.options.demo && !cab.options.start.practice.mark[0] && !cab.options.start.nvram &&
            !(cab.writer.demo.flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 

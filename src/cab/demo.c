@@ -198,7 +198,7 @@ static void take_start(struct source *s, struct board_start *start)
     for (int i = 0; i < MAX_DIPS; i++)
         start->dip[i] = (int32_t)take32(s);
     start->difficulty = (int32_t)take32(s);
-    take_str(s, start->stage, sizeof start->stage);
+    take_str(s, start->practice.mark, sizeof start->practice.mark);
     s->bad |= start->difficulty < -1 || start->difficulty >= MAX_DIFFICULTIES;
 }
 
@@ -588,7 +588,7 @@ static void write_header(struct sink *s, const struct demo *d, uint32_t *crc)
     for (int i = 0; i < MAX_DIPS; i++)
         write32(s, (uint32_t)d->start.dip[i]);
     write32(s, (uint32_t)d->start.difficulty);
-    write_str(s, d->start.stage);
+    write_str(s, d->start.practice.mark);
     write8(s, (uint32_t)d->parts);
     for (int i = 0; i < d->parts; i++)
         write_str(s, d->part[i]);

@@ -198,9 +198,9 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
         if (stage[i] < 32 || stage[i] > 126)
             return refuse(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
     }
-    if (n >= sizeof g->start.stage)
-        return refuse(err, err_size, "--stage: longer than %zu characters", sizeof g->start.stage - 1);
-    memcpy(g->start.stage, stage, n + 1);
+    if (n >= sizeof g->start.practice.mark)
+        return refuse(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.mark - 1);
+    memcpy(g->start.practice.mark, stage, n + 1);
     return true;
 }
 

@@ -36,7 +36,7 @@ static void check(const struct demo *d, size_t file_size)
     uint64_t h = 0;
 
     must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
-    must(memchr(d->start.stage, 0, sizeof d->start.stage) != NULL && memchr(d->id, 0, sizeof d->id) != NULL);
+    must(memchr(d->start.practice.mark, 0, sizeof d->start.practice.mark) != NULL && memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= file_size && d->seconds <= file_size);
     must(d->script >= 0 && d->script < d->parts && strcmp(d->part[d->script], "script") == 0);
     must(d->marked == d->frames || d->marked + 1 == d->frames);

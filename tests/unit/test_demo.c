@@ -135,7 +135,7 @@ static void same(const struct demo *a, const struct demo *b)
     assert_true(a->start.seed == b->start.seed);
     assert_memory_equal(a->start.dip, b->start.dip, sizeof a->start.dip);
     assert_int_equal(a->start.difficulty, b->start.difficulty);
-    assert_string_equal(a->start.stage, b->start.stage);
+    assert_string_equal(a->start.practice.mark, b->start.practice.mark);
     assert_int_equal(a->start.nvram_size, b->start.nvram_size);
     assert_memory_equal(a->nvram, b->nvram, a->start.nvram_size);
     assert_int_equal(a->flags, b->flags);
