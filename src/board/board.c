@@ -21,7 +21,7 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
 
 #define PART(chip, name)                                                                                               \
     {                                                                                                                  \
-        &chip, offsetof(struct board, name)                                                                            \
+        &chip, offsetof(struct board, name), sizeof((struct board *)0)->name                                           \
     }
 const struct part parts[PARTS] = {
     PART(script_chip, script),   PART(core_chip, core),
@@ -363,27 +363,6 @@ const char *board_part(const struct board *b, int i)
 {
     (void)b;
     return parts[i].chip->name;
-}
-
-uint64_t board_part_hash(const struct board *b, int i)
-{
-    return slots_hash(parts[i].chip, chip_at(b, i));
-}
-
-void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
-{
-    for (int i = 0; i < PARTS; i++)
-        out[i] = board_part_hash(b, i);
-}
-
-uint64_t board_hash(const struct board *b)
-{
-    uint64_t h = HASH_START;
-
-    for (int i = 0; i < PARTS; i++)
-        if (!parts[i].chip->apart)
-            h = hash_fold(h, slots_hash(parts[i].chip, chip_at(b, i)));
-    return h;
 }
 
 size_t board_snapshot_size(const struct board *b)

@@ -128,6 +128,11 @@ const char *board_part(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
+/* board_hashes, for one board frame after frame: about ten times as fast, for what did not change is not hashed again.
+ * copies and hashes are as the last call left them; at first copies are board_copies(b) bytes of zeroes. */
+size_t board_copies(const struct board *b);
+void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS]);
+
 /* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts
  * it back into the same RAM, whatever was done to that RAM in between. Fastest when RAM and buf are aligned to 64. */
 size_t board_snapshot_size(const struct board *b);

@@ -92,7 +92,7 @@ struct board {
 
 struct part {
     const struct chip *chip;
-    size_t at; /* of the chip's struct in the board */
+    size_t at, size; /* of the chip's struct in the board */
 };
 enum { PARTS = 20 };
 extern const struct part parts[PARTS];

@@ -2,24 +2,12 @@
  * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
  * floor: cab    used by: cab/ tests/
  *
- * The file, little-endian: "CDEM", u32 format (DEMO_FORMAT), then records, each u32 kind, u32 payload bytes, payload,
- * u32 CRC32. The CRC goes on from the one of the record before (the first from 0) over kind, size and payload, so that
- * a lost, swapped or foreign record shows. str is u8 length, bytes.
+ * The file is described byte by byte in docs/demos.md. In short: a header, then a record a second with pads and hashes,
+ * a record a moment (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
+ * disk) is read as far as it goes, and says so in .complete.
  *
- *     H  once, first: u32 core version, u64 game hash, u64 ROM hash, str game id, str Lua release, u64 seed,
- *        16 x i32 DIP, i32 difficulty, str practice start, u8 parts, a str for each part's name ("script" among
- *        them), u32 nvram bytes, the nvram image run-length coded up to the payload's end: c < 128: c + 1 bytes
- *        follow; else the next byte c - 125 times
- *     S  a second: u32 first frame, u8 frames (60; fewer only in the last; 0 only in the first, which holds the hashes
- *        of the board just powered on), u8 runs, u8 hashed (0 or 1), u8 0; runs x { u16 frames, u16 pad 1, u16 pad 2 };
- *        for each frame but the last, u16: its mark, the low 16 bits of the hash of part script when it is over; if
- *        hashed, a u64 for each part: its hash when those frames are over (the last frame's mark is in script's). Not
- *        hashed: the last, when it faulted; a frame that faulted has no mark
- *     F  u32 flags (DEMO_BRANCHED ...), added to those before; anywhere after H
- *     E  last: u32 frames, u32 fault (enum board_fault_kind; FAULT_NONE: the player stopped)
- *
- * One S is written a second as the game is played. A file without its E (a crash, a full disk) is read as far as it
- * goes, and says so in .complete.
+ * Hashes: a whole one of every part each second, a row of the track; and after every frame the low 16 bits of each
+ * part's, its print, so that a replay that differs is known by frame and part.
  */
 #ifndef CAB_DEMO_H
 #define CAB_DEMO_H
@@ -31,7 +19,8 @@
 #include "../board/cart.h"
 
 enum {
-    DEMO_FORMAT = 2,
+    DEMO_FORMAT = 3,
+    DEMO_OLDEST = 2,            /* format that is read; written is the newest */
     DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* of a file */
@@ -45,7 +34,14 @@ enum {
     DEMO_FLAGS = (1 << 3) - 1
 };
 
+/* A moment, for finding one's way in a run. */
+struct demo_moment {
+    uint32_t frame; /* it happened in the tick that made this frame */
+    struct board_mark mark;
+};
+
 struct demo {
+    uint32_t format;              /* of the file it was read from */
     uint32_t core;                /* core version that recorded it */
     uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
     char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
@@ -54,16 +50,18 @@ struct demo {
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
-    int script;                  /* which of them is part script */
-    uint32_t frames;             /* ticks recorded */
-    uint16_t (*pads)[PADS];      /* pads[f] made frame f + 1 */
-    uint16_t *marks;             /* marks[f] is of frame f + 1: the low bits of part script's hash */
-    uint32_t marked;             /* frames that have one: all, but for a last one that faulted */
-    uint32_t seconds;            /* hash rows; row i is of frame demo_row_frame(d, i) */
-    uint64_t *track;             /* seconds x parts */
+    uint32_t frames;        /* ticks recorded */
+    uint16_t (*pads)[PADS]; /* pads[f] made frame f + 1 */
+    uint16_t *prints;       /* frames x parts; those from f * parts on are of frame f + 1 */
+    uint32_t printing;      /* which parts have prints, 1 << part: all; in format 2 script alone */
+    uint32_t printed;       /* frames that have them: all, but for a last one that faulted */
+    uint32_t seconds;       /* hash rows; row i is of frame demo_row_frame(d, i) */
+    uint64_t *track;        /* seconds x parts */
+    uint32_t moments;
+    struct demo_moment *moment;  /* frames ascending */
     bool complete;               /* has its end mark */
     enum board_fault_kind fault; /* the last recorded tick (or, with no frames, power-on) ended in this */
-    uint32_t room_frames, room_marks, room_seconds;
+    uint32_t room_frames, room_prints, room_seconds, room_moments;
 };
 
 /* Reads and checks a whole demo; false and one sentence (without the file's name) for anything that is not one. A file
@@ -82,10 +80,10 @@ void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
 /* The frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., the last one at the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 
-/* Can this be the hash of part script after `frame`? False: scripts acted differently in that frame, or in one before. A
- * difference that its mark does not show (one in 65536) shows in the next frame's. True where nothing was marked: at
- * power-on, in the frame that faulted, after the end. */
-bool demo_agrees(const struct demo *d, uint32_t frame, uint64_t script);
+/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their prints, and where
+ * there is a row by the whole hashes. A difference that a print does not show (one in 65536) shows in a later frame's.
+ * 0 where there is neither: in the frame that faulted, after the end. */
+uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
 /* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's
  * manifest allows. */
@@ -105,7 +103,10 @@ struct demo_writer {
     char path[DEMO_PATH]; /* "": kept in memory only */
     char err[DEMO_PATH + 64];
     uint32_t written; /* frames in the file */
+    uint32_t told;    /* moments in the file */
     uint32_t crc;     /* of the last record written */
+    uint64_t hashes[MAX_PARTS];
+    void *copies; /* of board_hashes_again */
     bool on;
 };
 
@@ -117,6 +118,9 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 /* Call after every board_tick with the pads it got. Once a second the file grows. */
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
 
+/* From now on in this file too; what is recorded so far is written at once. An existing file is replaced. */
+bool demo_keep(struct demo_writer *w, const char *path);
+
 /* Adds flags. */
 bool demo_flag(struct demo_writer *w, unsigned flags);
 
@@ -126,5 +130,8 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame);
 
 /* Ends: writes what is left and the end mark, with the board's fault if it has one. demo stays until demo_free. */
 bool demo_end(struct demo_writer *w, const struct board *b);
+
+/* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence. */
+bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size);
 
 #endif

@@ -308,23 +308,16 @@ struct check {
     const char *path;
     struct demo demo;
     struct guard guard;
-    char doubt[160]; /* " (recorded on another build)", or nothing */
-    int script;      /* which part of the board is part script */
+    char doubt[160];     /* " (recorded on another build)", or nothing */
+    int part[MAX_PARTS]; /* the board's part for each of the demo's; -1: it has none */
+    uint64_t hashes[MAX_PARTS];
+    void *copies; /* of board_hashes_again */
     bool trace;
 };
 
 static int differs(const struct check *c, uint32_t frame, const char *what)
 {
     printf("%s: frame %u: %s%s\n", c->path, (unsigned)frame, what, c->doubt);
-    return EXIT_DIFFERS;
-}
-
-/* The same, somewhere in these frames. */
-static int differs_within(const struct check *c, uint32_t first, uint32_t last, const char *what)
-{
-    if (first == last)
-        return differs(c, last, what);
-    printf("%s: frames %u to %u: %s%s\n", c->path, (unsigned)first, (unsigned)last, what, c->doubt);
     return EXIT_DIFFERS;
 }
 
@@ -345,36 +338,30 @@ static int part_of(const struct board *b, const char *name)
     return -1;
 }
 
-/* Compares a row of the track with the board; names what differs, and since when: it was not so at the row before. */
-static int check_row(const struct check *c, const struct board *b, uint32_t row)
+/* Compares the board with prints and track; names the parts that differ. */
+static int check_frame(struct check *c, const struct board *b, uint32_t frame)
 {
     const struct demo *d = &c->demo;
     uint64_t hashes[MAX_PARTS];
     char what[MAX_PARTS * 18 + 16] = "";
+    uint32_t differ = 0;
     size_t n = 0;
+    int count = 0;
 
-    board_hashes(b, hashes);
+    board_hashes_again(b, c->copies, c->hashes);
+    for (int i = 0; i < d->parts; i++)
+        hashes[i] = c->part[i] < 0 ? 0 : c->hashes[c->part[i]];
+    differ = demo_differs(d, frame, hashes);
     for (int i = 0; i < d->parts; i++) {
-        int part = part_of(b, d->part[i]);
-        if (part < 0 || hashes[part] != d->track[(size_t)row * (size_t)d->parts + (size_t)i])
-            n += (size_t)snprintf(what + n, sizeof what - n, "%s%s", n ? ", " : "", d->part[i]);
+        if (!(differ >> i & 1) && !(c->part[i] < 0))
+            continue;
+        n += (size_t)snprintf(what + n, sizeof what - n, "%s%s", n ? ", " : "", d->part[i]);
+        count++;
     }
-    if (n == 0)
+    if (count == 0)
         return EXIT_DONE;
-    snprintf(what + n, sizeof what - n, " differ");
-    return differs_within(c, row ? demo_row_frame(d, row - 1) + 1 : 0, demo_row_frame(d, row), what);
-}
-
-/* A mark is of one frame and one part, so it comes before the row that may be due. */
-static int check_frame(const struct check *c, const struct board *b, uint32_t frame, uint32_t *row)
-{
-    const struct demo *d = &c->demo;
-
-    if (!demo_agrees(d, frame, board_part_hash(b, c->script)))
-        return differs(c, frame, "script differs");
-    if (*row < d->seconds && frame == demo_row_frame(d, *row))
-        return check_row(c, b, (*row)++);
-    return EXIT_DONE;
+    snprintf(what + n, sizeof what - n, count == 1 ? " differs" : " differ");
+    return differs(c, frame, what);
 }
 
 /* The board has faulted at this frame: was it so when the demo was recorded? */
@@ -397,11 +384,11 @@ static int replay(struct check *c)
     const struct board *b = c->guard.board;
     uint16_t pads[PADS];
 
-    for (uint32_t f = 0, row = 0;; f++) {
+    for (uint32_t f = 0;; f++) {
         const struct board_fault *fault = board_last(b)->fault;
         if (fault)
             return check_fault(c, fault, f);
-        if (check_frame(c, b, f, &row) != EXIT_DONE)
+        if (check_frame(c, b, f) != EXIT_DONE)
             return EXIT_DIFFERS;
         if (f == d->frames)
             return d->fault ? differs(c, f, "the fault it was recorded with does not happen") : holds(c);
@@ -423,8 +410,11 @@ static int verify_loaded(struct check *c, const struct game *g)
         snprintf(c->doubt, sizeof c->doubt, " (%s)", doubt);
     if (!guard_power(&c->guard, &g->rom, &c->demo.start, err, sizeof err))
         return game_report(EXIT_INPUT, "%s: %s", c->path, err);
-    c->script = part_of(c->guard.board, "script");
-    int code = replay(c);
+    for (int i = 0; i < c->demo.parts; i++)
+        c->part[i] = part_of(c->guard.board, c->demo.part[i]);
+    c->copies = calloc(1, board_copies(c->guard.board));
+    int code = c->copies ? replay(c) : game_report(EXIT_HOST, "out of memory");
+    free(c->copies);
     guard_close(&c->guard);
     return code;
 }

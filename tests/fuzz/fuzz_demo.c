@@ -33,21 +33,25 @@ static void must(bool holds)
 static void check(const struct demo *d, size_t file_size)
 {
     uint16_t pads[PADS];
-    uint64_t h = 0;
+    uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
     must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
-    must(memchr(d->start.practice.mark, 0, sizeof d->start.practice.mark) != NULL && memchr(d->id, 0, sizeof d->id) != NULL);
+    must(memchr(d->start.practice.mark, 0, sizeof d->start.practice.mark) != NULL &&
+         memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= file_size && d->seconds <= file_size);
-    must(d->script >= 0 && d->script < d->parts && strcmp(d->part[d->script], "script") == 0);
-    must(d->marked == d->frames || d->marked + 1 == d->frames);
+    must(d->printing != 0 && (d->printed == d->frames || d->printed + 1 == d->frames));
     must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
     for (uint32_t f = 0; f <= d->frames; f++) {
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
-        must(f < 1 || f > d->marked || demo_agrees(d, f, d->marks[f - 1]));
+        h += demo_differs(d, f, hashes);
     }
     for (uint32_t i = 0; i < d->seconds * (uint32_t)d->parts; i++)
         h += d->track[i];
+    for (uint32_t i = 0; i < d->moments; i++) {
+        must(d->moment[i].frame <= d->frames && (i == 0 || d->moment[i].frame >= d->moment[i - 1].frame));
+        must(memchr(d->moment[i].mark.name, 0, sizeof d->moment[i].mark.name) != NULL);
+    }
     for (uint32_t i = 0; i < d->seconds; i++)
         must(demo_row_frame(d, i) <= d->frames);
     h += hash_bytes(0, d->start.nvram, d->start.nvram_size);
@@ -72,7 +76,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else
-        must(err[0] != '\0' && d.pads == NULL && d.marks == NULL && d.track == NULL);
+        must(err[0] != '\0' && d.pads == NULL && d.prints == NULL && d.moment == NULL && d.track == NULL);
     demo_free(&d);
     free(copy);
     return 0;

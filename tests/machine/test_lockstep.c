@@ -99,7 +99,7 @@ static void record(const struct rig_game *g, const struct board_start *start, st
     rig_free(&r);
 }
 
-/* Plays a demo; the first frame whose mark differs, or that of the first row, and the part; -1: it holds. */
+/* Plays a demo; the first frame that differs, and the first part that does; -1: it holds. */
 static int play(const struct rig_game *g, const struct demo *d, const struct board_start *start, const char **part)
 {
     struct rig r;
@@ -108,19 +108,14 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
     int wrong = -1;
 
     rig_power(&r, g, start);
-    for (uint32_t f = 0, row = 0; f <= d->frames && wrong < 0; f++) {
-        if (!demo_agrees(d, f, board_part_hash(r.b, d->script))) {
-            wrong = (int)f;
-            *part = "script";
-        } else if (row < d->seconds && demo_row_frame(d, row) == f) {
-            board_hashes(r.b, hashes);
-            for (int i = d->parts - 1; i >= 0; i--)
-                if (hashes[i] != d->track[row * (uint32_t)d->parts + (uint32_t)i]) {
-                    wrong = (int)f;
-                    *part = d->part[i];
-                }
-            row++;
-        }
+    for (uint32_t f = 0; f <= d->frames && wrong < 0; f++) {
+        board_hashes(r.b, hashes);
+        uint32_t differ = demo_differs(d, f, hashes);
+        for (int i = d->parts - 1; i >= 0; i--)
+            if (differ >> i & 1) {
+                wrong = (int)f;
+                *part = d->part[i];
+            }
         demo_pads(d, f, pads);
         if (f < d->frames)
             rig_tick(&r, pads);

@@ -135,7 +135,7 @@ static void same(const struct demo *a, const struct demo *b)
     assert_true(a->start.seed == b->start.seed);
     assert_memory_equal(a->start.dip, b->start.dip, sizeof a->start.dip);
     assert_int_equal(a->start.difficulty, b->start.difficulty);
-    assert_string_equal(a->start.practice.mark, b->start.practice.mark);
+    assert_memory_equal(&a->start.practice, &b->start.practice, sizeof a->start.practice);
     assert_int_equal(a->start.nvram_size, b->start.nvram_size);
     assert_memory_equal(a->nvram, b->nvram, a->start.nvram_size);
     assert_int_equal(a->flags, b->flags);
@@ -145,10 +145,16 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
         assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
-    assert_int_equal(a->script, b->script);
-    assert_int_equal(a->marked, b->marked);
-    if (a->marked)
-        assert_memory_equal(a->marks, b->marks, a->marked * sizeof a->marks[0]);
+    assert_int_equal(a->printing, b->printing);
+    assert_int_equal(a->printed, b->printed);
+    if (a->printed)
+        assert_memory_equal(a->prints, b->prints, a->printed * (size_t)a->parts * sizeof a->prints[0]);
+    assert_int_equal(a->moments, b->moments);
+    for (uint32_t i = 0; i < a->moments; i++) {
+        assert_int_equal(a->moment[i].frame, b->moment[i].frame);
+        assert_int_equal(a->moment[i].mark.kind, b->moment[i].mark.kind);
+        assert_string_equal(a->moment[i].mark.name, b->moment[i].mark.name);
+    }
     assert_int_equal(a->seconds, b->seconds);
     if (a->seconds)
         assert_memory_equal(a->track, b->track, a->seconds * (size_t)a->parts * sizeof a->track[0]);
@@ -200,7 +206,7 @@ static void test_round_trip(void **state)
         same(&d, &w.demo);
         assert_true(d.complete);
         assert_int_equal(d.frames, lengths[i]);
-        assert_int_equal(d.marked, lengths[i]);
+        assert_int_equal(d.printed, lengths[i]);
         assert_int_equal(d.seconds, 1 + (lengths[i] + 59) / 60);
         assert_int_equal(demo_row_frame(&d, d.seconds - 1), lengths[i]);
         demo_free(&d);
@@ -208,7 +214,7 @@ static void test_round_trip(void **state)
     }
 }
 
-/* The track holds what the board said at those frames, the marks what its part script said at each. */
+/* The track holds what the board said at those frames, the prints what each part said at each. */
 static void test_track(void **state)
 {
     struct board_start start = { .seed = 5, .difficulty = -1 };
@@ -222,20 +228,25 @@ static void test_track(void **state)
     loads(&d);
     struct board *b = power(&d.start);
     for (uint32_t f = 0, row = 0; f <= 130; f++) {
+        board_hashes(b, hashes);
         if (f == demo_row_frame(&d, row)) {
-            board_hashes(b, hashes);
             assert_memory_equal(hashes, d.track + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
             row++;
         }
-        uint64_t script = board_part_hash(b, d.script);
-        assert_string_equal(board_part(b, d.script), "script");
-        assert_true(f == 0 || d.marks[f - 1] == (uint16_t)script);
-        assert_true(demo_agrees(&d, f, script));
-        assert_int_equal(demo_agrees(&d, f, script ^ 0x8000), f == 0); /* power-on has a row and no mark */
+        assert_int_equal(demo_differs(&d, f, hashes), 0);
+        for (int i = 0; i < d.parts; i++) {
+            assert_true(f == 0 || d.prints[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
+            hashes[i] ^= 0x8000;
+            assert_int_equal(demo_differs(&d, f, hashes), 1u << i);
+            hashes[i] ^= 0x10000 | 0x8000; /* beyond the print: only rows know */
+            assert_int_equal(demo_differs(&d, f, hashes), f % 60 == 0 || f == 130 ? 1u << i : 0);
+            hashes[i] ^= 0x10000;
+        }
         demo_pads(&d, f, pads);
         board_tick(b, pads);
     }
-    assert_true(demo_agrees(&d, 131, 0) && demo_agrees(&d, UINT32_MAX, 0));
+    memset(hashes, 0, sizeof hashes);
+    assert_true(demo_differs(&d, 131, hashes) == 0 && demo_differs(&d, UINT32_MAX, hashes) == 0);
     demo_pads(&d, 130, pads);
     assert_true(pads[0] == 0 && pads[1] == 0);
     demo_free(&d);
@@ -246,10 +257,12 @@ static void test_track(void **state)
 static uint32_t disagrees(const struct demo *d, uint32_t frame)
 {
     struct board *b = power(&d->start);
+    uint64_t hashes[MAX_PARTS];
     uint16_t pads[PADS];
 
     for (uint32_t f = 0; f <= d->frames; f++) {
-        if (!demo_agrees(d, f, board_part_hash(b, d->script)))
+        board_hashes(b, hashes);
+        if (demo_differs(d, f, hashes))
             return f;
         demo_pads(d, f, pads);
         pads[0] ^= f + 1 == frame ? PAD_START : 0;
@@ -420,7 +433,7 @@ static void refused(size_t n, const char *part)
     err[0] = 0;
     assert_false(demo_read(&d, file, n, err, sizeof err));
     assert_null(d.pads);
-    assert_null(d.marks);
+    assert_null(d.prints);
     assert_null(d.track);
     if (strstr(err, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
@@ -512,8 +525,8 @@ static size_t resize(int i, int by)
     return n;
 }
 
-/* Marks there are too many or too few of, and none to mark. */
-static void test_mark_lies(void **state)
+/* Prints there are too many or too few of, of parts that are none, and no part script. */
+static void test_print_lies(void **state)
 {
     static const int by[] = { -2, -1, 1, 2 };
     struct board_start start = { .difficulty = -1 };
@@ -571,7 +584,7 @@ static void test_rewind(void **state)
         for (uint32_t f = 0; f < to[i]; f++)
             board_tick(b, w.demo.pads[f]);
         assert_true(demo_rewind(&w, to[i]));
-        assert_int_equal(w.demo.marked, to[i]);
+        assert_int_equal(w.demo.printed, to[i]);
         play(&w, b, &r, 75);
         assert_true(demo_end(&w, b));
         loads(&d);
@@ -626,7 +639,8 @@ static void test_fault(void **state)
         rng_seed(&r, i);
         assert_true(demo_begin(&w, path, &cart, b, &start, 0));
         play(&w, b, &r, at[i]);
-        uint64_t script = board_part_hash(b, w.demo.script);
+        uint64_t hashes[MAX_PARTS], none[MAX_PARTS] = { 0 };
+        board_hashes(b, hashes);
         board_tick(b, select);
         assert_non_null(board_last(b)->fault);
         assert_true(demo_frame(&w, b, select));
@@ -636,11 +650,11 @@ static void test_fault(void **state)
         assert_true(d.complete);
         assert_int_equal(d.fault, FAULT_SCRIPT);
         assert_int_equal(d.frames, at[i] + 1);
-        assert_int_equal(d.marked, at[i]);
+        assert_int_equal(d.printed, at[i]);
         assert_int_equal(d.seconds, 1 + at[i] / 60);
-        assert_int_equal(demo_agrees(&d, at[i], ~script), at[i] == 0); /* the last good frame has its mark */
-        assert_true(demo_agrees(&d, at[i], script));
-        assert_true(demo_agrees(&d, at[i] + 1, 0) && demo_agrees(&d, at[i] + 1, 1));
+        assert_int_equal(demo_differs(&d, at[i], hashes), 0);
+        assert_int_not_equal(demo_differs(&d, at[i], none), 0); /* the last good frame has its prints */
+        assert_int_equal(demo_differs(&d, at[i] + 1, none), 0);
         assert_int_equal(d.pads[at[i]][0], PAD_SELECT);
         demo_free(&d);
         demo_free(&w.demo);
@@ -774,7 +788,7 @@ int main(void)
         cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
         cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
         cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
-        cmocka_unit_test(test_mark_lies),
+        cmocka_unit_test(test_print_lies),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -1,0 +1,82 @@
+/*
+ * hashes.c - state hashes: of a part, of all, and of all frame after frame.
+ *
+ * A hash goes through a part value by value. Most of a board's values stand in lists that seldom change (nvram, kinds,
+ * motions, text, colours), so who wants hashes every frame keeps a copy of the lists' bytes, and a list whose bytes are
+ * those of the copy has the hash it had. Padding may differ where values do not: then a hash is made for nothing.
+ */
+#include <string.h>
+#include "../base/hash.h"
+#include "machine.h"
+
+static const uint8_t *chip_at(const struct board *b, int i)
+{
+    return (const uint8_t *)b + parts[i].at;
+}
+
+uint64_t board_part_hash(const struct board *b, int i)
+{
+    return slots_hash(parts[i].chip, chip_at(b, i));
+}
+
+void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
+{
+    for (int i = 0; i < PARTS; i++)
+        out[i] = board_part_hash(b, i);
+}
+
+uint64_t board_hash(const struct board *b)
+{
+    uint64_t h = HASH_START;
+
+    for (int i = 0; i < PARTS; i++)
+        if (!parts[i].chip->apart)
+            h = hash_fold(h, board_part_hash(b, i));
+    return h;
+}
+
+/* Bytes of a list's copy: its struct, and its columns when it is full. */
+static size_t copy_size(const struct board *b, int i)
+{
+    const struct slots *s = (const struct slots *)chip_at(b, i);
+
+    return parts[i].chip->list ? parts[i].size + (size_t)slots_size(parts[i].chip, s->cap) : 0;
+}
+
+size_t board_copies(const struct board *b)
+{
+    size_t sum = 0, most = 0;
+
+    for (int i = 0; i < PARTS; i++) {
+        size_t n = copy_size(b, i);
+        sum += n;
+        most = n > most ? n : most;
+    }
+    return sum + most;
+}
+
+/* Are the list's bytes those of its copy? Afterwards they are. `room` is for as many. */
+static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
+{
+    size_t n = parts[i].size;
+
+    memcpy(room, chip_at(b, i), n);
+    n += slots_save(parts[i].chip, chip_at(b, i), room + n);
+    if (memcmp(room, copy, n) == 0)
+        return true;
+    memcpy(copy, room, n);
+    return false;
+}
+
+void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS])
+{
+    uint8_t *copy = copies, *room = copy;
+
+    for (int i = 0; i < PARTS; i++)
+        room += copy_size(b, i);
+    for (int i = 0; i < PARTS; i++) {
+        if (!parts[i].chip->list || !same(b, i, copy, room))
+            hashes[i] = board_part_hash(b, i);
+        copy += copy_size(b, i);
+    }
+}

@@ -1,0 +1,31 @@
+/*
+ * demo_parts.h - what reading and writing a demo's file share: docs/demos.md as constants, and room that grows.
+ * floor: cab    used by: demo demo_read demo_write
+ */
+#ifndef CAB_DEMO_PARTS_H
+#define CAB_DEMO_PARTS_H
+
+#include "demo.h"
+
+enum { KIND_HEADER = 'H', KIND_SECOND = 'S', KIND_MOMENT = 'M', KIND_FLAGS = 'F', KIND_END = 'E' };
+
+enum {
+    FILE_HEAD = 8,   /* magic and format */
+    RECORD_HEAD = 8, /* kind and size */
+    RECORD_OVER = 12 /* that and the CRC */
+};
+
+#define DEMO_MAGIC "CDEM"
+
+/* Room for so many more; false: no memory, nothing changed. */
+bool demo_room_frames(struct demo *d, uint32_t more);
+bool demo_room_second(struct demo *d);
+bool demo_room_moment(struct demo *d);
+
+/* Hash row i. */
+uint64_t *demo_row(const struct demo *d, uint32_t i);
+
+/* The prints after a frame (0: of the first row), or NULL for a frame that has none. */
+const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
+
+#endif
