@@ -298,10 +298,12 @@ static void picture_draw(struct picture *p)
 
 static void words_over(struct picture *p, const char *text)
 {
+    struct ink ink;
     for (int y = 0; y < p->fb.h; y++)
         memcpy(p->over.pix + y * p->over.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->over_rgb, p->rgb, sizeof p->rgb);
-    message_draw(&p->over, p->over_rgb, 0, text);
+    ink_open(&ink, &p->over, p->over_rgb);
+    message_draw(&ink, 0, text);
 }
 
 /* What we have to say over the picture; false: nothing. */

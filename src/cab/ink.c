@@ -1,0 +1,202 @@
+/*
+ * ink.c - see ink.h.
+ */
+#include "ink.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { ROWS = 6, COLUMNS = 3 };
+
+/* ' ' to '~': an octal digit a row, its bits the pixels from left to right; the last row is below the line. */
+static const uint32_t glyphs[95] = {
+    0000000, 0222020, 0550000, 0575750, 0362360, 0512450, 0252530, 0220000, /*  !"#$%&' */
+    0122210, 0422240, 0052500, 0027200, 0000240, 0007000, 0000020, 0112440, /* ()*+,-./ */
+    0755570, 0262270, 0717470, 0717170, 0557110, 0747170, 0747570, 0711220, /* 01234567 */
+    0757570, 0757170, 0020200, 0020240, 0124210, 0070700, 0421240, 0713020, /* 89:;<=>? */
+    0757430, 0257550, 0656560, 0344430, 0655560, 0746470, 0746440, 0345530, /* @ABCDEFG */
+    0557550, 0722270, 0111520, 0556550, 0444470, 0577550, 0655550, 0255520, /* HIJKLMNO */
+    0656440, 0255630, 0656550, 0342160, 0722220, 0555570, 0555520, 0557750, /* PQRSTUVW */
+    0552550, 0552220, 0712470, 0644460, 0442110, 0311130, 0250000, 0000070, /* XYZ[\]^_ */
+    0420000, 0035530, 0465560, 0034430, 0135530, 0027430, 0127220, 0035316, /* `abcdefg */
+    0465550, 0202220, 0101116, 0456550, 0622230, 0077550, 0065550, 0025520, /* hijklmno */
+    0065564, 0035531, 0056440, 0036360, 0272210, 0055530, 0055520, 0055770, /* pqrstuvw */
+    0052250, 0055316, 0073670, 0326230, 0222220, 0623260, 0036000,          /* xyz{|}~ */
+};
+
+static const uint32_t colours[INKS] = {
+    [INK_PAPER] = 0x101828, [INK_WHITE] = 0xFFFFFF,  [INK_GREY] = 0x8C98A8, [INK_RED] = 0xFF5858,
+    [INK_GREEN] = 0x58E070, [INK_YELLOW] = 0xFFE050, [INK_CYAN] = 0x50D8FF, [INK_MAGENTA] = 0xFF70E8,
+};
+
+/* ---- borrowing ---- */
+
+static void count_pixels(const struct fb *fb, uint32_t count[256])
+{
+    for (int y = 0; y < fb->h; y++)
+        for (int x = 0; x < fb->w; x++)
+            count[fb->pix[y * fb->pitch + x]]++;
+}
+
+/* The least used entry that is not taken yet; of several the last. */
+static int least_used(const uint32_t count[256], const bool taken[256])
+{
+    int best = -1;
+    for (int i = 255; i >= 0; i--)
+        if (!taken[i] && (best < 0 || count[i] < count[best]))
+            best = i;
+    return best;
+}
+
+static uint32_t distance(uint32_t a, uint32_t b)
+{
+    uint32_t sum = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        int d = (int)(a >> shift & 255) - (int)(b >> shift & 255);
+        sum += (uint32_t)(d * d);
+    }
+    return sum;
+}
+
+static uint8_t nearest(const uint32_t rgb[256], const bool taken[256], int to)
+{
+    int best = -1;
+    for (int i = 0; i < 256; i++)
+        if (!taken[i] && (best < 0 || distance(rgb[i], rgb[to]) < distance(rgb[best], rgb[to])))
+            best = i;
+    return (uint8_t)best;
+}
+
+static void recolour(struct fb *fb, const uint8_t to[256])
+{
+    for (int y = 0; y < fb->h; y++)
+        for (int x = 0; x < fb->w; x++)
+            fb->pix[y * fb->pitch + x] = to[fb->pix[y * fb->pitch + x]];
+}
+
+void ink_open(struct ink *ink, struct fb *fb, uint32_t rgb[256])
+{
+    uint32_t count[256] = { 0 };
+    bool taken[256] = { false }, seen = false;
+    uint8_t to[256];
+    *ink = (struct ink){ .fb = fb, .rgb = rgb };
+    fb_clip_all(fb);
+    count_pixels(fb, count);
+    for (int i = 0; i < INKS; i++) {
+        ink->colour[i] = (uint8_t)least_used(count, taken);
+        taken[ink->colour[i]] = true;
+        seen = seen || count[ink->colour[i]] > 0;
+    }
+    for (int i = 0; i < 256; i++)
+        to[i] = taken[i] && count[i] ? nearest(rgb, taken, i) : (uint8_t)i;
+    if (seen)
+        recolour(fb, to);
+    for (int i = 0; i < INKS; i++)
+        rgb[ink->colour[i]] = colours[i];
+}
+
+/* ---- words ---- */
+
+static uint32_t glyph(unsigned char c)
+{
+    return c >= ' ' && c <= '~' ? glyphs[c - ' '] : glyphs['?' - ' '];
+}
+
+static void letter(struct fb *fb, int x, int y, uint32_t rows, uint8_t colour)
+{
+    for (int i = 0; i < ROWS * COLUMNS; i++)
+        if (rows >> (ROWS * COLUMNS - 1 - i) & 1)
+            fb_rect(fb, x + i % COLUMNS, y + i / COLUMNS, 1, 1, colour);
+}
+
+/* Columns a byte takes: none, when it goes on with a character that has begun. */
+static int columns(unsigned char c)
+{
+    return (c & 0xC0) == 0x80 ? 0 : c == '\t' ? 2 : 1;
+}
+
+int ink_bytes(const struct ink *ink, int x, int y, enum ink_colour c, const char *text, int n)
+{
+    for (int i = 0; i < n && text[i]; i++) {
+        unsigned char byte = (unsigned char)text[i];
+        if (columns(byte) == 1 && byte != ' ')
+            letter(ink->fb, x, y, glyph(byte), ink->colour[c]);
+        x += columns(byte) * INK_CELL_W;
+    }
+    return x;
+}
+
+int ink_text(const struct ink *ink, int x, int y, enum ink_colour c, const char *text)
+{
+    return ink_bytes(ink, x, y, c, text, INT32_MAX);
+}
+
+int ink_width(const char *text)
+{
+    int w = 0;
+    for (; *text; text++)
+        w += columns((unsigned char)*text) * INK_CELL_W;
+    return w;
+}
+
+/* ---- shapes ---- */
+
+void ink_rect(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)
+{
+    fb_rect(ink->fb, x, y, w, h, ink->colour[c]);
+}
+
+void ink_frame(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)
+{
+    fb_frame(ink->fb, x, y, w, h, ink->colour[c]);
+}
+
+void ink_line(const struct ink *ink, int x0, int y0, int x1, int y1, enum ink_colour c)
+{
+    fb_line(ink->fb, x0, y0, x1, y1, ink->colour[c]);
+}
+
+static void dot(const struct ink *ink, int64_t x, int64_t y, enum ink_colour c)
+{
+    const struct fb *fb = ink->fb;
+    if (x >= fb->x0 && x < fb->x1 && y >= fb->y0 && y < fb->y1)
+        fb->pix[y * fb->pitch + x] = ink->colour[c];
+}
+
+/* How far a row, dy above or below the middle, of a disc of radius r reaches to one side; -1: not at all. */
+static int64_t reach(int64_t r, int64_t dy)
+{
+    int64_t x = 0, step = 1, square = r * r + r - (r > 0) - dy * dy;
+    if (square < 0)
+        return -1;
+    while (step <= r / 2)
+        step *= 2;
+    for (; step > 0; step /= 2)
+        if (x + step <= r && (x + step) * (x + step) <= square)
+            x += step;
+    return x;
+}
+
+/* To both sides of the middle, from x0 to x1 pixels away. */
+static void arcs(const struct ink *ink, int64_t x, int y, int64_t x0, int64_t x1, enum ink_colour c)
+{
+    const struct fb *fb = ink->fb;
+    int64_t seen = x - fb->x0 > fb->x1 - x ? x - fb->x0 : fb->x1 - x;
+    for (int64_t d = x0; d <= x1 && d <= seen; d++) {
+        dot(ink, x - d, y, c);
+        dot(ink, x + d, y, c);
+    }
+}
+
+/* Row by row, of those the picture has: from where the next row outwards ends to where this one does. */
+void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c)
+{
+    const struct fb *fb = ink->fb;
+    int64_t from = (int64_t)y - r, to = (int64_t)y + r;
+    from = from < fb->y0 ? fb->y0 : from;
+    to = to >= fb->y1 ? fb->y1 - 1 : to;
+    for (int64_t row = from; r >= 0 && row <= to; row++) {
+        int64_t dy = row < y ? y - row : row - y, beyond = reach(r, dy + 1), end = reach(r, dy);
+        arcs(ink, x, (int)row, beyond < end ? beyond + 1 : end, end, c);
+    }
+}

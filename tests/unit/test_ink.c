@@ -1,0 +1,260 @@
+/* test_ink.c - what the cabinet draws over a picture: borrowed colours, words, shapes. */
+#include <limits.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/message.h"
+
+enum { W = 64, H = 48 };
+
+struct bed {
+    struct fb fb;
+    void *mem;
+    uint32_t rgb[256];
+    struct ink ink;
+    struct rng r;
+};
+
+static int bed_open(void **state)
+{
+    struct bed *b = calloc(1, sizeof *b);
+
+    assert_non_null(b);
+    b->mem = malloc(fb_size(W, H));
+    assert_non_null(b->mem);
+    fb_init(&b->fb, b->mem, W, H);
+    rng_seed(&b->r, 3);
+    *state = b;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *b = *state;
+
+    free(b->mem);
+    free(b);
+    return 0;
+}
+
+static uint8_t *at(const struct bed *b, int x, int y)
+{
+    return &b->fb.pix[y * b->fb.pitch + x];
+}
+
+/* Which ink stands there; -1: the picture. */
+static int ink_at(const struct bed *b, int x, int y)
+{
+    for (int i = 0; i < INKS; i++)
+        if (*at(b, x, y) == b->ink.colour[i])
+            return i;
+    return -1;
+}
+
+static int inked(const struct bed *b)
+{
+    int n = 0;
+
+    for (int i = 0; i < W * H; i++)
+        n += ink_at(b, i % W, i / W) >= 0;
+    return n;
+}
+
+static bool is_free(int colour)
+{
+    return colour >= 77 && colour < 77 + INKS;
+}
+
+/* Every colour but INKS of them is on the picture: those are taken, and not a pixel changes. */
+static void unused_colours_are_taken(void **state)
+{
+    struct bed *b = *state;
+    bool seen[256] = { false };
+
+    for (int i = 0; i < W * H; i++)
+        *at(b, i % W, i / W) = (uint8_t)(is_free(i % 256) ? 3 : i);
+    ink_open(&b->ink, &b->fb, b->rgb);
+    for (int i = 0; i < W * H; i++)
+        assert_int_equal(*at(b, i % W, i / W), is_free(i % 256) ? 3 : i % 256);
+    for (int i = 0; i < INKS; i++) {
+        assert_true(is_free(b->ink.colour[i]) && !seen[b->ink.colour[i]]);
+        seen[b->ink.colour[i]] = true;
+        for (int k = 0; k < i; k++)
+            assert_true(b->rgb[b->ink.colour[i]] != b->rgb[b->ink.colour[k]]);
+    }
+    assert_int_equal(b->rgb[b->ink.colour[INK_WHITE]], 0xFFFFFF);
+}
+
+/* All 256 are on it: a pixel of a colour that was taken gets the nearest of those that were not. */
+static void a_full_palette_gives_up_a_few(void **state)
+{
+    struct bed *b = *state;
+    uint32_t was[256];
+
+    for (int i = 0; i < 256; i++)
+        b->rgb[i] = (uint32_t)i * 0x010101;
+    for (int i = 0; i < W * H; i++)
+        *at(b, i % W, i / W) = (uint8_t)i;
+    memcpy(was, b->rgb, sizeof was);
+    ink_open(&b->ink, &b->fb, b->rgb);
+    for (int i = 0; i < W * H; i++) {
+        int got = (int)(was[*at(b, i % W, i / W)] & 255), want = i % 256;
+        assert_int_equal(ink_at(b, i % W, i / W), -1);
+        assert_true(abs(got - want) <= INKS);
+        assert_true(got == want || b->rgb[want] != was[want]);
+    }
+}
+
+static void words_stand_on_a_band(void **state)
+{
+    struct bed *b = *state;
+    int white = 0;
+
+    for (int i = 0; i < W * H; i++)
+        *at(b, i % W, i / W) = 9;
+    ink_open(&b->ink, &b->fb, b->rgb);
+    int end = message_draw(&b->ink, 0, "hello there, this is it, it is longer\nthan a line \xC3\xA9");
+    assert_int_equal(end, 1 + 4 * INK_CELL_H);
+    for (int i = 0; i < W * end; i++) {
+        int ink = ink_at(b, i % W, i / W);
+        assert_true(ink == INK_PAPER || ink == INK_WHITE);
+        white += ink == INK_WHITE;
+    }
+    assert_true(white > 100);
+    assert_int_equal(*at(b, 0, end), 9);
+}
+
+/* Each printable character differs from every other, and stays in its cell. */
+static void letters_can_be_told_apart(void **state)
+{
+    struct bed *b = *state;
+    uint32_t shape[127] = { 0 };
+
+    for (int c = ' '; c <= '~'; c++) {
+        const char text[2] = { (char)c, 0 };
+        fb_fill(&b->fb, 0);
+        ink_open(&b->ink, &b->fb, b->rgb);
+        assert_int_equal(ink_text(&b->ink, 8, 8, INK_CYAN, text), 8 + INK_CELL_W);
+        for (int i = 0; i < W * H; i++) {
+            bool cell = i % W >= 8 && i % W < 8 + INK_CELL_W - 1 && i / W >= 8 && i / W < 8 + INK_CELL_H - 1;
+            assert_true(cell || ink_at(b, i % W, i / W) < 0);
+            if (cell)
+                shape[c] = shape[c] << 1 | (ink_at(b, i % W, i / W) == INK_CYAN);
+        }
+        for (int d = ' '; d < c; d++)
+            assert_true(shape[c] != shape[d]);
+    }
+}
+
+static void widths(void **state)
+{
+    struct bed *b = *state;
+
+    ink_open(&b->ink, &b->fb, b->rgb);
+    assert_int_equal(ink_width(""), 0);
+    assert_int_equal(ink_width("abc"), 3 * INK_CELL_W);
+    assert_int_equal(ink_width("a\t\xC3\xA9"), 4 * INK_CELL_W);
+    assert_int_equal(ink_text(&b->ink, -5, -3, INK_RED, "a\t\xC3\xA9"), -5 + 4 * INK_CELL_W);
+    assert_int_equal(ink_bytes(&b->ink, 2, 3, INK_RED, "abcdef", 2), 2 + 2 * INK_CELL_W);
+}
+
+static bool in_disc(int64_t dx, int64_t dy, int64_t r)
+{
+    return r >= 0 && 4 * (dx * dx + dy * dy) < 4 * r * r + 4 * r + 1 && !(dx * dx + dy * dy == r * r + r && r > 0);
+}
+
+/* A pixel of the disc is on its rim when the pixel above or below it (on the side away from the middle), or the next one
+ * sideways, is not in it. */
+static bool on_rim(int64_t dx, int64_t dy, int64_t r)
+{
+    int64_t sx = dx < 0 ? -1 : 1, sy = dy < 0 ? -1 : 1;
+
+    return in_disc(dx, dy, r) && (!in_disc(dx + sx, dy, r) || !in_disc(dx, dy + sy, r));
+}
+
+static void check_circle(struct bed *b, int x, int y, int r)
+{
+    fb_fill(&b->fb, 0);
+    ink_open(&b->ink, &b->fb, b->rgb);
+    ink_circle(&b->ink, x, y, r, INK_GREEN);
+    for (int i = 0; i < W * H; i++) {
+        bool want = on_rim((int64_t)(i % W) - x, (int64_t)(i / W) - y, r);
+        assert_int_equal(ink_at(b, i % W, i / W) == INK_GREEN, want);
+    }
+}
+
+static void circles_are_rims_of_discs(void **state)
+{
+    struct bed *b = *state;
+
+    for (int r = -1; r < 30; r++)
+        check_circle(b, W / 2, H / 2, r);
+    for (int i = 0; i < 500; i++)
+        check_circle(b, (int)rng_below(&b->r, 200) - 70, (int)rng_below(&b->r, 200) - 70, (int)rng_below(&b->r, 150));
+    check_circle(b, 1000000, 20, 1000000 - 30);
+}
+
+/* Whatever the numbers, drawing ends and stays inside. */
+static void extremes_are_clipped(void **state)
+{
+    static const int v[] = { INT_MIN, INT_MIN / 2, -70000, -1, 0, 5, 70000, INT_MAX / 2, INT_MAX };
+    enum { N = sizeof v / sizeof *v };
+    struct bed *b = *state;
+
+    ink_open(&b->ink, &b->fb, b->rgb);
+    for (int i = 0; i < N * N * N; i++) {
+        int x = v[i % N], y = v[i / N % N], r = v[i / N / N];
+        ink_circle(&b->ink, x, y, r, INK_RED);
+        ink_line(&b->ink, x, y, r, x, INK_RED);
+        ink_rect(&b->ink, x, y, r, y, INK_RED);
+        ink_frame(&b->ink, x, y, r, y, INK_RED);
+    }
+    fb_fill(&b->fb, 0);
+    ink_open(&b->ink, &b->fb, b->rgb);
+    ink_text(&b->ink, -2, -2, INK_RED, "MMM");
+    assert_true(inked(b) > 0);
+    fb_fill(&b->fb, 0);
+    ink_text(&b->ink, W, 0, INK_RED, "MMM");
+    ink_text(&b->ink, 0, H, INK_RED, "MMM");
+    assert_int_equal(inked(b), 0);
+}
+
+/* Any text on any picture ends and stays inside. */
+static void any_words(void **state)
+{
+    struct bed *b = *state;
+    char text[600];
+
+    for (int w = 8; w <= W; w += 8) {
+        fb_init(&b->fb, b->mem, w, H);
+        ink_open(&b->ink, &b->fb, b->rgb);
+        for (size_t i = 0; i < sizeof text - 1; i++)
+            text[i] = (char)(1 + rng_below(&b->r, 255));
+        text[sizeof text - 1] = 0;
+        assert_true(message_draw(&b->ink, 0, text) > 0);
+        assert_true(message_draw(&b->ink, H - 4, text) > 0);
+        assert_true(message_draw(&b->ink, 0, "") == 1);
+    }
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
+    const struct CMUnitTest tests[] = {
+        TEST(unused_colours_are_taken),
+        TEST(a_full_palette_gives_up_a_few),
+        TEST(words_stand_on_a_band),
+        TEST(letters_can_be_told_apart),
+        TEST(widths),
+        TEST(circles_are_rims_of_discs),
+        TEST(extremes_are_clipped),
+        TEST(any_words),
+    };
+    return cmocka_run_group_tests(tests, 0, 0);
+}
