@@ -1,7 +1,7 @@
 /*
- * cab.c - see cab.h.
+ * cab.c - see cab.h. What a player may do with time is in session.c.
  *
- * Two boards at most: the live one, and while it is parked the one that shows an attract demo. plat_loop calls frame(),
+ * Two boards at most: the session's, and while it is parked the one that shows an attract demo. plat_loop calls frame(),
  * which may be the host's own timer, so everything is in one static struct and frame() itself cleans up at the end.
  *
  * A frame is due every 1/60 s, counted from a base so that nothing is lost to rounding. When the host was late, up to
@@ -16,10 +16,13 @@
 #include "../../platform/platform.h"
 #include "../base/hash.h"
 #include "config.h"
+#include "folder.h"
 #include "guard.h"
 #include "message.h"
 #include "png.h"
+#include "session.h"
 #include "speaker.h"
+#include "timebar.h"
 
 enum {
     SECOND = 1000000,
@@ -27,7 +30,11 @@ enum {
     MAX_TURBO = 32,     /* ticks a frame */
     TURBO_USEC = 12000, /* of a frame spent on them */
     MAX_SLOW = 4,
-    SAVE_EVERY = 60, /* frames */
+    SAVE_EVERY = 60,   /* frames */
+    LOOK_EVERY = 15,   /* frames between two looks at the game's folder */
+    BAR_STAYS = 120,   /* frames after it was used */
+    SAY_STAYS = 180,   /* frames a notice stands */
+    WORK_USEC = 12000, /* of a frame spent on a long way */
     NAME = 96,
 };
 
@@ -45,10 +52,10 @@ static struct cab {
     uint8_t *nvram; /* what start.nvram points to, if we loaded it */
     struct config config;
     struct plat_want want;
-    struct guard live, shown; /* shown: of an attract demo */
+    struct session session;
+    struct guard shown; /* of an attract demo */
     struct demo attract;
     bool attracting;
-    struct demo_writer writer;
     struct speaker speaker;
     struct picture picture;
     uint64_t base;        /* frames are due from here */
@@ -58,11 +65,17 @@ static struct cab {
     uint16_t pads[PADS];  /* held since the last tick */
     bool paused, step;
     bool rewinding; /* time runs backwards */
-    bool rewound;   /* it did, once: scores do not count any more */
+    bool scrubbed;  /* somebody went to and fro in a playback: it waits at its end */
     bool quiet;     /* not at full speed: no sound */
     int slow;       /* 1, 2, 4: frames a tick */
     int waited;     /* frames since the last tick */
-    const struct board_fault *fault;
+    int bar;        /* frames the bar of time is still shown */
+    bool mouse;     /* its button was held at the last poll */
+    struct folder folder;
+    int since_look;
+    char notice[DEMO_PATH + 64];
+    int notice_left; /* frames; -1: until it is put right */
+    bool told;       /* the fault that stands in the board */
     bool quit;
     int code;
 } cab;
@@ -81,15 +94,28 @@ static const char *game(void)
 
 /* ---- nvram: <id>.nv, of live runs that nobody tampered with ---- */
 
+static const struct cart *cart(void)
+{
+    return cab.session.now ? cab.session.now->cart : cab.options.cart;
+}
+
+static struct board *live(void)
+{
+    return session_board(&cab.session);
+}
+
 static bool keeps_nvram(void)
 {
-    return !cab.rewound && !cab.options.demo && !cab.options.start.practice.mark[0] && !cab.options.start.nvram &&
-           !(cab.writer.demo.flags & (DEMO_BRANCHED | DEMO_TOUCHED));
+    const struct session *s = &cab.session;
+    unsigned flags = s->now ? s->now->writer.demo.flags : 0;
+
+    return !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] && !cab.options.start.nvram &&
+           !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 
 static void nvram_name(char name[NAME])
 {
-    snprintf(name, NAME, "user:%s.nv", cab.options.cart->m.id);
+    snprintf(name, NAME, "user:%s.nv", cart()->m.id);
 }
 
 static void load_nvram(void)
@@ -110,7 +136,7 @@ static void save_nvram(void)
 {
     char name[NAME];
     uint32_t changed;
-    const uint8_t *image = board_nvram(cab.live.board, &changed);
+    const uint8_t *image = board_nvram(live(), &changed);
     if (changed == cab.nvram_saved || !keeps_nvram())
         return;
     cab.nvram_saved = changed;
@@ -139,26 +165,41 @@ static void hear(const struct board_out *out)
         speaker_play(&cab.speaker, out->sound);
 }
 
-static void halt(const struct board_fault *fault)
+/* A line for the log and for a while, or until it is put right, over the picture. */
+static void notice(const char *text, int frames)
 {
-    cab.fault = fault;
-    cab.code = 2;
-    say("curtain: %s: %s", game(), fault->message);
-    if (fault->trace[0])
-        plat_log(fault->trace);
+    snprintf(cab.notice, sizeof cab.notice, "%s", text);
+    cab.notice_left = frames;
 }
 
-static void write_demo(bool good)
+static const struct board_fault *fault(void)
+{
+    return board_last(live())->fault;
+}
+
+/* The board has a fault: told once. */
+static void halt(void)
+{
+    if (!cab.told) {
+        say("curtain: %s: %s", game(), fault()->message);
+        if (fault()->trace[0])
+            plat_log(fault()->trace);
+    }
+    cab.told = true;
+}
+
+/* What the session said no with goes to the log. */
+static void wrote(bool good)
 {
     if (good)
         return;
-    say("curtain: %s%s", cab.writer.err, "");
-    cab.code = cab.code ? cab.code : 3;
+    say("curtain: %s%s", cab.session.err, "");
+    cab.code = 3;
 }
 
 static void assisted(void)
 {
-    write_demo(demo_flag(&cab.writer, DEMO_ASSISTED));
+    wrote(demo_flag(&cab.session.now->writer, DEMO_ASSISTED));
 }
 
 /* ---- attract: a second board while the live one stands still ---- */
@@ -167,11 +208,11 @@ static bool find_attract(const char *name, struct lump *lump)
 {
     char full[80];
     snprintf(full, sizeof full, "demo/%s", name);
-    int i = rom_find(cab.options.cart->rom, full);
+    int i = rom_find(cart()->rom, full);
     if (i < 0)
         say("curtain: %s: board.attract: there is no demo \"%s\"", game(), name);
     else
-        rom_lump(cab.options.cart->rom, i, lump);
+        rom_lump(cart()->rom, i, lump);
     return i >= 0;
 }
 
@@ -189,8 +230,8 @@ static void attract_begin(const char *name)
     if (!find_attract(name, &lump))
         return;
     cab.attracting = demo_read(&cab.attract, lump.data, lump.size, err, sizeof err) &&
-                     demo_fits(&cab.attract, cab.options.cart, err, sizeof err) &&
-                     guard_power(&cab.shown, cab.options.cart->rom, &cab.attract.start, err, sizeof err);
+                     demo_fits(&cab.attract, cart(), err, sizeof err) &&
+                     guard_power(&cab.shown, cart()->rom, &cab.attract.start, err, sizeof err);
     if (cab.attracting)
         return;
     say("curtain: demo \"%s\": %s", name, err);
@@ -209,62 +250,146 @@ static void attract_tick(void)
     hear(guard_tick(&cab.shown, pads));
 }
 
-/* ---- the live board ---- */
+/* ---- the session ---- */
 
-static void live_pads(uint16_t pads[PADS])
+/* What the tick just over hands out. */
+static void hand_out(void)
 {
-    if (cab.options.demo)
-        demo_pads(cab.options.demo, board_frame(cab.live.board), pads);
-    else
-        memcpy(pads, cab.pads, sizeof cab.pads);
-}
+    const struct board_out *out = board_last(live());
 
-static void live_tick(void)
-{
-    uint16_t pads[PADS];
-    if (cab.options.demo && board_frame(cab.live.board) >= cab.options.demo->frames) {
-        cab.quit = true;
-        return;
-    }
-    live_pads(pads);
-    const struct board_out *out = guard_tick(&cab.live, pads);
-    write_demo(demo_frame(&cab.writer, cab.live.board, pads));
     log_lines(out);
     hear(out);
     if (out->fault)
-        halt(out->fault);
+        halt();
     else if (out->request == REQUEST_QUIT)
         cab.quit = true;
-    else if (out->request == REQUEST_ATTRACT && !cab.options.demo)
+    else if (out->request == REQUEST_ATTRACT && !cab.session.demo)
         attract_begin(out->attract);
 }
 
-/* A demo is of a run that went forward. */
-static bool has_past(void)
+/* A playback is over at its end, or waits there for who went to and fro in it. */
+static bool at_end(void)
 {
-    return !cab.options.demo && !cab.options.record;
-}
-
-/* Back by so many frames, as far as they are remembered. */
-static void go_back(uint32_t frames)
-{
-    uint32_t now = board_frame(cab.live.board), first = rewind_first(&cab.live.past);
-    if (now <= first)
-        return;
-    if (!cab.rewound)
-        save_nvram();
-    cab.rewound = true;
-    guard_back(&cab.live, now - first > frames ? now - frames : first);
+    if (!cab.session.demo || board_frame(live()) < cab.session.demo->frames)
+        return false;
+    cab.quit = !cab.scrubbed;
+    cab.paused = true;
+    return true;
 }
 
 static void tick(void)
 {
-    if (cab.fault || cab.quit)
+    if (cab.quit)
         return;
-    if (cab.attracting)
+    if (cab.attracting) {
         attract_tick();
-    else
-        live_tick();
+        return;
+    }
+    if (fault() || at_end())
+        return;
+    wrote(session_tick(&cab.session, cab.pads));
+    hand_out();
+}
+
+/* A single frame on: as it was, if it was. */
+static void step(void)
+{
+    if (cab.attracting || fault())
+        return;
+    if (board_frame(live()) < session_last(&cab.session)) {
+        session_again(&cab.session);
+        hand_out();
+    } else {
+        assisted();
+        tick();
+    }
+}
+
+/* To another frame; the bar of time shows where that is. */
+static void go(uint32_t frame)
+{
+    if (!cab.session.demo && !cab.session.rewound)
+        save_nvram();
+    session_goto(&cab.session, frame);
+    cab.scrubbed = true;
+    cab.told = cab.told && fault();
+    cab.bar = BAR_STAYS;
+}
+
+static void go_back(uint32_t frames)
+{
+    uint32_t now = board_frame(live());
+    go(now > frames ? now - frames : 0);
+}
+
+/* A name "ID-N.what" in the current folder that is free. */
+static void free_name(char name[NAME], const char *what)
+{
+    int i = 1;
+    do
+        snprintf(name, NAME, "%s-%d.%s", cart()->m.id, i++, what);
+    while (plat_size(name) >= 0);
+}
+
+static void take_over(void)
+{
+    static char name[NAME];
+    char text[NAME + 32];
+
+    if (!cab.session.demo) {
+        notice("nothing to take over: it is you who plays", SAY_STAYS);
+        return;
+    }
+    free_name(name, "demo");
+    bool given = cab.options.record != NULL;
+    wrote(session_take_over(&cab.session, given ? cab.options.record : name));
+    snprintf(text, sizeof text, "you play; recording %s", given ? cab.options.record : name);
+    notice(text, SAY_STAYS);
+    say("curtain: %s: %s", game(), text);
+    cab.paused = false;
+    cab.bar = 0;
+}
+
+/* ---- reload ---- */
+
+static void reload(void)
+{
+    if (!cab.options.path) {
+        notice("the built-in game cannot be reloaded", SAY_STAYS);
+        return;
+    }
+    if (session_reload(&cab.session, cab.options.path, cab.options.nearest)) {
+        cab.notice_left = 0;
+        return;
+    }
+    notice(cab.session.err, -1);
+    say("curtain: %s", cab.session.err, "");
+}
+
+static void look_for_changes(void)
+{
+    if (++cab.since_look < LOOK_EVERY)
+        return;
+    cab.since_look = 0;
+    if (folder_changed(&cab.folder))
+        reload();
+}
+
+/* A piece of a long way. */
+static void work(uint64_t now)
+{
+    bool reloads = cab.session.way == SESSION_RELOADS;
+
+    if (!session_work(&cab.session, now + WORK_USEC)) {
+        notice(cab.session.err, reloads ? -1 : SAY_STAYS);
+        say("curtain: %s%s", cab.session.err, "");
+    } else if (reloads && cab.session.way == SESSION_THERE) {
+        cab.told = false;
+        say("curtain: %s: reloaded%s", game(), "");
+        notice("reloaded", SAY_STAYS / 3);
+    }
+    if (fault())
+        halt();
 }
 
 /* ---- picture ---- */
@@ -291,44 +416,75 @@ static void picture_close(struct picture *p)
 
 static void picture_draw(struct picture *p)
 {
-    const struct board *b = cab.attracting ? cab.shown.board : cab.live.board;
-    if (!cab.fault)
+    const struct board *b = cab.attracting ? cab.shown.board : live();
+    if (cab.attracting || !fault())
         board_draw(b, &p->fb, p->rgb, p->scratch);
 }
 
-static void words_over(struct picture *p, const char *text)
+static struct ink picture_copy(struct picture *p)
 {
     struct ink ink;
+
     for (int y = 0; y < p->fb.h; y++)
         memcpy(p->over.pix + y * p->over.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->over_rgb, p->rgb, sizeof p->rgb);
     ink_open(&ink, &p->over, p->over_rgb);
-    message_draw(&ink, 0, text);
+    return ink;
 }
 
-/* What we have to say over the picture; false: nothing. */
-static bool words(char *text, size_t size)
+/* What we have to say over the picture; "": nothing. */
+static void words(char *text, size_t size)
 {
-    uint32_t at = board_frame(cab.live.board);
-    if (cab.fault)
-        snprintf(text, size, "%s\n\n%s", cab.fault->message, cab.fault->trace);
+    const struct board_fault *f = fault();
+    uint32_t at = board_frame(live());
+
+    text[0] = 0;
+    if (cab.session.way != SESSION_THERE)
+        snprintf(text, size, "%s %d%%", cab.session.way == SESSION_SEEKS ? "seeking" : "reloading",
+                 session_progress(&cab.session) / 10);
+    else if (cab.notice_left)
+        snprintf(text, size, "%s", cab.notice);
+    else if (f)
+        snprintf(text, size, "%s\n\n%s", f->message, f->trace);
     else if (cab.rewinding)
         snprintf(text, size, "rewind  frame %u", (unsigned)at);
     else if (cab.paused)
         snprintf(text, size, "paused at frame %u", (unsigned)at);
     else if (cab.slow > 1)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
-    return cab.fault || cab.rewinding || cab.paused || cab.slow > 1;
+}
+
+/* Shown where time is gone to and fro, and in a playback under the mouse. */
+static bool bar_shown(void)
+{
+    return !cab.attracting && (cab.rewinding || cab.bar > 0 || (cab.session.demo && cab.paused));
+}
+
+static void progress_draw(const struct ink *ink)
+{
+    int w = ink->fb->w, done = (int)((int64_t)w * session_progress(&cab.session) / 1000);
+
+    ink_rect(ink, 0, INK_CELL_H + 1, w, 2, INK_GREY);
+    ink_rect(ink, 0, INK_CELL_H + 1, done, 2, INK_GREEN);
 }
 
 static void picture_show(struct picture *p)
 {
-    char text[sizeof cab.fault->message + sizeof cab.fault->trace + 4];
-    bool over = words(text, sizeof text);
-    if (over)
-        words_over(p, text);
-    const struct fb *fb = over ? &p->over : &p->fb;
-    plat_show(fb->pix, fb->pitch, fb->w, fb->h, over ? p->over_rgb : p->rgb);
+    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4];
+
+    words(text, sizeof text);
+    if (!text[0] && !bar_shown()) {
+        plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
+        return;
+    }
+    struct ink ink = picture_copy(p);
+    if (text[0])
+        message_draw(&ink, 0, text);
+    if (cab.session.way != SESSION_THERE)
+        progress_draw(&ink);
+    if (bar_shown())
+        timebar_draw(&ink, &cab.session);
+    plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
 }
 
 /* The board's picture without our words, under the first free number. */
@@ -337,10 +493,8 @@ static void screenshot(const struct picture *p)
     char name[NAME];
     uint8_t *png;
     size_t size;
-    int i = 1;
-    do
-        snprintf(name, sizeof name, "%s-%d.png", cab.options.cart->m.id, i++);
-    while (plat_size(name) >= 0);
+
+    free_name(name, "png");
     if (!png_write(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb, &png, &size)) {
         plat_log("curtain: no memory for a screenshot");
         return;
@@ -368,18 +522,50 @@ static void cabinet_keys(const struct keys_read *k)
         cab.speaker.muted = !cab.speaker.muted;
     if (k->pressed & 1 << CAB_PAUSE)
         cab.paused = !cab.paused;
-    if (k->pressed & 1 << CAB_STEP) {
-        assisted();
+    if (k->pressed & 1 << CAB_STEP)
         cab.paused = cab.step = true;
-    }
-    if (k->pressed & 1 << CAB_REWIND && !has_past())
-        say("curtain: %s: no way back while a demo is recorded or played%s", game(), "");
     if (k->pressed & 1 << CAB_SLOW) {
         assisted();
         cab.slow = cab.slow == MAX_SLOW ? 1 : cab.slow * 2;
     }
     if (k->pressed & 1 << CAB_SCREENSHOT)
         screenshot(&cab.picture);
+}
+
+/* Those that go to and fro in time. */
+static void time_keys(const struct keys_read *k)
+{
+    uint32_t now = board_frame(live());
+
+    if (cab.attracting)
+        return;
+    if (k->pressed & 1 << CAB_BACK) {
+        cab.paused = true;
+        go_back(1);
+    }
+    if (k->pressed & 1 << CAB_BEFORE)
+        go(timebar_before(&cab.session, now));
+    if (k->pressed & 1 << CAB_AFTER)
+        go(timebar_after(&cab.session, now));
+    if (k->pressed & 1 << CAB_TAKE_OVER)
+        take_over();
+    if (k->pressed & 1 << CAB_RELOAD)
+        reload();
+}
+
+/* In a playback, and wherever the bar is shown, a click on it leads there. */
+static void mouse(const struct plat_input *in)
+{
+    uint32_t frame;
+    bool held = in->mouse & 1, pressed = held && !cab.mouse;
+
+    cab.mouse = held;
+    if (cab.attracting || !(cab.session.demo || bar_shown()) ||
+        !timebar_at(&cab.session, cab.picture.fb.w, cab.picture.fb.h, in->mouse_x, in->mouse_y, &frame))
+        return;
+    cab.bar = cab.bar ? cab.bar : 1;
+    if (pressed || (held && cab.session.way == SESSION_THERE && frame != board_frame(live())))
+        go(frame);
 }
 
 static void poll(struct keys_read *k)
@@ -391,6 +577,8 @@ static void poll(struct keys_read *k)
     for (int i = 0; i < PADS; i++)
         cab.pads[i] |= k->pads[i];
     cabinet_keys(k);
+    time_keys(k);
+    mouse(&in);
     if (cab.attracting && k->fresh)
         attract_end();
 }
@@ -433,7 +621,7 @@ static bool turn(void)
 static void run(int frames, const struct keys_read *k, uint64_t now)
 {
     bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
-    cab.rewinding = k->held & 1 << CAB_REWIND && has_past() && !cab.attracting && !cab.fault;
+    cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
     cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
     if (cab.rewinding) {
         go_back((uint32_t)frames);
@@ -442,7 +630,7 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
         return;
     }
     if (cab.paused && cab.step)
-        tick();
+        step();
     else if (fast && !cab.paused)
         turbo(now);
     for (int i = 0; i < frames && !cab.paused && !fast; i++)
@@ -458,11 +646,14 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
 static void finish(void)
 {
     save_nvram();
-    write_demo(demo_end(&cab.writer, cab.live.board));
-    demo_free(&cab.writer.demo);
+    if (fault())
+        cab.code = 2;
+    bool good = session_close(&cab.session);
+    cab.code = good || cab.code ? cab.code : 3;
+    if (!good)
+        say("curtain: %s%s", cab.session.err, "");
     if (cab.attracting)
         attract_end();
-    guard_close(&cab.live);
     picture_close(&cab.picture);
     free(cab.nvram);
     plat_close();
@@ -476,7 +667,14 @@ static bool frame(void)
     if (now < due(cab.frames))
         return true;
     poll(&k);
-    run(frames_due(now), &k, now);
+    look_for_changes();
+    int n = frames_due(now);
+    if (cab.session.way != SESSION_THERE)
+        work(now);
+    else
+        run(n, &k, now);
+    cab.bar -= cab.bar > 0;
+    cab.notice_left -= cab.notice_left > 0;
     if (++cab.since_save >= SAVE_EVERY) {
         cab.since_save = 0;
         save_nvram();
@@ -493,7 +691,7 @@ static bool frame(void)
 static int refuse(int code, const char *what)
 {
     say("curtain: %s: %s", game(), what);
-    guard_close(&cab.live);
+    session_close(&cab.session);
     picture_close(&cab.picture);
     free(cab.nvram);
     plat_close();
@@ -532,20 +730,18 @@ int cab_play(const struct cab_options *options)
     if (!options->seeded && !options->demo)
         cab.start.seed = seed_from_clock();
     load_nvram();
-    if (!guard_power(&cab.live, options->cart->rom, &cab.start, err, sizeof err))
-        return refuse(2, err);
-    if (has_past())
-        guard_remember(&cab.live, REWIND_BYTES);
+    if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
+        return refuse(2, cab.session.err);
     want_window();
     if (!plat_open(&cab.want))
         return refuse(3, "there is no window to play in");
-    if (!picture_open(&cab.picture, cab.live.board))
+    if (!picture_open(&cab.picture, live()))
         return refuse(3, "not enough memory for the picture");
-    if (options->record)
-        write_demo(demo_begin(&cab.writer, options->record, options->cart, cab.live.board, &cab.start, 0));
-    log_lines(board_last(cab.live.board));
-    if (board_last(cab.live.board)->fault)
-        halt(board_last(cab.live.board)->fault);
+    wrote(!cab.session.now->writer.err[0]);
+    log_lines(board_last(live()));
+    if (fault())
+        halt();
+    folder_open(&cab.folder, options->path);
     cab.base = plat_usec();
     plat_loop(frame);
     return cab.code;

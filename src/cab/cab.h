@@ -23,6 +23,7 @@ struct cab_options {
     const char *record;      /* NULL: no recording */
     int scale;               /* 0: as configured */
     bool fullscreen, mute;   /* on, whatever is configured */
+    bool nearest;            /* as pack: for a folder that is packed again when it changes */
 };
 
 /* Plays until quit. Returns the exit code: 0 done, 2 a script fault or a bad settings file, 3 the host failed. With not

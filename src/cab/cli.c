@@ -83,6 +83,7 @@ static int play(const struct args *a, bool named)
         o.scale = a->scale;
         o.fullscreen = a->fullscreen;
         o.mute = a->mute;
+        o.nearest = a->nearest;
         code = cab_play(&o);
         game_close(g);
     }

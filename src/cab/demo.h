@@ -131,6 +131,9 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame);
 /* Ends: writes what is left and the end mark, with the board's fault if it has one. demo stays until demo_free. */
 bool demo_end(struct demo_writer *w, const struct board *b);
 
+/* Gives everything back, recording or not; the file stays as it is. */
+void demo_drop(struct demo_writer *w);
+
 /* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence. */
 bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size);
 

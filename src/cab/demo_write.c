@@ -495,3 +495,9 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     write_end(&s, d, &w->crc);
     return deliver(w, &s, false);
 }
+
+void demo_drop(struct demo_writer *w)
+{
+    stop(w);
+    demo_free(&w->demo);
+}

@@ -8,8 +8,8 @@
  * and ever farther apart away from it. Going back into a gap puts key frames into it, so that a run played backwards
  * costs each gap once and not once a frame.
  *
- * Frames are counted as board_frame does. The past ends where pads were pushed last; a frame beyond the present is
- * there until a frame is pushed at the present.
+ * Frames are counted as board_frame does. The past ends where pads were pushed last; what is beyond the present is there
+ * until other pads than those that led to it are pushed.
  */
 #ifndef CAB_REWIND_H
 #define CAB_REWIND_H
@@ -49,7 +49,7 @@ void rewind_open(struct rewind *r, size_t budget);
 void rewind_close(struct rewind *r);
 
 /* Call it before each tick: `pads` are what the tick will get. Takes a key frame when one is due. What was after the
- * present is forgotten; so is everything when the board is at a frame that is not of this past. False: there is no
+ * present is forgotten, unless it began with the same pads; so is everything when the board is at a frame that is not of this past. False: there is no
  * memory for one key frame, nothing is remembered. */
 bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[PADS]);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# rewind.sh - `play` backwards: the pictures come back in reverse, play goes on from there, scores are kept from before
-# alone, and a demo only goes forward. The port is a script's (port_keys.c): no window, no clock.
+# rewind.sh - `play` and time: backwards, step by step, from moment to moment, in play and in a playback; taking over; what
+# is recorded and saved meanwhile. The port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../tap.sh"
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
@@ -12,15 +12,17 @@ local seen, dot = 0, sprite.put { sprite = 'dot', x = 0, y = 0 }
 task.go(function()
   for i = 1, forever do
     seen = (seen * 31 + i + (pad.down 'fire' and 7 or 0) + rng.int(0, 99)) % 100000007
-    dot.x, dot.y = 8 + seen % 240, 20 + seen % 37
+    dot.x, dot.y = 8 + seen % 240, 13 + seen % 29
     if i == 30 or i == 150 then save.set('frame', i) end
     wait(1)
   end
 end)
+stage.def('one', function() wait(40) stage.mark('a') wait(30) stage.mark('b') wait(1000) end)
+task.go(stage.play, 'one')
 LUA
 sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua # the cabinet's words stand on one line
 
-BACKSPACE=42 Z=29 P=19
+BACKSPACE=42 Z=29 P=19 T=23 B=5 DOT=55 BEFORE=47 AFTER=48
 keys() { # N [USAGE...]: so many polls with these held
     local n=$1
     shift
@@ -71,13 +73,59 @@ rm -rf data
 holds 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
 rm -rf data
 
-# ---- demos only go forward ----
+# ---- step by step, and from moment to moment ----
 
-{ keys 50; keys 10 $BACKSPACE; keys 40; } | plays recorded --record one.demo
-same 'while recording it goes forward' "$(part straight 1 100)" "$(part recorded 1 100)"
-same 'and says why' 'curtain: g: no way back while a demo is recorded or played' "$(cat err)"
-same 'the demo holds' "one.demo: holds, 100 frames" "$("$curtain" verify g one.demo)"
-{ keys 50; keys 10 $BACKSPACE; keys 40; } | ./player play g --demo one.demo >shown 2>err
-same 'while a demo is shown too' "$(part straight 1 100)" "$(part shown 1 100)"
-same 'and says it' 'curtain: g: no way back while a demo is recorded or played' "$(cat err)"
+{ keys 50; for _ in 1 2 3; do keys 1 $B; keys 1; done; for _ in 1 2 3 4; do keys 1 $DOT; keys 1; done; } | plays steps
+same 'a step back a press' "$(part straight 47 49 | tac)" "$(part steps 51 56 | uniq)"
+same 'steps forward are as it was, and then go on' "$(part straight 48 51)" "$(part steps 57 64 | uniq)"
+{ keys 100; keys 1 $BEFORE; keys 1 $P; keys 5; keys 1 $BEFORE; keys 5; keys 1 $AFTER; keys 5; } | plays moments
+same 'to the moment before, and on: mark b' "$(part straight 72 72)" "$(part moments 101 101)"
+same 'again, to the one before that' "$(part straight 41 41)" "$(part moments 113 113)"
+same 'and to the one after' "$(part straight 71 71)" "$(part moments 119 119)"
+
+# ---- recording ----
+
+{ keys 100; keys 40 $BACKSPACE; keys 50 $Z; } | plays recorded --record one.demo
+same 'while recording too' "$(part direct 61 110)" "$(part recorded 141 190)"
+same 'the demo is of the branch' "one.demo: holds, 110 frames" "$("$curtain" verify g one.demo)"
+{ keys 60; keys 50 $Z; } | plays out --record two.demo
+same 'and is as one that went there straight' '' "$(diff <("$curtain" hash g --demo one.demo) <("$curtain" hash g --demo two.demo) 2>&1)"
+holds 'but it knows that it branched' refuted one.demo two.demo
+{ keys 100; keys 40 $BACKSPACE; } | plays out --record three.demo
+same 'who stops in the past ends there' "three.demo: holds, 60 frames" "$("$curtain" verify g three.demo)"
+
+# ---- a playback ----
+
+keys 200 | plays out --record whole.demo
+watches() { # OUT ARGUMENT...: whole.demo is shown
+    local out=$1
+    shift
+    ./player play g --demo whole.demo "$@" >"$out" 2>err
+}
+{ keys 100; keys 40 $BACKSPACE; keys 60; } | watches shown
+same 'a playback goes back' "$(part straight 60 99 | tac)" "$(part shown 101 140)"
+same 'and on, whatever is pressed' "$(part straight 61 120)" "$(part shown 141 200)"
+{ keys 10; keys 1 @200,63; keys 1; } | watches click
+at=$(grep -n "^$(part click 11 11)$" straight | cut -d: -f1)
+holds 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
+{ keys 10; keys 1 @0,63; keys 1 $P; keys 3; } | watches click
+same 'and to the start' "$(part straight 1 1)" "$(part click 12 12)"
+{ keys 20; keys 1 $AFTER; keys 1 $AFTER; keys 1; keys 1 $AFTER; keys 1 $P; keys 3; } | watches click
+same 'the moments of the demo are known before they come' "$(part straight 71 71)" "$(part click 26 26)"
+{ keys 250; } | watches shown
+same 'it ends with the demo' 201 "$(wc -l <shown)"
+{ keys 100; keys 10 $BACKSPACE; keys 200; } | watches shown
+same 'but waits at its end for who went back' "$(part straight 200 200)" "$(tail -1 shown)"
+
+# ---- taking over ----
+
+{ keys 62; keys 49 $Z; } | plays taken
+{ keys 61; keys 1 $T; keys 49 $Z; } | watches shown --record over.demo
+same 'who takes over plays' "$(part taken 1 111)" "$(part shown 1 111)"
+same 'the demo is one of its own' "over.demo: holds, 111 frames" "$("$curtain" verify g over.demo)"
+rm -f probe-*.demo
+{ keys 61; keys 1 $T; keys 49 $Z; } | watches shown
+same 'without --record under a name of its own' "probe-1.demo: holds, 111 frames" "$("$curtain" verify g probe-1.demo)"
+same 'which it tells' 'curtain: g: you play; recording probe-1.demo' "$(cat err)"
+same 'the demo that was shown is untouched' "whole.demo: holds, 200 frames" "$("$curtain" verify g whole.demo)"
 finish

@@ -109,7 +109,7 @@ static void forward(struct rewind *p, const struct run *run, struct rig *r, uint
         assert_true(rewind_push(p, r->b, run->pads[f]));
         rig_tick(r, run->pads[f]);
     }
-    assert_int_equal(rewind_end(p), board_frame(r->b));
+    assert_true(rewind_end(p) >= board_frame(r->b)); /* the same pads lead to the same future */
 }
 
 /* ---- walks ---- */
@@ -146,7 +146,7 @@ static void walk(const struct run *run, size_t budget, int steps, uint64_t seed)
     forward(&p, run, &r, run->frames / 2);
     for (int i = 0; i < steps; i++) {
         if (rng_below(&rng, 20) == 0)
-            forward(&p, run, &r, 1 + (uint32_t)rng_below(&rng, 100)); /* what was after it is forgotten */
+            forward(&p, run, &r, 1 + (uint32_t)rng_below(&rng, 100));
         else
             assert_true(rewind_to(&p, r.b, somewhere(&p, &r, &rng), rng_below(&rng, 9) == 0));
         same_frame(run, &r, board_frame(r.b));
@@ -201,9 +201,15 @@ static void a_minute_backwards(void **state)
     assert_in_range(backwards(&p, &glasstide, &r, 0), 1, 320);
     assert_in_range(p.again, 3600, 5 * 3600);
     forward(&p, &glasstide, &r, 100);
-    assert_int_equal(rewind_end(&p), 100);
+    assert_int_equal(rewind_end(&p), 3600); /* nothing was pressed that was not pressed then */
+    uint64_t again = p.again;
+    assert_true(rewind_to(&p, r.b, 3600, false));
+    same_frame(&glasstide, &r, 3600);
+    assert_in_range(p.again - again, 0, 320); /* the key frames ahead are still there */
     rewind_close(&p);
 
+    rig_free(&r);
+    rig_power(&r, &glasstide.game, &glasstide.demo.start);
     rewind_open(&p, 5 << 20); /* with few key frames gaps are wide, and still run through only a few times */
     forward(&p, &glasstide, &r, 2000);
     uint32_t reach = rewind_end(&p) - rewind_first(&p);
@@ -405,7 +411,7 @@ static void lean(size_t budget, uint64_t one_in, int steps)
     for (int i = 0; i < steps; i++) {
         uint32_t f = board_frame(r.b);
         scarce_one_in = i % 500 < 400 ? one_in : i % 500 < 420 ? 1u : 0u;
-        if (rng_below(&rng, 10) > 0 && f < glasstide.frames) {
+        if (rng_below(&rng, 60) > 0 && f < glasstide.frames) {
             if (!lean_push(&p, r.b, glasstide.pads[f])) {
                 without++;
                 assert_int_equal(p.n, 0);

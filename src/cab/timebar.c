@@ -1,0 +1,123 @@
+/*
+ * timebar.c - see timebar.h.
+ */
+#include "timebar.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MARGIN = 2, BAR_H = 5, SECOND = 60, RECENT = 30 };
+
+static const enum ink_colour colours[MARK_KINDS] = {
+    [MARK_STAGE] = INK_WHITE, [MARK_POINT] = INK_CYAN,   [MARK_WAVE] = INK_GREY,
+    [MARK_BOSS] = INK_RED,    [MARK_PHASE] = INK_YELLOW, [MARK_DEATH] = INK_MAGENTA,
+};
+
+/* The pixel of a frame on a bar w pixels wide. */
+static int place(const struct session *s, int w, uint32_t frame)
+{
+    uint32_t first = session_first(s), last = session_last(s);
+    uint32_t at = frame < first ? 0 : frame > last ? last - first : frame - first;
+
+    return last > first ? (int)((uint64_t)at * (uint64_t)(w - 1) / (last - first)) : 0;
+}
+
+bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *frame)
+{
+    uint32_t first = session_first(s), last = session_last(s);
+    int most = w - 2 * MARGIN - 1;
+
+    if (y < h - TIMEBAR_H || y >= h || x < 0 || x >= w || most < 1)
+        return false;
+    x = x < MARGIN ? 0 : x - MARGIN > most ? most : x - MARGIN;
+    *frame = first + (uint32_t)((uint64_t)x * (last - first) / (uint64_t)most);
+    return true;
+}
+
+/* ---- moments ---- */
+
+static bool counts(const struct session *s, const struct demo_moment *m)
+{
+    return m->mark.kind != MARK_WAVE && m->frame >= session_first(s) && m->frame <= session_last(s);
+}
+
+uint32_t timebar_before(const struct session *s, uint32_t frame)
+{
+    uint32_t n, best = session_first(s);
+    const struct demo_moment *m = session_moments(s, &n);
+
+    for (uint32_t i = 0; i < n; i++)
+        if (counts(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
+            best = m[i].frame;
+    return best;
+}
+
+uint32_t timebar_after(const struct session *s, uint32_t frame)
+{
+    uint32_t n, best = session_last(s);
+    const struct demo_moment *m = session_moments(s, &n);
+
+    for (uint32_t i = 0; i < n; i++)
+        if (counts(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
+            best = m[i].frame;
+    return best;
+}
+
+/* The last moment of a kind up to a frame, not before one of another kind; NULL: none. */
+static const struct demo_moment *last_of(const struct session *s, uint32_t frame, enum board_mark_kind kind,
+                                         const struct demo_moment *after)
+{
+    uint32_t n;
+    const struct demo_moment *m = session_moments(s, &n), *found = NULL;
+
+    for (uint32_t i = 0; i < n && m[i].frame <= frame; i++)
+        if (m[i].mark.kind == kind && (!after || &m[i] > after))
+            found = &m[i];
+    return found;
+}
+
+/* "stage point boss/phase", as far as they are there. */
+static void words(const struct session *s, uint32_t frame, char *text, size_t size)
+{
+    const struct demo_moment *stage = last_of(s, frame, MARK_STAGE, NULL);
+    const struct demo_moment *point = last_of(s, frame, MARK_POINT, stage);
+    const struct demo_moment *boss = last_of(s, frame, MARK_BOSS, stage);
+    const struct demo_moment *phase = boss ? last_of(s, frame, MARK_PHASE, boss) : NULL;
+
+    snprintf(text, size, "%s%s%s%s%s%s%s", stage ? stage->mark.name : "", point ? ":" : "",
+             point ? point->mark.name : "", boss ? " " : "", boss ? boss->mark.name : "", phase ? "/" : "",
+             phase ? phase->mark.name : "");
+}
+
+/* ---- drawing ---- */
+
+static void moments(const struct ink *ink, const struct session *s, int y, int w)
+{
+    uint32_t n;
+    const struct demo_moment *m = session_moments(s, &n);
+
+    for (int pass = 0; pass < 2; pass++) /* waves do not hide what is more */
+        for (uint32_t i = 0; i < n; i++) {
+            bool wave = m[i].mark.kind == MARK_WAVE;
+            if (wave == (pass == 0) && (wave || counts(s, &m[i])))
+                ink_rect(ink, MARGIN + place(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
+                         colours[m[i].mark.kind]);
+        }
+}
+
+void timebar_draw(const struct ink *ink, const struct session *s)
+{
+    int w = ink->fb->w - 2 * MARGIN, top = ink->fb->h - TIMEBAR_H, bar = ink->fb->h - BAR_H - MARGIN;
+    uint32_t frame = board_frame(session_board(s)), last = session_last(s), second = frame / SECOND;
+    char text[160], where[128];
+
+    words(s, frame, where, sizeof where);
+    snprintf(text, sizeof text, "%u/%u %u:%02u %s", (unsigned)frame, (unsigned)last, (unsigned)(second / 60),
+             (unsigned)(second % 60), where);
+    ink_rect(ink, 0, top, ink->fb->w, TIMEBAR_H, INK_PAPER);
+    ink_text(ink, MARGIN, top + 1, INK_WHITE, text);
+    ink_rect(ink, MARGIN, bar + 2, w, 1, INK_GREY);
+    ink_rect(ink, MARGIN, bar + 1, place(s, w, frame) + 1, 3, INK_GREEN);
+    moments(ink, s, bar, w);
+    ink_rect(ink, MARGIN + place(s, w, frame), bar - 1, 1, BAR_H + 2, INK_GREEN);
+}
