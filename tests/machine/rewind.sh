@@ -78,10 +78,10 @@ rm -rf data
 { keys 50; for _ in 1 2 3; do keys 1 $B; keys 1; done; for _ in 1 2 3 4; do keys 1 $DOT; keys 1; done; } | plays steps
 same 'a step back a press' "$(part straight 47 49 | tac)" "$(part steps 51 56 | uniq)"
 same 'steps forward are as it was, and then go on' "$(part straight 48 51)" "$(part steps 57 64 | uniq)"
-{ keys 100; keys 1 $BEFORE; keys 1 $P; keys 5; keys 1 $BEFORE; keys 5; keys 1 $AFTER; keys 5; } | plays moments
-same 'to the moment before, and on: mark b' "$(part straight 72 72)" "$(part moments 101 101)"
-same 'again, to the one before that' "$(part straight 41 41)" "$(part moments 113 113)"
-same 'and to the one after' "$(part straight 71 71)" "$(part moments 119 119)"
+{ keys 110; keys 1 $BEFORE; keys 1 $P; keys 5; keys 1 $BEFORE; keys 5; keys 1 $AFTER; keys 5; } | plays moments
+same 'to the moment before, and on: mark b' "$(part straight 72 72)" "$(part moments 111 111)"
+same 'again, to the one before that' "$(part straight 41 41)" "$(part moments 123 123)"
+same 'and to the one after' "$(part straight 71 71)" "$(part moments 129 129)"
 
 # ---- recording ----
 
