@@ -1,0 +1,516 @@
+/*
+ * test_session.c - a run gone to and fro in, taken over, begun anew, and played again on a changed ROM. What a session's
+ * board is at a frame is compared with a board that went there straight, with the same inputs.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp */
+#include "../../platform/platform.h"
+#include "../../src/cab/folder.h"
+#include "../../src/cab/session.h"
+#include "rig.h"
+
+enum { FRAMES = 3600, NAME = 600 };
+
+static char dir[256]; /* a copy of the built-in game's folder */
+static struct rom_image image;
+static struct cart cart;
+static struct demo demo; /* its whole run */
+static uint64_t plain[FRAMES + 1];
+static char err[1200];
+
+static void shell(const char *format, const char *a, const char *b)
+{
+    char command[2 * NAME];
+
+    snprintf(command, sizeof command, format, a, b);
+    assert_int_equal(system(command), 0);
+}
+
+static int open_game(void **state)
+{
+    struct rig_game g = { 0 };
+    const char *tmp = getenv("TMPDIR");
+    struct rig r;
+
+    (void)state;
+    snprintf(dir, sizeof dir, "%s/curtain-session-XXXXXX", tmp ? tmp : "/tmp");
+    assert_non_null(mkdtemp(dir));
+    shell("cp -R '%s/.' '%s'", "roms/glasstide", dir);
+    assert_true(rom_image_load(dir, false, &image, err, sizeof err));
+    assert_true(cart_open(&cart, &image.rom, err, sizeof err));
+    rig_folder(&g, "glasstide");
+    assert_true(rig_demo(&g, "run", &demo));
+    rig_power(&r, &g, &demo.start);
+    for (uint32_t f = 0; f <= FRAMES; f++) {
+        plain[f] = board_hash(r.b);
+        rig_tick(&r, demo.pads[f]);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+    return 0;
+}
+
+static int close_game(void **state)
+{
+    (void)state;
+    shell("rm -rf '%s'%s", dir, "");
+    demo_free(&demo);
+    rom_image_free(&image);
+    return 0;
+}
+
+static void open_session(struct session *s, bool playback, const char *record)
+{
+    if (!session_open(s, &cart, &demo.start, playback ? &demo : NULL, record))
+        fail_msg("%s", s->err);
+}
+
+/* On to a frame by the run's inputs. */
+static void play_to(struct session *s, uint32_t frame)
+{
+    while (board_frame(session_board(s)) < frame)
+        assert_true(session_tick(s, demo.pads[board_frame(session_board(s))]));
+}
+
+static void at(const struct session *s, uint32_t frame)
+{
+    assert_int_equal(board_frame(session_board(s)), frame);
+    if (board_hash(session_board(s)) != plain[frame])
+        fail_msg("frame %u is not the frame it was", frame);
+}
+
+static void get_there(struct session *s)
+{
+    if (!session_work(s, UINT64_MAX))
+        fail_msg("%s", s->err);
+    assert_int_equal(s->way, SESSION_THERE);
+}
+
+/* ---- to and fro ---- */
+
+/* A playback goes anywhere in its demo, whatever is pressed; most steps are short. */
+static void walks(void **state)
+{
+    static const uint16_t pressed[PADS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
+    struct session s;
+    struct rng rng;
+    int steps = rig_long() ? 10000 : 700;
+
+    (void)state;
+    rng_seed(&rng, 11);
+    open_session(&s, true, NULL);
+    for (int i = 0; i < steps; i++) {
+        uint32_t now = board_frame(session_board(&s)), to = now;
+        switch (rng_below(&rng, 24)) {
+        case 0:
+            to = (uint32_t)rng_below(&rng, FRAMES + 1);
+            break;
+        case 1:
+            for (int k = (int)rng_below(&rng, 30); k > 0 && to < FRAMES; k--, to++)
+                assert_true(session_tick(&s, pressed));
+            break;
+        default:
+            to = now + 20 - (uint32_t)rng_below(&rng, 60);
+            to = to > now + 20 ? 0 : to < FRAMES ? to : FRAMES;
+        }
+        session_goto(&s, to);
+        get_there(&s);
+        at(&s, to);
+    }
+    assert_false(s.rewound);
+    assert_int_equal(session_first(&s), 0);
+    assert_int_equal(session_last(&s), demo.frames);
+    assert_true(session_close(&s));
+    assert_true(session_close(&s));
+}
+
+/* Far ahead in pieces: each does some of the way, and progress grows. */
+static void seeks(void **state)
+{
+    struct session s;
+    int pieces = 0, before = 0;
+
+    (void)state;
+    open_session(&s, true, NULL);
+    session_goto(&s, FRAMES);
+    assert_int_equal(s.way, SESSION_SEEKS);
+    for (; s.way != SESSION_THERE; pieces++) {
+        assert_true(session_work(&s, 0));
+        assert_in_range(session_progress(&s), before, 1000);
+        before = session_progress(&s);
+    }
+    assert_true(pieces > 100);
+    at(&s, FRAMES);
+    session_goto(&s, 10);
+    at(&s, 10);
+    session_goto(&s, FRAMES); /* it was there: at once */
+    assert_int_equal(s.way, SESSION_THERE);
+    at(&s, FRAMES);
+    session_goto(&s, UINT32_MAX);
+    assert_int_equal(s.to, demo.frames);
+    session_stop(&s);
+    assert_int_equal(s.way, SESSION_THERE);
+    assert_true(session_close(&s));
+}
+
+/* A live run: back, forward as it was, and on by other inputs, which makes it another run. */
+static void branches(void **state)
+{
+    static const uint16_t none[PADS] = { 0 };
+    char path[NAME];
+    struct session s;
+    struct demo d;
+    struct rig_game g = { 0 };
+    struct rig r;
+
+    (void)state;
+    snprintf(path, sizeof path, "%s/branch.demo", dir);
+    open_session(&s, false, path);
+    play_to(&s, 800);
+    at(&s, 800);
+    session_goto(&s, 500);
+    at(&s, 500);
+    assert_int_equal(session_last(&s), 800);
+    for (int i = 0; i < 100; i++)
+        assert_true(session_again(&s));
+    at(&s, 600);
+    assert_int_equal(s.now->writer.demo.frames, 800); /* what was is still known */
+    for (int i = 0; i < 65; i++)
+        assert_true(session_tick(&s, none));
+    assert_int_equal(session_last(&s), 665);
+    uint64_t hash = board_hash(session_board(&s));
+    assert_true(hash != plain[665]);
+    assert_true(session_again(&s)); /* there is nothing to go on to */
+    assert_int_equal(board_frame(session_board(&s)), 665);
+    assert_true(s.rewound);
+    assert_true(session_close(&s));
+
+    assert_true(demo_load(&d, path, err, sizeof err));
+    assert_int_equal(d.frames, 665);
+    assert_int_equal(d.flags, DEMO_BRANCHED);
+    assert_true(d.complete);
+    rig_folder(&g, "glasstide");
+    rig_power(&r, &g, &d.start);
+    for (uint32_t f = 0; f < d.frames; f++)
+        rig_tick(&r, d.pads[f]);
+    assert_true(board_hash(r.b) == hash);
+    rig_free(&r);
+    rig_game_free(&g);
+    demo_free(&d);
+}
+
+/* Who stops in the past has played so far and no further. */
+static void stops_in_the_past(void **state)
+{
+    char path[NAME];
+    struct session s;
+    struct demo d;
+
+    (void)state;
+    snprintf(path, sizeof path, "%s/past.demo", dir);
+    open_session(&s, false, path);
+    play_to(&s, 300);
+    session_goto(&s, 77);
+    assert_true(session_close(&s));
+    assert_true(demo_load(&d, path, err, sizeof err));
+    assert_int_equal(d.frames, 77);
+    assert_int_equal(d.flags, DEMO_BRANCHED);
+    uint64_t h = d.track[(d.seconds - 1) * (uint32_t)d.parts];
+    demo_free(&d);
+    open_session(&s, false, NULL);
+    play_to(&s, 77);
+    assert_true(h == board_part_hash(session_board(&s), 0)); /* the hashes are of the frame it stopped at */
+    assert_true(session_close(&s));
+}
+
+static void takes_over(void **state)
+{
+    char path[NAME];
+    struct session s;
+    struct demo d;
+
+    (void)state;
+    snprintf(path, sizeof path, "%s/mine.demo", dir);
+    open_session(&s, true, NULL);
+    session_goto(&s, 700);
+    get_there(&s);
+    session_goto(&s, 400);
+    uint32_t n;
+    assert_ptr_equal(session_moments(&s, &n), demo.moments ? demo.moment : s.now->writer.demo.moment);
+    assert_true(session_take_over(&s, path));
+    assert_false(session_take_over(&s, path)); /* it is taken */
+    at(&s, 400);
+    assert_int_equal(session_last(&s), 400);
+    play_to(&s, 450); /* the same inputs: the same run */
+    at(&s, 450);
+    assert_true(session_close(&s));
+    assert_true(demo_load(&d, path, err, sizeof err));
+    assert_int_equal(d.frames, 450);
+    assert_int_equal(d.flags, DEMO_BRANCHED);
+    assert_memory_equal(d.pads, demo.pads, 450 * sizeof d.pads[0]);
+    demo_free(&d);
+}
+
+static void starts_anew(void **state)
+{
+    struct board_start start = demo.start;
+    struct session s;
+
+    (void)state;
+    open_session(&s, true, NULL);
+    session_goto(&s, 100);
+    get_there(&s);
+    snprintf(start.practice.mark, sizeof start.practice.mark, "one");
+    assert_true(session_restart(&s, &start));
+    assert_null(s.demo);
+    assert_int_equal(board_frame(session_board(&s)), 0);
+    play_to(&s, 200);
+    uint64_t hash = board_hash(session_board(&s));
+    assert_true(hash != plain[200]);
+    assert_true(session_restart(&s, &start));
+    play_to(&s, 200);
+    assert_true(board_hash(session_board(&s)) == hash);
+    start.difficulty = 99;
+    assert_false(session_restart(&s, &start));
+    assert_true(board_hash(session_board(&s)) == hash); /* as it was */
+    assert_true(session_close(&s));
+}
+
+/* ---- reload ---- */
+
+/* Replaces a text in a file of the game. */
+static void edit(const char *file, const char *from, const char *to)
+{
+    static char text[1 << 16];
+    char name[NAME];
+
+    snprintf(name, sizeof name, "%s/%s", dir, file);
+    long n = plat_load(name, text, sizeof text - 1);
+    assert_in_range(n, 1, sizeof text - 2);
+    text[n] = 0;
+    char *where = strstr(text, from);
+    assert_non_null(where);
+    size_t rest = strlen(where + strlen(from));
+    static char out[1 << 16];
+    int size = snprintf(out, sizeof out, "%.*s%s%.*s", (int)(where - text), text, to, (int)rest, where + strlen(from));
+    assert_in_range(size, 1, sizeof out - 1);
+    assert_true(plat_save(name, out, (size_t)size));
+}
+
+/* A fresh board of the folder as it is now, by the run's inputs: hash and picture. */
+static uint64_t fresh(const struct board_start *start, uint32_t frame, uint64_t *picture)
+{
+    struct rig_game g = { 0 };
+    struct rig r;
+
+    assert_true(rom_image_load(dir, false, &g.image, err, sizeof err));
+    assert_true(cart_open(&g.cart, &g.image.rom, err, sizeof err));
+    rig_power(&r, &g, start);
+    for (uint32_t f = 0; f < frame; f++)
+        rig_tick(&r, demo.pads[f]);
+    uint64_t hash = board_hash(r.b);
+    *picture = rig_picture(&r);
+    rig_free(&r);
+    rig_game_free(&g);
+    return hash;
+}
+
+static uint64_t picture(const struct session *s)
+{
+    struct rig r = { .b = session_board(s) };
+    int w, h;
+
+    board_screen(r.b, &w, &h);
+    r.pix = calloc(1, fb_size(w, h));
+    r.scratch = malloc(board_scratch(r.b) + 1);
+    assert_true(r.pix && r.scratch);
+    fb_init(&r.fb, r.pix, w, h);
+    uint64_t hash = rig_picture(&r);
+    free(r.pix);
+    free(r.scratch);
+    return hash;
+}
+
+static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 }, every = 7, speed = 2 }";
+static const char faster[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 }, every = 7, speed = 3 }";
+
+static void lands(struct session *s, uint32_t frame, const struct board_start *start)
+{
+    uint64_t shown, hash = fresh(start, frame, &shown);
+
+    assert_true(session_reload(s, dir, false));
+    assert_int_equal(s->way, SESSION_RELOADS);
+    get_there(s);
+    assert_int_equal(board_frame(session_board(s)), frame);
+    assert_true(board_hash(session_board(s)) == hash);
+    assert_true(picture(s) == shown);
+}
+
+static void reloads(void **state)
+{
+    char path[NAME];
+    struct session s;
+    struct demo d;
+
+    (void)state;
+    snprintf(path, sizeof path, "%s/reload.demo", dir);
+    open_session(&s, false, path);
+    play_to(&s, 1500);
+    uint64_t shown = picture(&s);
+    assert_true(session_reload(&s, dir, false)); /* the same ROM */
+    assert_int_equal(s.way, SESSION_THERE);
+    edit("stages/habits.lua", habit, faster);
+    lands(&s, 1500, &demo.start);
+    assert_true(picture(&s) != shown); /* the stage being played has changed */
+    session_goto(&s, 900);             /* its past is of the new script */
+    uint64_t unused, hash = fresh(&demo.start, 900, &unused);
+    assert_true(board_hash(session_board(&s)) == hash);
+    assert_true(session_reload(&s, dir, false) && s.way == SESSION_THERE);
+    play_to(&s, 1600);
+    edit("stages/habits.lua", faster, habit);
+    lands(&s, 1600, &demo.start);
+    at(&s, 1600);
+    assert_true(session_close(&s));
+    assert_true(demo_load(&d, path, err, sizeof err));
+    assert_int_equal(d.frames, 1600);
+    assert_int_equal(d.flags & DEMO_TOUCHED, DEMO_TOUCHED);
+    assert_true(d.game_hash == rom_game_hash(&image.rom));
+    demo_free(&d);
+}
+
+/* The old board goes on, and it is said why. */
+static void keeps(struct session *s, const char *why)
+{
+    uint64_t hash = board_hash(session_board(s));
+    bool good = session_reload(s, dir, false) && session_work(s, UINT64_MAX);
+
+    assert_false(good);
+    if (!strstr(s->err, why))
+        fail_msg("\"%s\" does not say \"%s\"", s->err, why);
+    assert_int_equal(s->way, SESSION_THERE);
+    assert_null(s->next);
+    assert_true(board_hash(session_board(s)) == hash);
+}
+
+static void bad_edits(void **state)
+{
+    struct session s;
+
+    (void)state;
+    open_session(&s, false, NULL);
+    play_to(&s, 1000);
+    edit("stages/habits.lua", habit, "n = = 2");
+    keeps(&s, "stages/habits.lua:11:");
+    edit("stages/habits.lua", "n = = 2",
+         "n = 'two', every = 7, speed = 2 }"); /* found where it is called, in the run */
+    keeps(&s, "stages/habits.lua:11: pattern.aimed: n: expected");
+    assert_non_null(strstr(s.err, "of the run)"));
+    edit("stages/habits.lua", "n = 'two', every = 7, speed = 2 }", habit);
+    edit("main.lua", "boot.run", "boot.ran");
+    keeps(&s, "main.lua:");
+    edit("main.lua", "boot.ran", "boot.run");
+    edit("rom.lua", "version = 1", "version = 1, id = 'other'");
+    keeps(&s, "another game now");
+    edit("rom.lua", "version = 1, id = 'other'", "version = 1");
+    play_to(&s, 1100);
+    at(&s, 1100);
+    assert_true(session_close(&s));
+}
+
+/* A run that ended in a fault is put right by putting the script right. */
+static void mends_a_fault(void **state)
+{
+    struct session s;
+    struct rom_image broken;
+    struct cart its;
+
+    (void)state;
+    edit("stages/habits.lua", habit, "n = 'two', every = 7, speed = 2 }");
+    assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
+    assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
+    while (!board_last(session_board(&s))->fault)
+        assert_true(session_tick(&s, demo.pads[board_frame(session_board(&s))]));
+    uint32_t frame = board_frame(session_board(&s));
+    assert_true(session_tick(&s, demo.pads[frame])); /* dead: nothing happens */
+    assert_int_equal(session_last(&s), frame);
+    session_goto(&s, frame - 10); /* but it can be gone back */
+    assert_null(board_last(session_board(&s))->fault);
+    at(&s, frame - 10);
+    session_goto(&s, frame);
+    edit("stages/habits.lua", "n = 'two', every = 7, speed = 2 }", habit);
+    assert_true(session_reload(&s, dir, false));
+    get_there(&s);
+    at(&s, frame);
+    play_to(&s, frame + 100);
+    at(&s, frame + 100);
+    assert_true(session_close(&s));
+    rom_image_free(&broken);
+}
+
+/* In a playback the demo goes on, on the new ROM. */
+static void reloads_a_playback(void **state)
+{
+    struct session s;
+
+    (void)state;
+    open_session(&s, true, NULL);
+    session_goto(&s, 1200);
+    get_there(&s);
+    edit("stages/habits.lua", habit, faster);
+    lands(&s, 1200, &demo.start);
+    assert_ptr_equal(s.demo, &demo);
+    edit("stages/habits.lua", faster, habit);
+    lands(&s, 1200, &demo.start);
+    at(&s, 1200);
+    session_goto(&s, 1300);
+    get_there(&s);
+    at(&s, 1300);
+    assert_true(session_close(&s));
+}
+
+/* A change is told once, and only when it has settled. */
+static void watches(void **state)
+{
+    struct folder f;
+    char name[NAME];
+
+    (void)state;
+    assert_false(folder_open(&f, NULL));
+    assert_false(folder_changed(&f));
+    assert_false(folder_open(&f, "/nowhere/at/all"));
+    assert_true(folder_open(&f, dir));
+    assert_false(folder_changed(&f) || folder_changed(&f));
+    edit("stages/habits.lua", habit, faster);
+    assert_false(folder_changed(&f)); /* seen once */
+    assert_true(folder_changed(&f));
+    assert_false(folder_changed(&f));
+    edit("stages/habits.lua", faster, habit);
+    assert_false(folder_changed(&f));
+    snprintf(name, sizeof name, "%s/art/new.png", dir);
+    assert_true(plat_save(name, "x", 1));
+    assert_false(folder_changed(&f)); /* still changing */
+    assert_true(folder_changed(&f));
+    snprintf(name, sizeof name, "%s/.hidden", dir);
+    assert_true(plat_save(name, "x", 1));
+    snprintf(name, sizeof name, "%s/demos/new.demo", dir);
+    assert_true(plat_save(name, "x", 1));
+    assert_false(folder_changed(&f) || folder_changed(&f));
+    snprintf(name, sizeof name, "%s/art/new.png", dir);
+    assert_int_equal(remove(name), 0);
+    snprintf(name, sizeof name, "%s/demos/new.demo", dir);
+    assert_int_equal(remove(name), 0);
+    assert_false(folder_changed(&f));
+    assert_true(folder_changed(&f));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(walks),         cmocka_unit_test(seeks),
+        cmocka_unit_test(branches),      cmocka_unit_test(stops_in_the_past),
+        cmocka_unit_test(takes_over),    cmocka_unit_test(starts_anew),
+        cmocka_unit_test(reloads),       cmocka_unit_test(bad_edits),
+        cmocka_unit_test(mends_a_fault), cmocka_unit_test(reloads_a_playback),
+        cmocka_unit_test(watches),
+    };
+    return cmocka_run_group_tests(tests, open_game, close_game);
+}
