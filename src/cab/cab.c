@@ -15,6 +15,7 @@
 #include <time.h>
 #include "../../platform/platform.h"
 #include "../base/hash.h"
+#include "ask.h"
 #include "config.h"
 #include "folder.h"
 #include "guard.h"
@@ -71,6 +72,7 @@ static struct cab {
     int waited;     /* frames since the last tick */
     int bar;        /* frames the bar of time is still shown */
     bool mouse;     /* its button was held at the last poll */
+    struct ask ask;
     struct folder folder;
     int since_look;
     char notice[DEMO_PATH + 64];
@@ -442,6 +444,8 @@ static void words(char *text, size_t size)
     if (cab.session.way != SESSION_THERE)
         snprintf(text, size, "%s %d%%", cab.session.way == SESSION_SEEKS ? "seeking" : "reloading",
                  session_progress(&cab.session) / 10);
+    else if (cab.ask.open)
+        snprintf(text, size, "go to frame %s_", cab.ask.digits);
     else if (cab.notice_left)
         snprintf(text, size, "%s", cab.notice);
     else if (f)
@@ -457,7 +461,7 @@ static void words(char *text, size_t size)
 /* Shown where time is gone to and fro, and in a playback under the mouse. */
 static bool bar_shown(void)
 {
-    return !cab.attracting && (cab.rewinding || cab.bar > 0 || (cab.session.demo && cab.paused));
+    return !cab.attracting && (cab.ask.open || cab.rewinding || cab.bar > 0 || (cab.session.demo && cab.paused));
 }
 
 static void progress_draw(const struct ink *ink)
@@ -568,16 +572,36 @@ static void mouse(const struct plat_input *in)
         go(frame);
 }
 
+/* True while a frame is asked for: the keys are for that, and time stands still. */
+static bool ask(const struct plat_input *in)
+{
+    uint32_t frame;
+
+    if (!cab.ask.open)
+        return false;
+    if (ask_poll(&cab.ask, in, &frame)) {
+        cab.paused = true;
+        go(frame);
+    }
+    return true;
+}
+
 static void poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
-    keys_read(&cab.config.keys, &in, k);
     cab.quit = cab.quit || in.quit;
+    if (ask(&in)) {
+        memset(k, 0, sizeof *k);
+        return;
+    }
+    keys_read(&cab.config.keys, &in, k);
     for (int i = 0; i < PADS; i++)
         cab.pads[i] |= k->pads[i];
     cabinet_keys(k);
     time_keys(k);
+    if (k->pressed & 1 << CAB_GOTO && !cab.attracting)
+        ask_open(&cab.ask, &in);
     mouse(&in);
     if (cab.attracting && k->fresh)
         attract_end();
@@ -623,6 +647,8 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
     bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
     cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
     cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
+    if (cab.ask.open)
+        return;
     if (cab.rewinding) {
         go_back((uint32_t)frames);
         cab.step = false;

@@ -46,6 +46,7 @@ static const struct action {
     { "back", "b", "one frame back, then pause" },
     { "before", "lbracket", "to the moment before: a stage, a boss, a phase, a death" },
     { "after", "rbracket", "to the moment after" },
+    { "goto", "home", "asks for a frame, and goes there" },
     { "takeover", "t", "play on from here in a demo, as a demo of your own" },
     { "reload", "f5", "take in what changed in the game's folder now" },
     { "mute", "m", "sound off, on" },

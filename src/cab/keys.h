@@ -27,6 +27,7 @@ enum cab_key {
     CAB_BACK,
     CAB_BEFORE,
     CAB_AFTER,
+    CAB_GOTO,
     CAB_TAKE_OVER,
     CAB_RELOAD,
     CAB_MUTE,

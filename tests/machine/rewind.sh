@@ -112,6 +112,11 @@ holds 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
 same 'and to the start' "$(part straight 1 1)" "$(part click 12 12)"
 { keys 20; keys 1 $AFTER; keys 1 $AFTER; keys 1; keys 1 $AFTER; keys 1 $P; keys 3; } | watches click
 same 'the moments of the demo are known before they come' "$(part straight 71 71)" "$(part click 26 26)"
+{ keys 20; keys 1 74; keys 1; keys 1 31; keys 1; keys 1 39; keys 1; keys 1 42; keys 1; keys 1 34; keys 2; keys 1 40; keys 3; } | watches ask
+same 'asked for, frame 25 comes: 2, 0, Backspace, 5, Enter' "$(part straight 25 25)" "$(part ask 34 34)"
+same 'time stands still meanwhile' 1 "$(part ask 21 31 | sort -u | wc -l)"
+{ keys 20; keys 1 74; keys 1; keys 1 41; keys 10; } | watches ask
+same 'Escape asks no more' "$(part straight 21 30)" "$(part ask 23 32)"
 { keys 250; } | watches shown
 same 'it ends with the demo' 201 "$(wc -l <shown)"
 { keys 100; keys 10 $BACKSPACE; keys 200; } | watches shown

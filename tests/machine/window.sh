@@ -1,13 +1,8 @@
 #!/usr/bin/env bash
 # window.sh - the desktop port in a real (virtual) X server: pixels, keys, sizes, controllers, no sound card; and that a
 # played frame is the frame `curtain render` makes, at every scale.
-. "$(dirname "$0")/../tap.sh"
-scratch=$tmp play_rom=$repo/roms/glasstide
-check() { # NAME COMMAND...
-    local name=$1
-    shift
-    if "$@" >"$scratch/said" 2>&1; then ok "$name"; else not_ok "$name" "$(cat "$scratch/said")"; fi
-}
+. "$(dirname "$0")/../xserver.sh"
+play_rom=$repo/roms/glasstide
 refuse() { # NAME TEXT COMMAND...: fails, and says TEXT
     local name=$1 text=$2
     shift 2
@@ -15,71 +10,15 @@ refuse() { # NAME TEXT COMMAND...: fails, and says TEXT
     elif grep -q -- "$text" "$scratch/said"; then ok "$name"
     else not_ok "$name" "$(cat "$scratch/said")"; fi
 }
-for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do
-    command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
-done
 cd "$repo" || exit 2
-child= xvfb= wm=
-trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; rm -rf "$scratch"' EXIT
 # A card that cannot be there, and nobody's settings.
-export SDL_AUDIODRIVER=alsa AUDIODEV=none XDG_DATA_HOME=$scratch/data
-
-# soon COMMAND...: tries for 10 s
-soon() { for _ in $(seq 200); do "$@" && return 0; sleep 0.05; done; return 1; }
-says() { grep -qx -- "$1" "$scratch/out"; }
-gone() { ! kill -0 "$child" 2>/dev/null; }
+export SDL_AUDIODRIVER=alsa AUDIODEV=none
 
 for program in port_probe port_pads; do
     ${CC:-cc} -std=c11 -O1 $(sdl2-config --cflags) -o "$scratch/$program" tests/machine/$program.c platform/sdl2.c \
         platform/stdio.c $(sdl2-config --libs) || exit 2
 done
 probe=$scratch/port_probe
-
-# X picks a free display number and writes it down.
-Xvfb -displayfd 3 -screen 0 1100x1000x24 -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
-xvfb=$!
-soon test -s "$scratch/display" || { echo "window.sh: Xvfb does not start" >&2; exit 2; }
-DISPLAY=:$(cat "$scratch/display")
-export DISPLAY
-
-# start TITLE COMMAND...: sets child, title and win (SDL may replace its window by another)
-start() {
-    local try
-    title=$1
-    shift
-    # A window that is mapped while a window manager takes over can get lost: that is between those two, not the port's.
-    for try in 1 2 3; do
-        "$@" >"$scratch/out" 2>"$scratch/err" &
-        child=$!
-        soon found && break
-        leave
-    done
-    if [ -z "$child" ]; then
-        check "a window for: $*" cat "$scratch/err" /none
-        return 1
-    fi
-    soon focused
-}
-# The window that is still there a moment after it got the keys.
-focused() {
-    local first
-    found && first=$win && timeout 5 xdotool windowfocus --sync "$win" 2>/dev/null &&
-        xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
-}
-found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
-leave() {
-    kill -KILL "$child" 2>/dev/null
-    wait "$child" 2>/dev/null
-    child=
-}
-stop() {
-    xdotool key Escape
-    check "ends on Escape" soon gone
-    gone || kill -KILL "$child"
-    wait "$child"
-    check "with exit code 0" [ $? = 0 ]
-    leave
-}
 
 # same_pixels W H WIN_W WIN_H: the window shows the probe's picture so; it may take a few frames to.
 same_pixels() {

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# backwards.sh - a playback in a real (virtual) window, gone to and fro in by keys and mouse: the window's pictures, bar of
+# time and words included, are those of tests/golden/backwards, and under them lie the frames that `render` makes.
+#
+#     CURTAIN_UPDATE=1 tests/machine/backwards.sh     makes tests/golden/backwards anew
+. "$(dirname "$0")/../xserver.sh"
+rom=$repo/roms/glasstide golden=$repo/tests/golden/backwards
+export SDL_AUDIODRIVER=dummy
+
+window_png() { found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null; }
+pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
+is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
+key() { xdotool key --delay 80 "$1"; sleep 0.15; }
+# shown NAME FRAME WHAT: the window is the golden picture NAME; its middle is FRAME's
+shown() {
+    if [ -n "${CURTAIN_UPDATE:-}" ]; then
+        sleep 3
+        window_png "$golden/$1.png"
+    fi
+    check "$3" soon is_golden "$1"
+    "$curtain" render "$rom" --demo "$demo" --frames "$2" -o want 2>/dev/null
+    check "... which is frame $2" cmp <(middle now.png) <(middle "want/$(printf %06d "$2").png")
+}
+middle() { convert "$1" -crop 240x296+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
+
+# The frames of a demo's moments but waves, from its file (docs/demos.md).
+moments() {
+    python3 - "$1" <<'PY'
+import struct, sys
+data, at, frames = open(sys.argv[1], "rb").read(), 8, []
+while at + 12 <= len(data):
+    kind, size = struct.unpack("<II", data[at:at + 8])
+    frame, mark = struct.unpack("<IB", data[at + 8:at + 13]) if kind == ord("M") else (0, 2)
+    if mark != 2 and frame not in frames:
+        frames.append(frame)
+    at += size + 12
+print("\n".join(map(str, frames)))
+PY
+}
+demo=${CURTAIN_DEMO:-$rom/demos/run.demo}
+frames=14016 # of it
+mkdir -p "$golden"
+if start "Glass Tide" "$OUT/curtain" play "$rom" --demo "$demo" --scale 1; then
+    key p                  # wherever it is
+    for _ in 1 2 3 4; do key bracketright; done
+    at=$(moments "$demo" | sed -n 4p)
+    shown 1 "$at" "paused, at the fourth moment"
+    key b
+    shown 2 $((at - 1)) "a frame back"
+    key b
+    shown 3 $((at - 2)) "and another"
+    key period
+    shown 4 $((at - 1)) "one forward"
+    xdotool keydown BackSpace
+    sleep 0.5
+    xdotool keyup BackSpace
+    key bracketright
+    shown 5 "$at" "backwards for a while, and to the moment after"
+    xdotool mousemove --window "$win" 200 316 mousedown 1
+    sleep 0.2
+    xdotool mouseup 1
+    xdotool mousemove --window "$win" 120 100
+    shown 6 "$((frames * 198 / 235))" "a click on the bar of time"
+    stop
+fi
+finish

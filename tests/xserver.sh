@@ -1,0 +1,68 @@
+# xserver.sh - tap.sh, and an X server of our own with programs in its window.
+#
+#     . "$(dirname "$0")/../xserver.sh"
+#
+# Afterwards DISPLAY is set, $scratch is the working folder, and start TITLE COMMAND... runs a program whose window is $win.
+. "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
+scratch=$tmp
+check() { # NAME COMMAND...
+    local name=$1
+    shift
+    if "$@" >"$scratch/said" 2>&1; then ok "$name"; else not_ok "$name" "$(cat "$scratch/said")"; fi
+}
+for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do
+    command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
+done
+child= xvfb= wm=
+trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
+
+# soon COMMAND...: tries for 10 s
+soon() { for _ in $(seq 200); do "$@" && return 0; sleep 0.05; done; return 1; }
+says() { grep -qx -- "$1" "$scratch/out"; }
+gone() { ! kill -0 "$child" 2>/dev/null; }
+
+# X picks a free display number and writes it down.
+Xvfb -displayfd 3 -screen 0 1100x1000x24 -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
+xvfb=$!
+soon test -s "$scratch/display" || { echo "xserver.sh: Xvfb does not start" >&2; exit 2; }
+DISPLAY=:$(cat "$scratch/display")
+export DISPLAY
+
+# start TITLE COMMAND...: sets child, title and win (SDL may replace its window by another)
+start() {
+    local try
+    title=$1
+    shift
+    # A window that is mapped while a window manager takes over can get lost: that is between those two, not the port's.
+    for try in 1 2 3; do
+        "$@" >"$scratch/out" 2>"$scratch/err" &
+        child=$!
+        soon found && break
+        leave
+    done
+    if [ -z "$child" ]; then
+        check "a window for: $*" cat "$scratch/err" /none
+        return 1
+    fi
+    soon focused
+}
+# The window that is still there a moment after it got the keys.
+focused() {
+    local first
+    found && first=$win && timeout 5 xdotool windowfocus --sync "$win" 2>/dev/null &&
+        xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
+}
+found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
+leave() {
+    kill -KILL "$child" 2>/dev/null
+    wait "$child" 2>/dev/null
+    child=
+}
+stop() {
+    xdotool key Escape
+    check "ends on Escape" soon gone
+    gone || kill -KILL "$child"
+    wait "$child"
+    check "with exit code 0" [ $? = 0 ]
+    leave
+}
