@@ -70,6 +70,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
         for (int x = 0; x < w; x++)
             hash = (hash ^ rgb[pix[y * pitch + x]]) * 1099511628211u;
     printf("%016" PRIx64 "\n", hash);
+    fflush(stdout);
 }
 
 uint64_t plat_usec(void)

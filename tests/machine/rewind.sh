@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # rewind.sh - `play` and time: backwards, step by step, from moment to moment, in play and in a playback; taking over; what
 # is recorded and saved meanwhile. The port is a script's (port_keys.c): no window, no clock.
-. "$(dirname "$0")/../tap.sh"
-${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
-    $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-    $(pkg-config --libs lua5.4) -lm || exit 2
-
+. "$(dirname "$0")/../scripted.sh"
 # A picture of its own every frame, also of what was pressed; and a save that counts frames.
 game g <<'LUA'
 local seen, dot = 0, sprite.put { sprite = 'dot', x = 0, y = 0 }
@@ -22,18 +18,11 @@ task.go(stage.play, 'one')
 LUA
 sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua # the cabinet's words stand on one line
 
-BACKSPACE=42 Z=29 P=19 T=23 B=5 DOT=55 BEFORE=47 AFTER=48
-keys() { # N [USAGE...]: so many polls with these held
-    local n=$1
-    shift
-    for _ in $(seq "$n"); do echo "$*"; done
-}
 plays() { # OUT ARGUMENT...: standard input are the keys
     local out=$1
     shift
     ./player play g --seed 5 "$@" >"$out" 2>err
 }
-part() { sed -n "$2,$3p" "$1"; } # FILE FIRST LAST: picture n is of frame n
 
 # ---- backwards ----
 
