@@ -19,6 +19,7 @@ void section_battle(void);
 void section_pictures(void);
 void section_game(void);
 void section_rewind(void);
+void section_replay(void);
 void section_memory(void);
 
 /* ---- times ---- */

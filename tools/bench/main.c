@@ -17,7 +17,7 @@ static const struct {
 } SECTIONS[] = {
     { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
     { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
-    { "rewind", section_rewind },   { "memory", section_memory },
+    { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

@@ -1,0 +1,131 @@
+/*
+ * replay.c - section "replay": what it takes to play a run again without a picture: to verify its demo, and to bring it onto
+ * a changed game.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+#include "../../src/cab/session.h"
+#include "bench.h"
+
+enum { ROUNDS = 3, FIVE_MINUTES = 5 * 60 * 60, MINUTE = 60 * 60, SLICE_USEC = 12000 };
+
+/* Seconds that comparing a replay with the whole of its track takes, as `curtain verify` does. */
+static double verify(const struct rom *rom, const struct demo *d)
+{
+    struct guard g;
+    char err[256];
+    uint64_t hashes[MAX_PARTS];
+    uint32_t differ = 0;
+    double from = bench_now();
+
+    if (!guard_power(&g, rom, &d->start, err, sizeof err))
+        report_fail(err);
+    void *copies = calloc(1, board_copies(g.board));
+    if (!copies)
+        report_fail("out of memory");
+    for (uint32_t f = 0; f <= d->frames; f++) {
+        uint16_t pads[PADS];
+        board_hashes_again(g.board, copies, hashes);
+        differ |= demo_differs(d, f, hashes);
+        demo_pads(d, f, pads);
+        if (f < d->frames)
+            guard_tick(&g, pads);
+    }
+    bench_claim(differ ? "the demo does not hold" : NULL, "verifying");
+    free(copies);
+    guard_close(&g);
+    return bench_since(from) / 1e9;
+}
+
+/* A copy of the game's folder with a comment more in its entry script; its folder's name is the game's id. */
+static void change_game(char path[256])
+{
+    char command[1024], dir[] = "/tmp/curtain-bench-XXXXXX";
+    const char *name = strrchr(BENCH_GAME, '/') + 1;
+
+    if (!mkdtemp(dir))
+        report_fail("no folder for a copy of the game");
+    snprintf(command, sizeof command, "cp -R '%s' '%s/' && echo '-- changed' >>'%s/%s/main.lua'", BENCH_GAME, dir, dir,
+             name);
+    if (system(command) != 0)
+        report_fail("the game cannot be copied");
+    snprintf(path, 256, "%s/%s", dir, name);
+}
+
+static void remove_game(const char *path)
+{
+    char command[512];
+
+    snprintf(command, sizeof command, "rm -rf '%.*s'", (int)(strrchr(path, '/') - path), path);
+    if (system(command) != 0)
+        report_fail("the copy of the game cannot be removed");
+}
+
+/* Plays so many frames, then seconds from the change of a file to the same frame of the changed game. */
+static double reload(const struct cart *cart, const struct board_start *start, const struct demo *d, uint32_t frames,
+                     const char *changed)
+{
+    static struct session s;
+
+    if (!session_open(&s, cart, start, NULL, NULL))
+        report_fail(s.err);
+    while (board_frame(session_board(&s)) < frames) {
+        uint16_t pads[PADS];
+        demo_pads(d, board_frame(session_board(&s)), pads);
+        session_tick(&s, pads);
+    }
+    uint64_t hash = board_hash(session_board(&s));
+    double from = bench_now();
+    bool good = session_reload(&s, changed, false) && s.way == SESSION_RELOADS;
+    while (good && s.way != SESSION_THERE)
+        good = session_work(&s, plat_usec() + SLICE_USEC);
+    double took = bench_since(from) / 1e9;
+    bench_claim(good && board_hash(session_board(&s)) == hash ? NULL : "it does not land on the same frame",
+                "reloading");
+    session_close(&s);
+    return took;
+}
+
+void section_replay(void)
+{
+    static struct demo demo;
+    struct rom_image image;
+    struct cart cart;
+    struct samples rate = { 0 };
+    char err[256], changed[256];
+    struct board_start phase;
+
+    bench_game(&image, &demo);
+    if (!cart_open(&cart, &image.rom, err, sizeof err))
+        report_fail(err);
+    for (int i = 0; i < ROUNDS; i++)
+        samples_add(&rate, demo.frames / verify(&image.rom, &demo));
+    change_game(changed);
+    double whole = reload(&cart, &demo.start, &demo, FIVE_MINUTES, changed);
+    phase = demo.start;
+    snprintf(phase.practice.mark, sizeof phase.practice.mark, "one");
+    double piece = reload(&cart, &phase, &demo, MINUTE, changed);
+    remove_game(changed);
+
+    double median = samples_median(&rate);
+    report_section("Playing again");
+    report_text(
+        "**Verifying** the whole-run demo, every part's print after every frame and every row of hashes, goes at "
+        "**%s frames a second** on one core (the median of %d runs).",
+        report_count((int64_t)median), ROUNDS);
+    report_text(
+        "**Reloading.** When a script of the game changes after five minutes of play (%s frames), the run is at "
+        "the same frame of the changed game **%s s** later, packing the folder included; a minute after the "
+        "start of a stage, %s s.",
+        report_count(FIVE_MINUTES), report_figure(whole), report_figure(piece));
+    bench_target("verifying the built-in game's whole run", "3,000 frames a second", report_count((int64_t)median),
+                 median >= 3000);
+    bench_target("a reload after five minutes of play", "8 s", report_string("%s s", report_figure(whole)), whole <= 8);
+    bench_target("... a minute after a practice start", "1 s", report_string("%s s", report_figure(piece)), piece <= 1);
+    samples_free(&rate);
+    demo_free(&demo);
+    rom_image_free(&image);
+}
