@@ -53,6 +53,7 @@ static struct cab {
     uint8_t *nvram; /* what start.nvram points to, if we loaded it */
     struct config config;
     struct plat_want want;
+    char title[sizeof((struct manifest *)0)->title];
     struct session session;
     struct guard shown; /* of an attract demo */
     struct demo attract;
@@ -352,6 +353,40 @@ static void take_over(void)
     cab.bar = 0;
 }
 
+/* ---- the window ---- */
+
+static bool picture_open(struct picture *p, const struct board *b)
+{
+    int w, h;
+    board_screen(b, &w, &h);
+    p->memory = calloc(2, fb_size(w, h));
+    p->scratch = malloc(board_scratch(b) + 1);
+    if (!p->memory || !p->scratch)
+        return false;
+    fb_init(&p->fb, p->memory, w, h);
+    fb_init(&p->over, (char *)p->memory + fb_size(w, h), w, h);
+    return true;
+}
+
+static void picture_close(struct picture *p)
+{
+    free(p->memory);
+    free(p->scratch);
+    *p = (struct picture){ 0 };
+}
+
+/* The window as cab.want and the game's manifest say. False: there is none. */
+static bool open_window(void)
+{
+    const struct manifest *m = &cart()->m;
+
+    cab.want.w = m->screen_w;
+    cab.want.h = m->screen_h;
+    snprintf(cab.title, sizeof cab.title, "%s", m->title); /* the manifest may go */
+    cab.want.title = cab.title;
+    return plat_open(&cab.want);
+}
+
 /* ---- reload ---- */
 
 static void reload(void)
@@ -377,6 +412,25 @@ static void look_for_changes(void)
         reload();
 }
 
+/* The changed game may have another screen and other capacities. */
+static void landed(void)
+{
+    const struct manifest *m = &cart()->m;
+
+    cab.told = false;
+    picture_close(&cab.picture);
+    if (!picture_open(&cab.picture, live())) {
+        plat_log("curtain: not enough memory for the picture");
+        cab.code = 3;
+        cab.quit = true;
+        return;
+    }
+    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0)
+        cab.quit = !open_window() || cab.quit;
+    say("curtain: %s: reloaded%s", game(), "");
+    notice("reloaded", SAY_STAYS / 3);
+}
+
 /* A piece of a long way. */
 static void work(uint64_t now)
 {
@@ -386,35 +440,13 @@ static void work(uint64_t now)
         notice(cab.session.err, reloads ? -1 : SAY_STAYS);
         say("curtain: %s%s", cab.session.err, "");
     } else if (reloads && cab.session.way == SESSION_THERE) {
-        cab.told = false;
-        say("curtain: %s: reloaded%s", game(), "");
-        notice("reloaded", SAY_STAYS / 3);
+        landed();
     }
     if (fault())
         halt();
 }
 
 /* ---- picture ---- */
-
-static bool picture_open(struct picture *p, const struct board *b)
-{
-    int w, h;
-    board_screen(b, &w, &h);
-    p->memory = calloc(2, fb_size(w, h));
-    p->scratch = malloc(board_scratch(b) + 1);
-    if (!p->memory || !p->scratch)
-        return false;
-    fb_init(&p->fb, p->memory, w, h);
-    fb_init(&p->over, (char *)p->memory + fb_size(w, h), w, h);
-    return true;
-}
-
-static void picture_close(struct picture *p)
-{
-    free(p->memory);
-    free(p->scratch);
-    *p = (struct picture){ 0 };
-}
 
 static void picture_draw(struct picture *p)
 {
@@ -512,8 +544,7 @@ static void screenshot(const struct picture *p)
 static void reopen(void)
 {
     cab.want.fullscreen = !cab.want.fullscreen;
-    if (!plat_open(&cab.want))
-        cab.quit = true;
+    cab.quit = !open_window() || cab.quit;
 }
 
 static void cabinet_keys(const struct keys_read *k)
@@ -732,12 +763,9 @@ static uint64_t seed_from_clock(void)
 static void want_window(void)
 {
     const struct cab_options *o = &cab.options;
-    const struct manifest *m = &o->cart->m;
-    cab.want = (struct plat_want){ .w = m->screen_w,
-                                   .h = m->screen_h,
-                                   .scale = o->scale ? o->scale : cab.config.scale,
+
+    cab.want = (struct plat_want){ .scale = o->scale ? o->scale : cab.config.scale,
                                    .fullscreen = o->fullscreen || cab.config.fullscreen,
-                                   .title = m->title,
                                    .rate = SPEAKER_RATE };
 }
 
@@ -759,7 +787,7 @@ int cab_play(const struct cab_options *options)
     if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
         return refuse(2, cab.session.err);
     want_window();
-    if (!plat_open(&cab.want))
+    if (!open_window())
         return refuse(3, "there is no window to play in");
     if (!picture_open(&cab.picture, live()))
         return refuse(3, "not enough memory for the picture");

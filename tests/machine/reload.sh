@@ -73,6 +73,15 @@ same '... and the old game goes on' "$(played four.demo 1)" "$("$curtain" verify
 edited 100 'echo "return = 3" >g/step.lua; sleep 0.1; pressed | sed -n "101,160p" >&7; shown 160; unchanged'
 holds 'what is put right again is not told twice' test "$(wc -l <err)" = 1
 
+# Another screen and other capacities: the picture, and what it is drawn with, are of the changed game.
+cp -R changed larger
+sed -i 's/w = 256, h = 64/w = 320, h = 96/; s/sprites = 16/sprites = 4096/; s/bullets = 256/bullets = 65536/' larger/rom.lua
+pressed | ./player play larger --seed 5 >other 2>err
+edited 100 'cp larger/*.lua g/'
+same 'a larger screen and board' "$(part other 180 250)" "$(part out 181 251)"
+cp -R changed/*.lua g/
+unchanged
+
 edited 100 'touch g/main.lua'
 same 'a file that only got another time changes nothing' "$(part straight 1 290)" "$(part out 1 290)"
 same '... and nothing is told' '' "$(cat err)"
