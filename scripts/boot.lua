@@ -34,11 +34,21 @@ local function watch_pause(_, players, other)
   end
 end
 
+-- What a practice start gives player p's ship in place of what its kind says.
+local function fit_out(p, with)
+  local ship = player.get(p)
+  if with.lives > 0 then ship.lives = with.lives - 1 end
+  for _, r in ipairs(with.registers) do ship[r.name] = r.value end
+end
+
 -- Brings the players in, clean field and screen; returns the scope that holds all of this game.
-local function enter(ships, other)
+local function enter(ships, other, with)
   sys.wipe()
   over, quit = false, false
-  for p, kind in ipairs(ships) do sys.join(p, kind) end
+  for p, kind in ipairs(ships) do
+    sys.join(p, kind)
+    if with then fit_out(p, with) end
+  end
   local game = sys.scope()
   hud.start(game, #ships)
   task.own(game, watch_pause, #ships, other)
@@ -137,7 +147,7 @@ local function front(a)
   end
 end
 
--- What `--stage` asks for, as a function that starts it in a scope; names are checked while the game loads.
+-- What a practice start asks for, as a function that starts it in a scope; names are checked while the game loads.
 local function part(practice)
   local name, phase = practice:match("^([^/]*)/(.*)$")
   if name then
@@ -154,16 +164,83 @@ local function part(practice)
   local stage_name, mark = practice:match("^([^:]*):(.*)$")
   stage_name = stage_name or practice
   stage.expect("boot.run", stage_name)
-  return function(owner) return stage.play(stage_name, owner, mark) end
+  return function(owner)
+    if not mark then sys.mark("start", "") end -- else when the mark is reached
+    return stage.play(stage_name, owner, mark)
+  end
+end
+
+local function expect_registers(kind, with)
+  local names, known = {}, {}
+  for i, r in ipairs(sys.ship(kind).registers) do names[i], known[r.name] = r.name, true end
+  for _, r in ipairs(with.registers) do
+    if not known[r.name] then
+      sys.fail("--register", ('ship "%s" has no register "%s"%s'):format(kind, r.name, sys.hint(r.name, names)))
+    end
+  end
 end
 
 -- A practice start: no title, first ship, the same piece again and again.
 local function practise(a, start)
   while true do
-    local scope = enter({ a.players[1] }, "AGAIN")
+    local scope = enter({ a.players[1] }, "AGAIN", a.with)
     finished(start(scope))
     leave(scope, 1)
   end
+end
+
+-- ---- the list of what can be practised, for the cabinet ----
+
+local TOLD = 12 -- marks a tick: fewer than board_out holds
+
+local function teller()
+  local told = 0
+  return function(...)
+    if told == TOLD then
+      wait(1)
+      told = 0
+    end
+    told = told + 1
+    sys.mark(...)
+  end
+end
+
+local function tell_ship(tell, kind)
+  local ship = sys.ship(kind)
+  tell("ship", kind, "", "", ship.lives)
+  for _, r in ipairs(ship.registers) do tell("register", r.name, "", "", r.value) end
+end
+
+local function tell_boss(tell, b)
+  if b.name:find("/", 1, true) then return end -- no practice start could name it
+  tell("boss", b.name, "", b.title)
+  for _, phase in ipairs(b.phases) do tell("phase", phase.id, b.name, phase.spell or "") end
+end
+
+-- Stages run through as they would be played, so in a game with its ship.
+local function tell_marks(tell, a, name)
+  local scope = enter({ a.players[1] }, "AGAIN", a.with)
+  local marks, whole = stage.run_through(name, scope)
+  leave(scope, 1)
+  for _, mark in ipairs(marks) do
+    if not mark:find("/", 1, true) then tell("point", mark, name) end
+  end
+  if not whole then print(('stage "%s" waits for ever when it is skipped: marks after that are not known'):format(name)) end
+end
+
+-- First what is known without running anything, for a stage may be wrong.
+local function list_pieces(a)
+  local tell, stages = teller(), {}
+  tell_ship(tell, a.players[1])
+  for _, name in ipairs(stage.names(a.stages)) do
+    if not name:find("[:/]") then
+      tell("stage", name)
+      stages[#stages + 1] = name
+    end
+  end
+  boss.each(function(b) tell_boss(tell, b) end)
+  for _, name in ipairs(stages) do tell_marks(tell, a, name) end
+  tell("listed", "")
 end
 
 function boot.run(args)
@@ -175,8 +252,11 @@ function boot.run(args)
   end
   for _, name in ipairs(a.stages) do stage.expect("boot.run", tostring(name)) end
   if #a.players == 0 or #a.stages == 0 then sys.fail("boot.run", "stages and players: expected at least one of each") end
-  local practice = sys.practice()
+  local practice, with = sys.practice()
   if practice == "" then return task.go(front, a) end
+  expect_registers(a.players[1], with)
+  a.with = with
+  if practice == "?" then return task.go(list_pieces, a) end
   task.go(practise, a, part(practice))
 end
 

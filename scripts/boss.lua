@@ -7,6 +7,7 @@ local ABOVE = -48  -- where it comes from and leaves to, y
 local FLIGHT = 60  -- frames it takes
 
 local bosses = {}  -- name -> definition
+local names = {}   -- in the order they were declared
 local status       -- what the hud shows of the fight: enemy, title, spell, hp, ends, left; nil between fights
 
 local function checked(entry, ids)
@@ -27,14 +28,12 @@ function boss.def(name, def)
   for i, entry in ipairs(b.phases) do phases[i] = checked(entry, ids) end
   b.phases = phases
   bosses[b.name] = b
+  names[#names + 1] = b.name
 end
 
 local function find(api, name)
-  local b = bosses[name]
-  if b then return b end
-  local list = {}
-  for known in pairs(bosses) do list[#list + 1] = known end
-  sys.unknown(api, "boss", name, list)
+  if not bosses[name] then sys.unknown(api, "boss", name, names) end
+  return bosses[name]
 end
 
 local function fly_in(b)
@@ -55,10 +54,10 @@ local function leave(e, beaten)
 end
 
 -- True if the phase was beaten. The task that fights is older than the phase's own: at the end it has the first word.
-local function play(e, phase)
+local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
-  sys.mark("phase", phase.id)
+  sys.mark("phase", phase.id, b.name, phase.spell)
   local scope = task.scope(e)
   task.own(scope, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
@@ -69,18 +68,19 @@ local function play(e, phase)
   if won and phase.bonus > 0 then
     player.each(function(p) score.add(phase.bonus, p) end)
   end
+  sys.mark(won and "won" or "lost", phase.id, b.name)
   sys.emit("phase", e, phase.id, won)
   return won
 end
 
 -- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
 local function fight(b, phases)
-  sys.mark("boss", b.name)
+  sys.mark("boss", b.name, "", b.title)
   local e, all, won = fly_in(b), true, false
   for i, phase in ipairs(phases) do
     status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
                hp = not phase.survive and phase.hp, ends = sys.clock() + phase.time }
-    won = play(e, phase)
+    won = play(b, e, phase)
     all = all and won
     status.spell, status.hp, status.ends = nil, nil, nil
     if i < #phases and phase.rest > 0 then
@@ -99,7 +99,10 @@ end
 
 function boss.fight(name)
   local b = find("boss.fight", sys.check("boss.fight", name).name)
-  if stage.skipping() then return true end
+  if stage.skipping() then
+    sys.pass()
+    return true
+  end
   stage.stop_clock()
   local all = fight(b, b.phases)
   stage.start_clock()
@@ -110,12 +113,20 @@ end
 
 function boss.status() return status and status.enemy.alive and status or nil end
 
+-- Calls f(boss) for all of them, as they were declared: name, title, phases.
+function boss.each(f)
+  for _, name in ipairs(names) do f(bosses[name]) end
+end
+
 -- A function that fights one phase alone.
 function boss.practice(api, name, id)
   local b, ids = find(api, name), {}
   for i, phase in ipairs(b.phases) do
     if phase.id == id then
-      return function() return fight(b, { phase }) end
+      return function()
+        sys.mark("start", "")
+        return fight(b, { phase })
+      end
     end
     ids[i] = phase.id
   end

@@ -1,11 +1,19 @@
 -- prelude.lua - words every script knows: wait_until, wait_for, by_difficulty.
 local sys = ...
 
+local FEW = 12 -- names that one sentence may list
+
+-- What to write in place of a word that is not in the list.
+function sys.hint(word, list)
+  local near = sys.near(word, list)
+  if near then return (' (did you mean "%s"?)'):format(near) end
+  if #list == 0 then return " (there is none)" end
+  return #list <= FEW and (" (there is %s)"):format(table.concat(list, ", ")) or ""
+end
+
 -- Ends the run over a name that nobody declared, and offers the nearest that somebody did.
 function sys.unknown(api, what, word, list)
-  local near = sys.near(word, list)
-  local hint = near and (' (did you mean "%s"?)'):format(near) or ""
-  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, hint))
+  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, sys.hint(word, list)))
 end
 
 local function wait_until(f, limit)

@@ -6,13 +6,8 @@ local sys = ...
 local stage = {}
 
 local stages = {} -- name -> function
-local now         -- the stage being played: name, scope, base, fights, stopped, skip, marks, waves
-
-local function names()
-  local list = {}
-  for name in pairs(stages) do list[#list + 1] = name end
-  return list
-end
+local names = {}  -- in the order they were declared
+local now         -- the stage being played: name, scope, base, fights, stopped, skip, marks, met, waves
 
 local function current(api)
   if not (now and task.alive(now.scope)) then sys.fail(api, "no stage is running") end
@@ -27,11 +22,12 @@ function stage.def(name, f)
   if not sys.loading() then sys.fail("stage.def", "a stage is declared while scripts load, not later") end
   if stages[a.name] then sys.fail("stage.def", ('stage "%s" is declared twice'):format(a.name)) end
   stages[a.name] = a.f
+  names[#names + 1] = a.name
 end
 
 -- Fails unless the stage is declared.
 function stage.expect(api, name)
-  if not stages[name] then sys.unknown(api, "stage", name, names()) end
+  if not stages[name] then sys.unknown(api, "stage", name, names) end
 end
 
 function stage.at(n)
@@ -40,7 +36,7 @@ function stage.at(n)
   if time > frame then sys.fail("stage.at", ("frame %d is past: the stage's clock is at %d"):format(frame, time)) end
   if s.skip then
     s.base = s.base - (frame - time)
-    return
+    return sys.pass()
   end
   while clock(s) < frame do wait(frame - clock(s)) end -- again when a boss fight stopped the clock meanwhile
 end
@@ -58,7 +54,7 @@ end
 function stage.wave(args)
   local a = sys.check("stage.wave", args)
   if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
-  if stage.skipping() then return end
+  if stage.skipping() then return sys.pass() end
   sys.mark("wave", a.kind)
   local t = task.go(fly_wave, a)
   if now then now.waves[#now.waves + 1] = t end
@@ -74,17 +70,24 @@ end
 
 function stage.clear(limit)
   local a, s = sys.check("stage.clear", limit), current("stage.clear")
-  if s.skip then return true end
+  if s.skip then
+    sys.pass()
+    return true
+  end
   return wait_until(function() return cleared(s) end, a.limit)
 end
 
 function stage.mark(name)
   local a, s = sys.check("stage.mark", name), current("stage.mark")
-  s.marks[#s.marks + 1] = a.name
-  if s.skip and s.skip ~= a.name then return end
-  sys.mark("point", a.name)
+  if not s.met[a.name] then
+    s.met[a.name] = true
+    s.marks[#s.marks + 1] = a.name
+  end
+  if s.skip and s.skip ~= a.name then return sys.pass() end
+  sys.mark("point", a.name, s.name)
   if not s.skip then return end
   s.skip = nil
+  sys.mark("start", "")
   sys.skip(false)
   sys.wipe() -- what the stage made by its own hands on the way here
   hud.refresh()
@@ -106,20 +109,50 @@ function stage.start_clock()
   if now.fights == 0 then now.base = now.base + sys.clock() - now.stopped end
 end
 
+local function begin(name, owner, skip)
+  now = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = skip, marks = {}, met = {}, waves = {} }
+  return now
+end
+
 -- Starts a stage, from a mark if one is given. Returns its scope, which ends when the stage does.
 function stage.play(name, owner, mark)
-  local s = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = mark, marks = {}, waves = {} }
-  now = s
+  local s = begin(name, owner, mark)
   sys.emit("stage", name, "start")
   sys.mark("stage", name)
   task.own(s.scope, function()
     sys.skip(mark ~= nil)
     stages[name]()
     if s.skip then sys.unknown("stage " .. name, "mark", s.skip, s.marks) end
+    sys.mark("clear", name)
     sys.emit("stage", name, "clear")
     task.stop(s.scope)
   end)
   return s.scope
+end
+
+-- All stages: those of `first`, then the others as they were declared.
+function stage.names(first)
+  local list, there = {}, {}
+  for _, from in ipairs { first, names } do
+    for _, name in ipairs(from) do
+      if not there[name] then list[#list + 1] = name end
+      there[name] = true
+    end
+  end
+  return list
+end
+
+-- The marks a stage has, met by running through it with nothing but skips; and whether it came to its end. Takes a frame.
+function stage.run_through(name, owner)
+  local s, whole = begin(name, owner, true), false
+  task.own(s.scope, function()
+    sys.skip(true)
+    stages[name]()
+    whole = true
+  end)
+  wait(1)
+  task.stop(s.scope)
+  return s.marks, whole
 end
 
 return stage

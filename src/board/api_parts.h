@@ -50,8 +50,15 @@ bool api_property(const struct api_thing *t, const char *name);
 /* The number of a register of player `slot`'s kind, or -1. */
 int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
+/* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
+int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
+
 /* Player i enters with that kind, and the kind's run starts. */
 int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+
+/* The running task, on its way to a mark, passes over a wait. One that would do so for ever is stopped while the pieces
+ * of a game are listed, so that the others are told; else it is a fault. For any other task nothing happens. */
+int time_pass(lua_State *L, struct board *b);
 
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);

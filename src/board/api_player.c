@@ -83,6 +83,18 @@ int player_register(lua_State *L, const struct board *b, uint32_t slot, const ch
     return i;
 }
 
+int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS])
+{
+    int top = lua_gettop(L), n = 0;
+
+    registry(L);
+    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
+        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
+            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it */
+    lua_settop(L, top);
+    return n;
+}
+
 static const char run_key = 0; /* registry: kind -> run */
 
 static void keep_run(lua_State *L, int32_t kind, int at)

@@ -14,7 +14,11 @@ static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
 static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param pad_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
 static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL },
-                                         { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+                                         { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "of", A_STR, OPT, 0, 0, NULL, NULL },
+                                         { "title", A_STR, OPT, 0, 0, NULL, NULL },
+                                         { "value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL } };
+static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -68,19 +72,57 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 /* No change of RAM: only the cabinet hears of it. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave", "boss", "phase", "death" };
+    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
+                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+    const char *of = v[2].given ? lua_tostring(L, v[2].at) : "", *title = v[3].given ? lua_tostring(L, v[3].at) : "";
 
     for (int k = 0; k < MARK_KINDS; k++)
         if (!strcmp(kinds[k], lua_tostring(L, v[0].at)))
-            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at)), 0;
+            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at), of, title, (int32_t)v[4].i), 0;
     return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[0].at));
+}
+
+/* One { name, value } of a list, at place i. */
+static void push_register(lua_State *L, const char *name, int32_t value, int i)
+{
+    lua_createtable(L, 0, 2);
+    lua_pushstring(L, name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, value);
+    lua_setfield(L, -2, "value");
+    lua_rawseti(L, -2, i);
 }
 
 static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 {
+    const struct practice *p = &b->start.practice;
+
     (void)v;
     b->vm.asked = true;
-    lua_pushstring(L, b->start.practice.mark);
+    lua_pushstring(L, p->mark);
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, p->lives);
+    lua_setfield(L, -2, "lives");
+    lua_createtable(L, p->registers, 0);
+    for (int i = 0; i < p->registers; i++)
+        push_register(L, p->reg[i].name, p->reg[i].value, i + 1);
+    lua_setfield(L, -2, "registers");
+    return 2;
+}
+
+static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *names[REGISTERS];
+    int32_t kind = (int32_t)v[0].i;
+    int n = player_registers(L, kind, names);
+
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, b->player_kinds.lives[kind]);
+    lua_setfield(L, -2, "lives");
+    lua_createtable(L, n, 0);
+    for (int i = 0; i < n; i++)
+        push_register(L, names[i], b->player_kinds.start[kind * REGISTERS + i], i + 1);
+    lua_setfield(L, -2, "registers");
     return 1;
 }
 
@@ -153,6 +195,12 @@ static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    return time_pass(L, b);
+}
+
 static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t i = handle_slot(v[0].i);
@@ -220,8 +268,9 @@ static const struct api_entry entries[] = {
     { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
-    { "sys.mark", sys_mark, PARAMS(mark), 2, API_SYS, NULL, "a moment of the run, for the cabinet's bar of time" },
-    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "string", "the practice start" },
+    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
+    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
+    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table", "lives and registers of a kind of player" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
     { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
@@ -230,6 +279,7 @@ static const struct api_entry entries[] = {
     { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
       "from now on this task waits for nothing" },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
+    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
     { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },

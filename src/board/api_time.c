@@ -1,10 +1,23 @@
 /*
  * api_time.c - wait, task, on.
  */
-#include "api.h"
+#include "api_parts.h"
 #include "events_run.h"
 
 static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames", NULL } };
+
+int time_pass(lua_State *L, struct board *b)
+{
+    bool skips = b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
+
+    if (!skips || ++b->tasks.skipped <= SKIPS_MOST)
+        return 0;
+    if (!board_lists(b) || !lua_isyieldable(L))
+        return api_error(L, "wait", "more than %d waits on the way to a mark: does it wait for what is passed over there?",
+                         SKIPS_MOST);
+    tasks_stop(b, (uint32_t)b->tasks.current);
+    return lua_yield(L, 0);
+}
 
 static int wait_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -13,7 +26,9 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     if (!lua_isyieldable(L))
         return api_error(L, "wait",
                          "cannot wait inside a function that C calls (an `each`, a sort, a gsub, a <close>)");
-    if (!v[0].i || b->tasks.flags[b->tasks.current] & TASK_SKIPS)
+    if (b->tasks.flags[b->tasks.current] & TASK_SKIPS)
+        return time_pass(L, b);
+    if (!v[0].i)
         return 0;
     b->tasks.wait[b->tasks.current] = v[0].i;
     return lua_yield(L, 0);

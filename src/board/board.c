@@ -186,6 +186,20 @@ static bool boot(struct board *b)
     return true;
 }
 
+static bool practice_fits(const struct practice *p, char *err, size_t err_size)
+{
+    if (p->lives < 0 || p->lives > PRACTICE_LIVES)
+        snprintf(err, err_size, "a practice start with %d lives: expected 1 to %d, or 0", (int)p->lives, PRACTICE_LIVES);
+    else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
+        snprintf(err, err_size, "a practice start with %d registers: expected 0 to %d", (int)p->registers,
+                 PRACTICE_REGISTERS);
+    else if (!p->mark[0] && (p->lives || p->invincible || p->registers))
+        snprintf(err, err_size, "lives, registers or invincibility without a practice start");
+    else
+        return true;
+    return false;
+}
+
 /* Is what the start asks for in the manifest? */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
@@ -201,7 +215,15 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
             return false;
         }
     }
-    return true;
+    return practice_fits(&start->practice, err, err_size);
+}
+
+/* Texts of a start may come without an end. */
+static void end_texts(struct practice *p)
+{
+    p->mark[sizeof p->mark - 1] = 0;
+    for (int i = 0; i < PRACTICE_REGISTERS; i++)
+        p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
@@ -220,7 +242,7 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
-    b->start.practice.mark[sizeof b->start.practice.mark - 1] = 0;
+    end_texts(&b->start.practice);
     b->vm.counting = count;
     if (!start_fits(&b->cart.m, start, err, err_size))
         return NULL;
@@ -456,7 +478,8 @@ void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
 }
 
-void board_mark(struct board *b, enum board_mark_kind kind, const char *name)
+void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
+                int32_t value)
 {
     struct board_out *out = &b->hand->out;
 
@@ -464,7 +487,15 @@ void board_mark(struct board *b, enum board_mark_kind kind, const char *name)
         return;
     struct board_mark *m = &out->mark[out->marks++];
     m->kind = kind;
+    m->value = value;
     snprintf(m->name, sizeof m->name, "%s", name);
+    snprintf(m->of, sizeof m->of, "%s", of);
+    snprintf(m->title, sizeof m->title, "%s", title);
+}
+
+bool board_lists(const struct board *b)
+{
+    return strcmp(b->start.practice.mark, PRACTICE_LIST) == 0;
 }
 
 void board_score(struct board *b, uint32_t i, int64_t points)

@@ -37,12 +37,15 @@ struct board_fault {
     char trace[2048];  /* Lua traceback, lines separated by \n */
 };
 
-/* A practice start: one piece of the game, again and again, as @std/boot plays it. Zero: the game from its title. */
-enum { PRACTICE_REGISTERS = 16 };
+/* A practice start: one piece of the game, again and again, as @std/boot plays it. Zero: the game from its title. With
+ * PRACTICE_LIST as its mark nothing is played: from the first tick on the board tells every piece there is, as marks,
+ * and then MARK_LISTED. The other fields need a mark. */
+enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
+#define PRACTICE_LIST "?"
 struct practice {
-    char mark[64];   /* "", "one", "one:mark", "queen/bloom" */
-    int32_t lives;   /* of the players, 0 to 99: those of their kind */
-    bool invincible; /* nothing hits them */
+    char mark[64];   /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
+    int32_t lives;   /* so many in all, 1 to PRACTICE_LIVES, as player.def counts them; 0: as the ship's kind says */
+    bool invincible; /* nothing hits a player; bullets pass through, and grazes count */
     int32_t registers;
     struct {
         char name[32];
@@ -63,21 +66,31 @@ struct board_start {
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
 
-/* Moments of a run by which a player finds their way in it. */
+/* Moments of a run by which a player finds their way in it; and what PRACTICE_LIST tells. Telling one changes no RAM. */
 enum board_mark_kind {
     MARK_STAGE, /* a stage starts; its name */
-    MARK_POINT, /* stage.mark; its name */
+    MARK_POINT, /* stage.mark; its name, of the stage */
     MARK_WAVE,  /* stage.wave; the kind of its enemies */
-    MARK_BOSS,  /* a boss flies in; its name */
-    MARK_PHASE, /* one of its phases starts; the phase's id */
+    MARK_BOSS,  /* a boss flies in; its name and title */
+    MARK_PHASE, /* one of its phases starts; the phase's id, of the boss, and its spell */
     MARK_DEATH, /* a player dies; "1" or "2" */
+    MARK_CLEAR, /* a stage has come to its end; its name */
+    MARK_WON,   /* a phase was beaten; its id, of the boss */
+    MARK_LOST,  /* a phase is over and was not beaten; its id, of the boss */
+    MARK_START, /* a practice start's piece begins, for the first time or anew */
+
+    /* of PRACTICE_LIST, which tells stages, points, bosses and phases too */
+    MARK_SHIP,     /* the ship practice is played with; its kind, and its lives in all */
+    MARK_REGISTER, /* one of its registers; name and value */
+    MARK_LISTED,   /* the list is complete */
     MARK_KINDS
 };
 
 enum { MARKS = 16 /* of a tick; what is more is not told */ };
 struct board_mark {
     enum board_mark_kind kind;
-    char name[32]; /* cut to fit */
+    int32_t value;
+    char name[32], of[32], title[48]; /* cut to fit; "": none */
 };
 
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */

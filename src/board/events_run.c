@@ -244,13 +244,15 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
+    if (b->start.practice.invincible) /* all that it means is here; safe stays what the script makes of it */
+        return;
     if (!board_alive(b, e->a) || b->player.safe[p] || !board_alive(b, e->b)) /* a handler may have removed it */
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
     board_event(b, EV_DEATH, e->a, 0);
-    board_mark(b, MARK_DEATH, p ? "2" : "1");
+    board_mark(b, MARK_DEATH, p ? "2" : "1", "", "", 0);
     b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
     if (b->player.safe[p] == 0)
         b->player.safe[p] = 1;

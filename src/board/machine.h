@@ -105,7 +105,11 @@ struct targets board_players(const struct board *b);
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
 /* Tells the cabinet of a moment. */
-void board_mark(struct board *b, enum board_mark_kind kind, const char *name);
+void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
+                int32_t value);
+
+/* Is this board there to tell the list of its pieces? */
+bool board_lists(const struct board *b);
 
 /* Player i's score goes up; lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);

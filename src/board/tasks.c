@@ -18,6 +18,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(tasks, last, "the live slot with the highest serial"),
     REGISTER(tasks, serials),
     DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
+    DERIVED_REGISTER(tasks, skipped, "0 when a turn begins"),
 };
 
 const struct chip tasks_chip = { "tasks", columns, sizeof columns / sizeof *columns, false, false };
@@ -221,6 +222,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
 
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
+    t->skipped = 0;
     b->vm.running = co;
     vm_watch(b, co);
     int status = lua_resume(co, L, n, &results);

@@ -23,7 +23,10 @@ enum {
     TASK_SKIPS = 8 /* waits for nothing: on its way to a practice mark */
 };
 
-enum { OWNERS_DEEP = 64 };
+enum {
+    OWNERS_DEEP = 64,
+    SKIPS_MOST = 100000 /* waits a task may pass over in one turn */
+};
 
 struct tasks {
     struct slots s;
@@ -36,6 +39,7 @@ struct tasks {
     uint32_t first, last;
     uint32_t serials; /* given out so far */
     int32_t current;  /* slot that has its turn, NO_SLOT: none */
+    uint32_t skipped; /* waits it has passed over in this turn */
 };
 
 extern const struct chip tasks_chip;
