@@ -13,7 +13,8 @@ int time_pass(lua_State *L, struct board *b)
     if (!skips || ++b->tasks.skipped <= SKIPS_MOST)
         return 0;
     if (!board_lists(b) || !lua_isyieldable(L))
-        return api_error(L, "wait", "more than %d waits on the way to a mark: does it wait for what is passed over there?",
+        return api_error(L, "wait",
+                         "more than %d waits on the way to a mark: does it wait for what is passed over there?",
                          SKIPS_MOST);
     tasks_stop(b, (uint32_t)b->tasks.current);
     return lua_yield(L, 0);

@@ -189,7 +189,8 @@ static bool boot(struct board *b)
 static bool practice_fits(const struct practice *p, char *err, size_t err_size)
 {
     if (p->lives < 0 || p->lives > PRACTICE_LIVES)
-        snprintf(err, err_size, "a practice start with %d lives: expected 1 to %d, or 0", (int)p->lives, PRACTICE_LIVES);
+        snprintf(err, err_size, "a practice start with %d lives: expected 1 to %d, or 0", (int)p->lives,
+                 PRACTICE_LIVES);
     else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
         snprintf(err, err_size, "a practice start with %d registers: expected 0 to %d", (int)p->registers,
                  PRACTICE_REGISTERS);

@@ -48,6 +48,9 @@ enum option {
     OPTION_SEED,
     OPTION_DIP,
     OPTION_STAGE,
+    OPTION_LIVES,
+    OPTION_REGISTER,
+    OPTION_INVINCIBLE,
     OPTION_DIFFICULTY,
     OPTION_SCALE,
     OPTION_FULLSCREEN,
@@ -74,6 +77,10 @@ static const struct {
     [OPTION_SEED] = { "--seed", "N", FOR_RUN, "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
     [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN, "set a DIP switch of the game; may be given several times" },
     [OPTION_STAGE] = { "--stage", "S", FOR_RUN, "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_LIVES] = { "--lives", "N", FOR_RUN, "with --stage: so many lives in all, 1 to 99" },
+    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN,
+                          "with --stage: a register of the ship starts so; may be given several times" },
+    [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY, "window pixels a picture pixel, 1 to 16" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
@@ -262,27 +269,34 @@ uint32_t args_last_frame(const struct args *a)
 
 /* ---- parsing ---- */
 
-static bool set_dip(struct args *a, const char *value, char *err, size_t err_size)
+/* One more NAME=VALUE of a list of at most `most`. */
+static bool add_setting(const char **list, int *n, int most, enum option o, const char *value, char *err,
+                        size_t err_size)
 {
     const char *equals = strchr(value, '=');
 
     if (!equals || equals == value || !equals[1])
-        return fail(err, err_size, "--dip: expected NAME=VALUE, got \"%s\"", value);
-    if (a->n_dips == ARGS_MAX_DIPS)
-        return fail(err, err_size, "--dip: more than %d", ARGS_MAX_DIPS);
-    a->dips[a->n_dips++] = value;
+        return fail(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", options[o].name, value);
+    if (*n == most)
+        return fail(err, err_size, "%s: more than %d", options[o].name, most);
+    list[(*n)++] = value;
     return true;
 }
 
 static bool set_number(struct args *a, enum option o, const char *value, char *err, size_t err_size)
 {
     uint64_t v = 0, low = o == OPTION_SEED ? 0 : 1;
-    uint64_t most = o == OPTION_SEED ? UINT64_MAX : o == OPTION_SCALE ? ARGS_MAX_SCALE : ARGS_MAX_FRAME;
+    uint64_t most = o == OPTION_SEED    ? UINT64_MAX
+                    : o == OPTION_SCALE ? ARGS_MAX_SCALE
+                    : o == OPTION_LIVES ? ARGS_MAX_LIVES
+                                        : ARGS_MAX_FRAME;
 
     if (!number_from(options[o].name, value, low, most, &v, err, err_size))
         return false;
     if (o == OPTION_SCALE)
         a->scale = (int)v;
+    else if (o == OPTION_LIVES)
+        a->lives = (int)v;
     else if (o == OPTION_EVERY)
         a->every = (uint32_t)v;
     else
@@ -320,15 +334,20 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
     case OPTION_OUT:
         return set_string(&a->out, o, value, err, err_size);
     case OPTION_DIP:
-        return set_dip(a, value, err, err_size);
+        return add_setting(a->dips, &a->n_dips, ARGS_MAX_DIPS, o, value, err, err_size);
+    case OPTION_REGISTER:
+        return add_setting(a->registers, &a->n_registers, ARGS_MAX_REGISTERS, o, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
     case OPTION_SEED:
         a->seeded = true;
         return set_number(a, o, value, err, err_size);
     case OPTION_SCALE:
+    case OPTION_LIVES:
     case OPTION_EVERY:
         return set_number(a, o, value, err, err_size);
+    case OPTION_INVINCIBLE:
+        return set_switch(&a->invincible);
     case OPTION_FULLSCREEN:
         return set_switch(&a->fullscreen);
     case OPTION_MUTE:
@@ -393,7 +412,7 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned 
             return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
         value = equals ? equals + 1 : argv[++*i];
     }
-    if (*seen >> o & 1 && o != OPTION_DIP)
+    if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER)
         return fail(err, err_size, "%s is given twice", options[o].name);
     *seen |= 1u << o;
     return set(a, o, value, err, err_size);
@@ -413,7 +432,9 @@ static void goes_with(unsigned set_of, char *out, size_t size)
 static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
 {
     char with[64];
-    const unsigned fixed = 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE | 1u << OPTION_DIFFICULTY;
+    const unsigned practice = 1u << OPTION_LIVES | 1u << OPTION_REGISTER | 1u << OPTION_INVINCIBLE;
+    const unsigned fixed =
+        practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE | 1u << OPTION_DIFFICULTY;
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))
@@ -425,6 +446,8 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
         }
         if (a->demo && fixed >> o & 1)
             return fail(err, err_size, "%s does not go with --demo, which holds its own", options[o].name);
+        if (!a->stage && practice >> o & 1)
+            return fail(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
     return true;
 }

@@ -24,7 +24,14 @@ enum command {
     COMMANDS
 };
 
-enum { ARGS_MAX_DIPS = 16, ARGS_MAX_SPANS = 64, ARGS_MAX_FRAME = 1 << 23, ARGS_MAX_SCALE = 16 };
+enum {
+    ARGS_MAX_DIPS = 16,
+    ARGS_MAX_REGISTERS = 16,
+    ARGS_MAX_LIVES = 99,
+    ARGS_MAX_SPANS = 64,
+    ARGS_MAX_FRAME = 1 << 23,
+    ARGS_MAX_SCALE = 16
+};
 
 /* Frames first, first + step ... up to and with last. */
 struct span {
@@ -38,8 +45,11 @@ struct args {
     const char *record, *demo, *stage, *difficulty, *out, *sheet; /* NULL: not given */
     const char *dips[ARGS_MAX_DIPS];                              /* "NAME=VALUE" */
     int n_dips;
+    const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
+    int n_registers;
+    int lives; /* 0: not given */
     uint64_t seed;
-    bool seeded, fullscreen, mute, nearest, parts, trace;
+    bool seeded, invincible, fullscreen, mute, nearest, parts, trace;
     int scale;      /* 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];

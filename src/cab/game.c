@@ -200,8 +200,46 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
     }
     if (n >= sizeof g->start.practice.mark)
         return refuse(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.mark - 1);
+    if (strcmp(stage, PRACTICE_LIST) == 0)
+        return refuse(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE, got \"%s\"", stage);
     memcpy(g->start.practice.mark, stage, n + 1);
     return true;
+}
+
+/* NAME=VALUE of --register; whether the ship has such a one, the board says. */
+static bool set_register(struct practice *p, const char *setting, char *err, size_t err_size)
+{
+    const char *equals = strchr(setting, '=');
+    size_t n = (size_t)(equals - setting);
+    char *end;
+
+    if (n >= sizeof p->reg[0].name)
+        return refuse(err, err_size, "--register: a name longer than %zu characters", sizeof p->reg[0].name - 1);
+    char *name = p->reg[p->registers].name;
+    snprintf(name, sizeof p->reg[0].name, "%.*s", (int)n, setting);
+    for (int i = 0; i < p->registers; i++) {
+        if (strcmp(p->reg[i].name, name) == 0)
+            return refuse(err, err_size, "--register: %s is given twice", name);
+    }
+    long long v = strtoll(equals + 1, &end, 10);
+    if (*end || v < INT32_MIN || v > INT32_MAX)
+        return refuse(err, err_size, "--register: %s: expected a whole number from %d to %d, got \"%s\"", name,
+                      INT32_MIN, INT32_MAX, equals + 1);
+    p->reg[p->registers++].value = (int32_t)v;
+    return true;
+}
+
+static bool set_practice(struct game *g, const struct args *a, char *err, size_t err_size)
+{
+    struct practice *p = &g->start.practice;
+
+    p->lives = a->lives;
+    p->invincible = a->invincible;
+    for (int i = 0; i < a->n_registers; i++) {
+        if (!set_register(p, a->registers[i], err, err_size))
+            return false;
+    }
+    return !a->stage || set_stage(g, a->stage, err, err_size);
 }
 
 static bool start_of_args(struct game *g, const struct args *a, char *err, size_t err_size)
@@ -217,7 +255,7 @@ static bool start_of_args(struct game *g, const struct args *a, char *err, size_
     }
     if (a->difficulty && !set_difficulty(g, a->difficulty, err, err_size))
         return false;
-    return !a->stage || set_stage(g, a->stage, err, err_size);
+    return set_practice(g, a, err, err_size);
 }
 
 static bool start_of_demo(struct game *g, const char *path, char *err, size_t err_size)

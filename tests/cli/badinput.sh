@@ -246,20 +246,42 @@ bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lis
 # ---- stages ----
 
 game s <<'LUA'
-player.def("p", { sprite = "dot", hit = { circle = 1 } })
+player.def("p", { sprite = "dot", hit = { circle = 1 }, registers = { bombs = 2, power = 0 } })
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20, phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
 stage.def("one", function() stage.at(10) stage.mark("guard") stage.at(60) end)
+stage.def("ever", function() while enemy.count() == 0 do wait(1) end end)
 boot.run { stages = { "one" }, players = { "p" } }
 LUA
 says 'a stage' 0 '' hash s --stage one --frames 20
 says 'a mark' 0 '' hash s --stage one:guard --frames 20
 says 'a phase' 0 '' hash s --stage queen/bloom --frames 20
-says 'unknown stage' 2 'main.lua:5: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen --frames 20
-says 'unknown mark' 2 '@std/prelude.lua:8: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s --stage one:gurad --frames 20
-says 'unknown boss' 2 'main.lua:5: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s --stage quene/bloom --frames 20
-says 'unknown phase' 2 'main.lua:5: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s --stage queen/bloon --frames 20
+says 'unknown stage' 2 'main.lua:6: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen --frames 20
+says 'unknown mark' 2 '@std/prelude.lua:16: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s --stage one:gurad --frames 20
+says 'unknown boss' 2 'main.lua:6: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s --stage quene/bloom --frames 20
+says 'unknown phase' 2 'main.lua:6: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s --stage queen/bloon --frames 20
 says 'a game without stages' 2 '--stage: the game cannot start at "one": main.lua does not call boot.run' hash g --stage one
+says 'a mark far off' 2 '@std/prelude.lua:16: stage one: mark "middle" is not declared (there is guard)' hash s --stage one:middle --frames 20
+says 'a stage that waits for ever on the way to its mark' 2 \
+    'main.lua:5: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?' hash s --stage ever:on --frames 20
+bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
+says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=-1 --invincible --frames 20
+bad 'no lives' '--lives: expected a whole number from 1 to 99, got "0"' hash s --stage one --lives 0
+bad 'too many lives' '--lives: expected a whole number from 1 to 99, got "100"' hash s --stage one --lives 100
+bad 'lives without a piece' '--lives needs --stage: it is for a practice start' hash s --lives 3
+bad 'registers without a piece' '--register needs --stage: it is for a practice start' hash s --register power=3
+bad 'invincible without a piece' '--invincible needs --stage: it is for a practice start' hash s --invincible
+bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
+bad 'a register in letters' '--register: power: expected a whole number from -2147483648 to 2147483647, got "x"' hash s --stage one --register power=x
+bad 'a register out of range' '--register: power: expected a whole number from -2147483648 to 2147483647, got "2147483648"' \
+    hash s --stage one --register power=2147483648
+bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
+bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one --register "$(printf '%032d' 0)=1"
+bad 'more registers than there can be' '--register: more than 16' hash s --stage one $(for i in $(seq 17); do echo --register "r$i=1"; done)
+says 'a register the ship has not, near one' 2 'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
+    hash s --stage one --register bombz=1
+says 'a register the ship has not' 2 'main.lua:6: --register: ship "p" has no register "speed" (there is bombs, power)' hash s --stage one --register speed=1
+bad 'practice and a demo' '--lives does not go with --demo, which holds its own' hash g --lives 1 --demo a.demo
 bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters' hash g --stage $'o\tne'
 bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
 
