@@ -193,6 +193,9 @@ end
 
 local TOLD = 12 -- marks a tick: fewer than board_out holds
 
+-- Can a practice start name it? Its text has : and / between names, plain letters, and an end.
+local function startable(name, but) return #name < 32 and not name:find("[^ -~]") and not name:find(but) end
+
 local function teller()
   local told = 0
   return function(...)
@@ -208,13 +211,17 @@ end
 local function tell_ship(tell, kind)
   local ship = sys.ship(kind)
   tell("ship", kind, "", "", ship.lives)
-  for _, r in ipairs(ship.registers) do tell("register", r.name, "", "", r.value) end
+  for _, r in ipairs(ship.registers) do
+    if startable(r.name, "=") then tell("register", r.name, "", "", r.value) end
+  end
 end
 
 local function tell_boss(tell, b)
-  if b.name:find("/", 1, true) then return end -- no practice start could name it
+  if not startable(b.name, "/") then return end
   tell("boss", b.name, "", b.title)
-  for _, phase in ipairs(b.phases) do tell("phase", phase.id, b.name, phase.spell or "") end
+  for _, phase in ipairs(b.phases) do
+    if startable(phase.id, "\0") then tell("phase", phase.id, b.name, phase.spell) end
+  end
 end
 
 -- Stages run through as they would be played, so in a game with its ship.
@@ -223,7 +230,7 @@ local function tell_marks(tell, a, name)
   local marks, whole = stage.run_through(name, scope)
   leave(scope, 1)
   for _, mark in ipairs(marks) do
-    if not mark:find("/", 1, true) then tell("point", mark, name) end
+    if startable(mark, "/") then tell("point", mark, name) end
   end
   if not whole then print(('stage "%s" waits for ever when it is skipped: marks after that are not known'):format(name)) end
 end
@@ -233,7 +240,7 @@ local function list_pieces(a)
   local tell, stages = teller(), {}
   tell_ship(tell, a.players[1])
   for _, name in ipairs(stage.names(a.stages)) do
-    if not name:find("[:/]") then
+    if startable(name, "[:/]") then
       tell("stage", name)
       stages[#stages + 1] = name
     end

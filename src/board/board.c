@@ -479,6 +479,15 @@ void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
 }
 
+/* Demos and the cabinet's font have plain letters only. */
+static void copy_plain(char *to, size_t size, const char *from)
+{
+    snprintf(to, size, "%s", from);
+    for (; *to; to++)
+        if (*to < 32 || *to > 126)
+            *to = '?';
+}
+
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value)
 {
@@ -489,9 +498,9 @@ void board_mark(struct board *b, enum board_mark_kind kind, const char *name, co
     struct board_mark *m = &out->mark[out->marks++];
     m->kind = kind;
     m->value = value;
-    snprintf(m->name, sizeof m->name, "%s", name);
-    snprintf(m->of, sizeof m->of, "%s", of);
-    snprintf(m->title, sizeof m->title, "%s", title);
+    copy_plain(m->name, sizeof m->name, name);
+    copy_plain(m->of, sizeof m->of, of);
+    copy_plain(m->title, sizeof m->title, title);
 }
 
 bool board_lists(const struct board *b)

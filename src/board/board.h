@@ -90,7 +90,7 @@ enum { MARKS = 16 /* of a tick; what is more is not told */ };
 struct board_mark {
     enum board_mark_kind kind;
     int32_t value;
-    char name[32], of[32], title[48]; /* cut to fit; "": none */
+    char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */

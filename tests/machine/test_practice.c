@@ -1,0 +1,599 @@
+/*
+ * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, and the list
+ * of all pieces of a game.
+ */
+#include "rig.h"
+
+/* ---- a game that has a piece of every sort ---- */
+
+/* Bullets fly across the ship at once; the queen breaks by herself, the knight does not. */
+static const char game_text[] =
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 4 } })\n"
+    "enemy.def('e', { sprite = 'dot', hit = { box = { 4, 4 } } })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, graze = 20, lives = 3, safe = 10,\n"
+    "  registers = { power = 7, bombs = 2 }, run = function(p) board.note(p.lives) board.note(p.power) end })\n"
+    "player.def('other', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "on.hit(function() print 'hit' end)\n"
+    "on.graze(function() print 'graze' end)\n"
+    "local function rain()\n"
+    "  while true do\n"
+    "    local p = player.get(1)\n"
+    "    if p.alive then bullet.fire { kind = 'dot', x = p.x, y = p.y - 30, speed = 3 } end\n"
+    "    wait(7)\n"
+    "  end\n"
+    "end\n"
+    "local function weak(e) wait(20) e:hurt(5) end\n"
+    "local function strong(e) rain() end\n"
+    "boss.def('queen', { title = 'The Queen', kind = 'e', x = 32, y = 20, phases = {\n"
+    "  { id = 'first', hp = 5, time = 60, run = weak },\n"
+    "  { id = 'second', hp = 5, time = 60, spell = 'Sign of Rain', run = weak } } })\n"
+    "boss.def('knight', { title = 'Knight', kind = 'e', x = 32, y = 20, phases = {\n"
+    "  { id = 'stand', hp = 500, time = 40, run = strong } } })\n"
+    "stage.def('one', function()\n"
+    "  stage.at(30) stage.mark 'guard' boss.fight 'queen'\n"
+    "  stage.at(50) stage.mark 'end' stage.mark 'end' wait(5)\n"
+    "end)\n"
+    "stage.def('rain', function() rain() end)\n"
+    "stage.def('crash', function()\n"
+    "  local p = player.get(1)\n"
+    "  enemy.spawn { kind = 'e', x = p.x, y = p.y }.safe = forever\n"
+    "  wait(100)\n"
+    "end)\n"
+    "stage.def('ever', function()\n"
+    "  stage.mark 'before'\n"
+    "  while enemy.count() == 0 do wait(1) end\n"
+    "  stage.mark 'after'\n"
+    "end)\n"
+    "stage.def('waits', function() while true do stage.clear() boss.fight 'queen' stage.mark 'round' end end)\n"
+    "boot.run { stages = { 'one', 'rain' }, players = { 'ship', 'other' } }\n";
+
+static struct rig_game game;
+
+static int open_game(void **state)
+{
+    (void)state;
+    rig_script(&game, NULL, game_text);
+    return 0;
+}
+
+static int close_game(void **state)
+{
+    (void)state;
+    rig_game_free(&game);
+    return 0;
+}
+
+static struct board_start start_at(const char *mark)
+{
+    struct board_start s = { .seed = 1, .difficulty = -1 };
+
+    snprintf(s.practice.mark, sizeof s.practice.mark, "%s", mark);
+    return s;
+}
+
+static void add_register(struct board_start *s, const char *name, int32_t value)
+{
+    struct practice *p = &s->practice;
+
+    snprintf(p->reg[p->registers].name, sizeof p->reg[0].name, "%s", name);
+    p->reg[p->registers++].value = value;
+}
+
+/* So often was a line said in the log of the last tick. */
+static int said(const struct rig *r, const char *what)
+{
+    const struct board_out *out = board_last(r->b);
+    int n = 0;
+
+    for (size_t i = 0; i + strlen(what) <= out->log_size; i++)
+        n += memcmp(out->log + i, what, strlen(what)) == 0;
+    return n;
+}
+
+/* So many marks of a kind, and of that name if one is given, did the last tick tell. */
+static int told(const struct rig *r, enum board_mark_kind kind, const char *name)
+{
+    const struct board_out *out = board_last(r->b);
+    int n = 0;
+
+    for (int i = 0; i < out->marks; i++)
+        n += out->mark[i].kind == kind && (!name || !strcmp(out->mark[i].name, name));
+    return n;
+}
+
+/* ---- lives and registers ---- */
+
+/* Runs until the piece has begun for the n-th time. */
+static void until_round(struct rig *r, int n)
+{
+    for (int f = 0; n > 0; f++) {
+        assert_true(f < 20000);
+        rig_run(r, 1);
+        n -= told(r, MARK_START, NULL);
+    }
+}
+
+static void test_lives(void **state)
+{
+    static const int32_t lives[] = { 0, 1, 2, 7, 99 };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lives / sizeof *lives; i++)
+        for (int round = 1; round <= 2; round++) {
+            struct board_start start = start_at(round == 1 ? "rain" : "knight/stand");
+            struct rig r;
+            start.practice.lives = lives[i];
+            rig_power(&r, &game, &start);
+            until_round(&r, lives[i] > 7 ? 1 : round);
+            assert_int_equal(r.b->player.lives[0], lives[i] ? lives[i] - 1 : 2);
+            rig_free(&r);
+        }
+}
+
+/* With one life it is over at the first hit, with two at the second. */
+static int deaths_in_round(int32_t lives)
+{
+    struct board_start start = start_at("rain");
+    struct rig r;
+    int deaths = 0;
+
+    start.practice.lives = lives;
+    rig_power(&r, &game, &start);
+    until_round(&r, 1);
+    do {
+        rig_run(&r, 1);
+        deaths += told(&r, MARK_DEATH, "1");
+    } while (!told(&r, MARK_START, NULL));
+    rig_free(&r);
+    return deaths;
+}
+
+static void test_deaths(void **state)
+{
+    (void)state;
+    assert_int_equal(deaths_in_round(0), 3);
+    assert_int_equal(deaths_in_round(1), 1);
+    assert_int_equal(deaths_in_round(5), 5);
+}
+
+/* bombs is register 0, power 1: in byte order. */
+static void test_registers(void **state)
+{
+    struct board_start start = start_at("rain");
+    struct rig r;
+
+    (void)state;
+    rig_power(&r, &game, &start);
+    rig_run(&r, 2);
+    assert_int_equal(r.b->player.regs[0], 2);
+    assert_int_equal(r.b->player.regs[1], 7);
+    rig_free(&r);
+    add_register(&start, "power", -2000000000);
+    rig_power(&r, &game, &start);
+    for (int round = 1; round <= 2; round++) {
+        until_round(&r, 1);
+        assert_int_equal(r.b->player.regs[0], 2);
+        assert_int_equal(r.b->player.regs[1], -2000000000);
+    }
+    rig_free(&r);
+}
+
+static void expect_fault(const struct board_start *start, const char *message)
+{
+    struct rig r;
+
+    rig_power_any(&r, &game, start);
+    assert_non_null(rig_fault(&r));
+    assert_string_equal(rig_fault(&r)->message, message);
+    rig_free(&r);
+}
+
+static void test_unknown_registers(void **state)
+{
+    struct board_start near = start_at("rain"), far = start_at(PRACTICE_LIST);
+
+    (void)state;
+    add_register(&near, "power", 1);
+    add_register(&near, "bomb", 1);
+    expect_fault(&near, "main.lua:38: --register: ship \"ship\" has no register \"bomb\" (did you mean \"bombs\"?)");
+    add_register(&far, "speed", 1);
+    expect_fault(&far, "main.lua:38: --register: ship \"ship\" has no register \"speed\" (there is bombs, power)");
+}
+
+static void expect_refusal(const struct board_start *start, const char *message)
+{
+    char err[256] = "";
+    size_t size;
+
+    assert_true(board_size(&game.image.rom, &size, err, sizeof err));
+    void *ram = malloc(size);
+    assert_null(board_power(ram, size, &game.image.rom, start, false, err, sizeof err));
+    assert_string_equal(err, message);
+    free(ram);
+}
+
+static void test_ranges(void **state)
+{
+    struct board_start start = start_at("one");
+
+    (void)state;
+    start.practice.lives = -1;
+    expect_refusal(&start, "a practice start with -1 lives: expected 1 to 99, or 0");
+    start.practice.lives = 100;
+    expect_refusal(&start, "a practice start with 100 lives: expected 1 to 99, or 0");
+    start.practice.lives = 0;
+    start.practice.registers = 17;
+    expect_refusal(&start, "a practice start with 17 registers: expected 0 to 16");
+    start.practice.registers = -1;
+    expect_refusal(&start, "a practice start with -1 registers: expected 0 to 16");
+    start.practice.registers = 0;
+    start.practice.mark[0] = 0;
+    start.practice.invincible = true;
+    expect_refusal(&start, "lives, registers or invincibility without a practice start");
+}
+
+/* ---- invincible ---- */
+
+struct hits {
+    int hits, grazes, deaths, lived;
+};
+
+/* A hundred frames of a stage that would kill, with or without p.safe for that. */
+static struct hits suffer(const char *mark, bool invincible)
+{
+    struct board_start start = start_at(mark);
+    struct hits h = { 0 };
+    struct rig r;
+
+    start.practice.invincible = invincible;
+    rig_power(&r, &game, &start);
+    for (int f = 0; f < 100; f++) {
+        rig_run(&r, 1);
+        h.hits += said(&r, "hit");
+        h.grazes += said(&r, "graze");
+        h.deaths += told(&r, MARK_DEATH, NULL);
+        h.lived += r.b->player.in[0] && !r.b->player.safe[0];
+    }
+    h.grazes = (int)r.b->player.grazes[0] == h.grazes ? h.grazes : -1;
+    rig_free(&r);
+    return h;
+}
+
+static void test_invincible(void **state)
+{
+    static const char *const marks[] = { "rain", "crash" };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct hits mortal = suffer(marks[i], false), god = suffer(marks[i], true);
+        assert_true(mortal.hits > 0 && mortal.deaths > 0);
+        assert_int_equal(god.hits, 0);
+        assert_int_equal(god.deaths, 0);
+        assert_int_equal(god.lived, 90); /* safe is what the kind says, ten frames, and then nothing */
+        assert_int_equal(god.grazes > 0, i == 0);
+    }
+}
+
+/* The second player, whom a game's own start brings in, is spared too. */
+static void test_both_invincible(void **state)
+{
+    static const char text[] = "local sys = ...\n"
+                               "return { run = function()\n"
+                               "  sys.practice() sys.join(1, 'ship') sys.join(2, 'ship')\n"
+                               "  task.go(function() while true do\n"
+                               "    player.each(function(p) bullet.fire { kind = 'dot', from = p, speed = 0 } end)\n"
+                               "    wait(5)\n"
+                               "  end end)\n"
+                               "end }\n";
+    const struct rig_script scripts[] = { { "main", game_text }, { "@std/boot", text } };
+    struct board_start start = start_at("one");
+    struct rig_game own;
+    struct rig r;
+
+    (void)state;
+    rig_scripts(&own, NULL, scripts, 2);
+    for (int god = 0; god < 2; god++) {
+        start.practice.invincible = god;
+        rig_power(&r, &own, &start);
+        rig_run(&r, 100);
+        assert_int_equal(r.b->player.in[0], god);
+        assert_int_equal(r.b->player.in[1], god);
+        rig_free(&r);
+    }
+    rig_game_free(&own);
+}
+
+/* ---- what the cabinet is told ---- */
+
+/* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
+static void tell(const char *mark, int frames, char *out, size_t size)
+{
+    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
+                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+    struct board_start start = start_at(mark);
+    struct rig r;
+    size_t n = 0;
+
+    start.practice.invincible = true;
+    rig_power(&r, &game, &start);
+    out[0] = 0;
+    for (int f = 0; f < frames; f++) {
+        rig_run(&r, 1);
+        const struct board_out *now = board_last(r.b);
+        for (int i = 0; i < now->marks; i++) {
+            const struct board_mark *m = &now->mark[i];
+            n += (size_t)snprintf(out + n, size - n, "%s %s%s%s%s%s%s\n", kinds[m->kind], m->name,
+                                  m->of[0] ? " of " : "", m->of, m->title[0] ? " \"" : "", m->title,
+                                  m->title[0] ? "\"" : "");
+        }
+    }
+    rig_free(&r);
+}
+
+static void test_marks(void **state)
+{
+    char all[4096];
+
+    (void)state;
+    tell("one", 270, all, sizeof all);
+    assert_string_equal(all, "start \nstage one\npoint guard of one\nboss queen \"The Queen\"\nphase first of queen\n"
+                             "won first of queen\nphase second of queen \"Sign of Rain\"\nwon second of queen\n"
+                             "point end of one\npoint end of one\nclear one\n"
+                             "start \nstage one\npoint guard of one\nboss queen \"The Queen\"\n");
+    tell("one:end", 14, all, sizeof all);
+    assert_string_equal(all, "stage one\npoint end of one\nstart \npoint end of one\nclear one\n"
+                             "stage one\npoint end of one\nstart \npoint end of one\nclear one\n"
+                             "stage one\npoint end of one\nstart \npoint end of one\n");
+    tell("queen/second", 90, all, sizeof all);
+    assert_string_equal(all, "start \nboss queen \"The Queen\"\nphase second of queen \"Sign of Rain\"\n"
+                             "won second of queen\nstart \nboss queen \"The Queen\"\n");
+    tell("knight/stand", 110, all, sizeof all);
+    assert_string_equal(all, "start \nboss knight \"Knight\"\nphase stand of knight\nlost stand of knight\n");
+}
+
+/* ---- the list ---- */
+
+/* A line a piece; frames: how many it took. */
+static void list(const struct rig_game *g, char *out, size_t size, int *frames)
+{
+    struct board_start start = start_at(PRACTICE_LIST);
+    struct rig r;
+    size_t n = 0;
+    bool done = false;
+
+    for (int i = 0; i < g->cart.m.n_dips; i++)
+        start.dip[i] = g->cart.m.dips[i].value;
+    rig_power(&r, g, &start);
+    out[0] = 0;
+    for (*frames = 0; !done; ++*frames) {
+        assert_true(*frames < 1000);
+        rig_run(&r, 1);
+        const struct board_out *now = board_last(r.b);
+        assert_true(now->marks < MARKS); /* or some may not have been told */
+        for (int i = 0; i < now->marks; i++) {
+            const struct board_mark *m = &now->mark[i];
+            done |= m->kind == MARK_LISTED;
+            if (m->kind == MARK_SHIP || m->kind == MARK_REGISTER)
+                n += (size_t)snprintf(out + n, size - n, "%s=%d\n", m->name, (int)m->value);
+            else if (m->kind == MARK_POINT || m->kind == MARK_PHASE)
+                n += (size_t)snprintf(out + n, size - n, "%s%s%s %s\n", m->of, m->kind == MARK_POINT ? ":" : "/",
+                                      m->name, m->title);
+            else if (m->kind != MARK_LISTED)
+                n += (size_t)snprintf(out + n, size - n, "%s %s\n", m->name, m->title);
+        }
+    }
+    rig_run(&r, 5); /* and then nothing */
+    assert_int_equal(board_last(r.b)->marks, 0);
+    rig_free(&r);
+}
+
+static void test_list(void **state)
+{
+    char all[4096];
+    int frames;
+
+    (void)state;
+    list(&game, all, sizeof all, &frames);
+    assert_string_equal(all, "ship=3\nbombs=2\npower=7\n"
+                             "one \nrain \ncrash \never \nwaits \n"
+                             "queen The Queen\nqueen/first \nqueen/second Sign of Rain\nknight Knight\nknight/stand \n"
+                             "one:guard \none:end \never:before \nwaits:round \n");
+}
+
+static void list_of_folder(const char *path, const char *expected)
+{
+    struct rig_game g;
+    char all[4096], err[512];
+    int frames;
+
+    if (!rom_image_load(path, false, &g.image, err, sizeof err) || !cart_open(&g.cart, &g.image.rom, err, sizeof err))
+        fail_msg("%s", err);
+    list(&g, all, sizeof all, &frames);
+    assert_string_equal(all, expected);
+    rig_game_free(&g);
+}
+
+static void test_lists_of_games(void **state)
+{
+    (void)state;
+    list_of_folder("roms/glasstide",
+                   "heron=3\nbombs=3\none \n"
+                   "queen Queen of the Glass Tide\nqueen/wheels \nqueen/held Glass Sign: Held Breath\n"
+                   "queen/ebb Moon Sign: Ebb and Flow\nqueen/flower Last Sign: Fathomless Flower\n"
+                   "undertow Queen of the Glass Tide\nundertow/again The Tide Returns\n"
+                   "guard Chandelier Crab\nguard/pincers \nguard/chandelier Shell Sign: Falling Chandelier\n"
+                   "one:guard \none:deep \none:queen \n");
+    list_of_folder("roms/torture", "fast=4\nbombs=2\npower=0\nfirst \nsecond \n"
+                                   "twin Twin\ntwin/one \ntwin/two Sign of Two\nfirst:boss \n");
+    list_of_folder("examples/first", "ship=3\none \n");
+    list_of_folder("examples/sandbox", "ship=3\nbombs=3\npower=1\ntry \nglow \n");
+}
+
+/* What a game without boot.run says. */
+static void test_list_of_none(void **state)
+{
+    struct board_start start = start_at(PRACTICE_LIST);
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, "task.go(function() end)");
+    rig_power_any(&r, &g, &start);
+    assert_string_equal(rig_fault(&r)->message, "practice: nothing can be chosen: main.lua does not call boot.run");
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* Every piece that is told can be started. */
+static void test_list_starts(void **state)
+{
+    char all[4096], *line = all;
+    int frames, pieces = 0;
+
+    (void)state;
+    list(&game, all, sizeof all, &frames);
+    for (int i = 0; i < 3; i++) /* the ship and its registers */
+        line = strchr(line, '\n') + 1;
+    for (char *next; *line; line = next) {
+        struct rig r;
+        next = strchr(line, '\n') + 1;
+        *strchr(line, ' ') = 0;
+        if (!strcmp(line, "queen") || !strcmp(line, "knight") || !strcmp(line, "waits"))
+            continue; /* bosses are headings; a stage that passes no time never ends a frame */
+        struct board_start start = start_at(line);
+        rig_power(&r, &game, &start);
+        until_round(&r, 1);
+        rig_free(&r);
+        pieces++;
+    }
+    assert_int_equal(pieces, 4 + 3 + 4);
+}
+
+/* ---- what is skipped for ever ---- */
+
+static void test_endless(void **state)
+{
+    static const char *const marks[] = { "ever:after", "waits:none" };
+    static const char *const faults[] = {
+        "main.lua:34: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?",
+        "main.lua:37: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?"
+    };
+    const uint16_t none[PADS] = { 0 };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct board_start start = start_at(marks[i]);
+        struct rig r;
+        rig_power(&r, &game, &start);
+        board_tick(r.b, none);
+        assert_non_null(rig_fault(&r));
+        assert_string_equal(rig_fault(&r)->message, faults[i]);
+        rig_free(&r);
+    }
+}
+
+static void test_endless_in_list(void **state)
+{
+    struct board_start start = start_at(PRACTICE_LIST);
+    struct rig r;
+    int ever = 0, waits = 0, one = 0;
+
+    (void)state;
+    rig_power(&r, &game, &start);
+    for (bool done = false; !done; done = told(&r, MARK_LISTED, NULL)) {
+        rig_run(&r, 1);
+        one += said(&r, "stage \"one\"");
+        ever += said(&r, "stage \"ever\" waits for ever when it is skipped: marks after that are not known");
+        waits += said(&r, "stage \"waits\" waits for ever when it is skipped");
+    }
+    assert_int_equal(ever, 1);
+    assert_int_equal(waits, 1);
+    assert_int_equal(one, 0);
+    rig_free(&r);
+}
+
+/* ---- the same on every board ---- */
+
+/* A practice run of torture with all that can be asked for, played by hands; b is spoilt after every frame. */
+static void run_twice(const char *mark, bool invincible, uint32_t frames)
+{
+    struct board_start start = start_at(mark);
+    struct rig_game torture;
+    struct rng hands;
+    struct rig a, b;
+    uint16_t pads[PADS] = { 0 };
+
+    start.practice.lives = 2;
+    start.practice.invincible = invincible;
+    add_register(&start, "bombs", 9);
+    add_register(&start, "power", -3);
+    rig_folder(&torture, "torture");
+    rig_power(&a, &torture, &start);
+    rig_power(&b, &torture, &start);
+    rng_seed(&hands, 5);
+    for (uint32_t f = 0; f < frames; f++) {
+        rig_pads(&hands, pads);
+        rig_tick(&a, pads);
+        rig_tick(&b, pads);
+        rig_spoil(&b);
+        if (rig_differs(&a, &b))
+            fail_msg("%s: frame %u: %s differs", mark, f + 1, rig_differs(&a, &b));
+    }
+    rig_free(&a);
+    rig_free(&b);
+    rig_game_free(&torture);
+}
+
+static void test_same(void **state)
+{
+    (void)state;
+    run_twice("first:boss", true, 900);
+    run_twice("twin/two", false, 600);
+    run_twice(PRACTICE_LIST, false, 30);
+}
+
+/* After board.reset it is the same practice. */
+static void test_reset(void **state)
+{
+    static const char more[] = "task.go(function() wait(50) board.reset() end)\n";
+    char text[sizeof game_text + sizeof more];
+    struct board_start start = start_at("rain");
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    snprintf(text, sizeof text, "%s%s", game_text, more);
+    rig_script(&g, NULL, text);
+    start.practice.lives = 1;
+    start.practice.invincible = true;
+    rig_power(&r, &g, &start);
+    rig_run(&r, 100);
+    assert_int_equal(r.b->player.lives[0], 0);
+    assert_int_equal(r.b->player.in[0], 1);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lives),
+        cmocka_unit_test(test_deaths),
+        cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_unknown_registers),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_invincible),
+        cmocka_unit_test(test_both_invincible),
+        cmocka_unit_test(test_marks),
+        cmocka_unit_test(test_list),
+        cmocka_unit_test(test_lists_of_games),
+        cmocka_unit_test(test_list_of_none),
+        cmocka_unit_test(test_list_starts),
+        cmocka_unit_test(test_endless),
+        cmocka_unit_test(test_endless_in_list),
+        cmocka_unit_test(test_same),
+        cmocka_unit_test(test_reset),
+    };
+
+    return cmocka_run_group_tests_name("practice", tests, open_game, close_game);
+}
