@@ -21,6 +21,7 @@
 #include "guard.h"
 #include "message.h"
 #include "png.h"
+#include "practice.h"
 #include "session.h"
 #include "speaker.h"
 #include "timebar.h"
@@ -64,7 +65,9 @@ static struct cab {
     uint64_t frames;      /* since base */
     int since_save;       /* frames since nvram was last looked at */
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
+    struct practice_menu practice;
     uint16_t pads[PADS];  /* held since the last tick */
+    uint16_t stale[PADS]; /* held since the menu was open: not meant for the game */
     bool paused, step;
     bool rewinding; /* time runs backwards */
     bool scrubbed;  /* somebody went to and fro in a playback: it waits at its end */
@@ -121,18 +124,21 @@ static void nvram_name(char name[NAME])
     snprintf(name, NAME, "user:%s.nv", cart()->m.id);
 }
 
-static void load_nvram(void)
+/* The file's image for a start that has none of its own: malloc'ed, and start points to it. A practice start has a blank
+ * one. NULL: none. */
+static uint8_t *load_nvram(struct board_start *start)
 {
     char name[NAME];
     nvram_name(name);
-    if (!keeps_nvram() || plat_size(name) <= 0)
-        return;
-    cab.nvram = malloc(NVRAM_BYTES);
-    long size = cab.nvram ? plat_load(name, cab.nvram, NVRAM_BYTES) : -1;
-    if (size <= 0)
-        return;
-    cab.start.nvram = cab.nvram;
-    cab.start.nvram_size = (size_t)size;
+    if (start->nvram || start->practice.mark[0] || cab.options.demo || plat_size(name) <= 0)
+        return NULL;
+    uint8_t *image = malloc(NVRAM_BYTES);
+    long size = image ? plat_load(name, image, NVRAM_BYTES) : -1;
+    if (size > 0) {
+        start->nvram = image;
+        start->nvram_size = (size_t)size;
+    }
+    return image;
 }
 
 static void save_nvram(void)
@@ -262,6 +268,7 @@ static void hand_out(void)
 
     log_lines(out);
     hear(out);
+    practice_hear(&cab.practice, out);
     if (out->fault)
         halt();
     else if (out->request == REQUEST_QUIT)
@@ -314,6 +321,7 @@ static void go(uint32_t frame)
     if (!cab.session.demo && !cab.session.rewound)
         save_nvram();
     session_goto(&cab.session, frame);
+    practice_void(&cab.practice);
     cab.scrubbed = true;
     cab.told = cab.told && fault();
     cab.bar = BAR_STAYS;
@@ -418,6 +426,7 @@ static void landed(void)
     const struct manifest *m = &cart()->m;
 
     cab.told = false;
+    practice_reloaded(&cab.practice, cart());
     picture_close(&cab.picture);
     if (!picture_open(&cab.picture, live())) {
         plat_log("curtain: not enough memory for the picture");
@@ -444,6 +453,102 @@ static void work(uint64_t now)
     }
     if (fault())
         halt();
+}
+
+/* ---- practice ---- */
+
+static uint64_t seed_from_clock(void)
+{
+    return hash_fold(hash_fold(0, (uint64_t)time(0)), plat_usec());
+}
+
+/* The board anew with another start. */
+static void power_anew(struct board_start start)
+{
+    bool reloads = cab.session.way == SESSION_RELOADS;
+    const struct session_run *before = cab.session.now;
+
+    save_nvram();
+    start.nvram = cab.options.start.nvram;
+    start.nvram_size = cab.options.start.nvram_size;
+    uint8_t *nvram = load_nvram(&start);
+    if (!session_restart(&cab.session, &start)) {
+        notice(cab.session.err, SAY_STAYS);
+        say("curtain: %s%s", cab.session.err, "");
+    }
+    if (cab.session.now == before) { /* as it was */
+        free(nvram);
+        return;
+    }
+    free(cab.nvram);
+    cab.nvram = nvram;
+    cab.start = start;
+    cab.nvram_saved = 0;
+    cab.told = cab.paused = cab.scrubbed = false;
+    cab.bar = cab.waited = 0;
+    memset(cab.pads, 0, sizeof cab.pads);
+    practice_began(&cab.practice, &start);
+    log_lines(board_last(live()));
+    if (fault())
+        halt();
+    if (reloads)
+        reload();
+}
+
+/* A demo is played to its end; one that is recorded of a game is not lost to a piece. */
+static bool may_practise(void)
+{
+    bool records = cab.session.record && !cab.start.practice.mark[0];
+
+    if (cab.session.demo || records)
+        notice(records ? "no practice while the game is recorded" : "no practice in a demo", SAY_STAYS);
+    return !cab.session.demo && !records;
+}
+
+static void retry(void)
+{
+    cab.practice.open = false;
+    if (cab.start.practice.mark[0])
+        power_anew(cab.start);
+    else
+        notice("nothing to try again: choose a piece first", SAY_STAYS);
+}
+
+static void practice_keys(const struct keys_read *k)
+{
+    bool menu = k->pressed & 1 << CAB_PRACTICE, again = k->pressed & 1 << CAB_RETRY;
+
+    if (!(menu || again) || !may_practise())
+        return;
+    if (cab.attracting)
+        attract_end();
+    if (again)
+        retry();
+    else if (cab.practice.open)
+        cab.practice.open = false;
+    else
+        practice_open(&cab.practice, cab.slow);
+}
+
+/* The open menu has player 1's pad, and the board stands still. */
+static void menu(const struct keys_read *k)
+{
+    struct board_start start;
+
+    memcpy(cab.stale, k->pads, sizeof cab.stale);
+    memset(cab.pads, 0, sizeof cab.pads);
+    enum practice_choice choice = practice_poll(&cab.practice, k->pads[0]);
+    if (cab.practice.slow != cab.slow)
+        assisted();
+    cab.slow = cab.practice.slow;
+    if (choice != PRACTICE_START)
+        return;
+    practice_chosen(&cab.practice, &start);
+    if (!start.practice.mark[0] && !cab.options.seeded)
+        start.seed = seed_from_clock();
+    power_anew(start);
+    if (cab.slow > 1)
+        assisted();
 }
 
 /* ---- picture ---- */
@@ -508,6 +613,12 @@ static void picture_show(struct picture *p)
 {
     char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4];
 
+    if (cab.practice.open) {
+        struct ink ink = picture_copy(p);
+        practice_draw(&cab.practice, &ink);
+        plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
+        return;
+    }
     words(text, sizeof text);
     if (!text[0] && !bar_shown()) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
@@ -617,6 +728,15 @@ static bool ask(const struct plat_input *in)
     return true;
 }
 
+/* Buttons gather until a tick has seen them. */
+static void take_pads(const struct keys_read *k)
+{
+    for (int i = 0; i < PADS; i++) {
+        cab.stale[i] &= k->pads[i];
+        cab.pads[i] |= (uint16_t)(k->pads[i] & ~cab.stale[i]);
+    }
+}
+
 static void poll(struct keys_read *k)
 {
     struct plat_input in;
@@ -627,9 +747,11 @@ static void poll(struct keys_read *k)
         return;
     }
     keys_read(&cab.config.keys, &in, k);
-    for (int i = 0; i < PADS; i++)
-        cab.pads[i] |= k->pads[i];
+    take_pads(k);
     cabinet_keys(k);
+    practice_keys(k);
+    if (cab.practice.open)
+        return;
     time_keys(k);
     if (k->pressed & 1 << CAB_GOTO && !cab.attracting)
         ask_open(&cab.ask, &in);
@@ -703,6 +825,7 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
 static void finish(void)
 {
     save_nvram();
+    practice_close(&cab.practice);
     if (fault())
         cab.code = 2;
     bool good = session_close(&cab.session);
@@ -726,7 +849,9 @@ static bool frame(void)
     poll(&k);
     look_for_changes();
     int n = frames_due(now);
-    if (cab.session.way != SESSION_THERE)
+    if (cab.practice.open)
+        menu(&k);
+    else if (cab.session.way != SESSION_THERE)
         work(now);
     else
         run(n, &k, now);
@@ -735,6 +860,7 @@ static bool frame(void)
     if (++cab.since_save >= SAVE_EVERY) {
         cab.since_save = 0;
         save_nvram();
+        records_save(&cab.practice.records);
     }
     picture_draw(&cab.picture);
     picture_show(&cab.picture);
@@ -748,16 +874,12 @@ static bool frame(void)
 static int refuse(int code, const char *what)
 {
     say("curtain: %s: %s", game(), what);
+    practice_close(&cab.practice);
     session_close(&cab.session);
     picture_close(&cab.picture);
     free(cab.nvram);
     plat_close();
     return code;
-}
-
-static uint64_t seed_from_clock(void)
-{
-    return hash_fold(hash_fold(0, (uint64_t)time(0)), plat_usec());
 }
 
 static void want_window(void)
@@ -783,7 +905,7 @@ int cab_play(const struct cab_options *options)
     cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
     if (!options->seeded && !options->demo)
         cab.start.seed = seed_from_clock();
-    load_nvram();
+    cab.nvram = load_nvram(&cab.start);
     if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
         return refuse(2, cab.session.err);
     want_window();
@@ -791,6 +913,9 @@ int cab_play(const struct cab_options *options)
         return refuse(3, "there is no window to play in");
     if (!picture_open(&cab.picture, live()))
         return refuse(3, "not enough memory for the picture");
+    practice_init(&cab.practice, options->cart, &cab.start);
+    if (!options->demo)
+        practice_began(&cab.practice, &cab.start);
     wrote(!cab.session.now->writer.err[0]);
     log_lines(board_last(live()));
     if (fault())

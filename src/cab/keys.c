@@ -49,6 +49,8 @@ static const struct action {
     { "goto", "home", "asks for a frame, and goes there" },
     { "takeover", "t", "play on from here in a demo, as a demo of your own" },
     { "reload", "f5", "take in what changed in the game's folder now" },
+    { "practice", "f2", "choose a piece to practise" },
+    { "retry", "r", "the same piece again, at once" },
     { "mute", "m", "sound off, on" },
     { "screenshot", "f12", "a PNG into the current folder" },
     { "fullscreen", "f11 alt+enter", "fullscreen, window" },

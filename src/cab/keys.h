@@ -30,6 +30,8 @@ enum cab_key {
     CAB_GOTO,
     CAB_TAKE_OVER,
     CAB_RELOAD,
+    CAB_PRACTICE,
+    CAB_RETRY,
     CAB_MUTE,
     CAB_SCREENSHOT,
     CAB_FULLSCREEN,

@@ -36,9 +36,11 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- moments ---- */
 
+/* The ends of pieces and the tries of practice are no places to go to. */
 static bool counts(const struct session *s, const struct demo_moment *m)
 {
-    return m->mark.kind != MARK_WAVE && m->frame >= session_first(s) && m->frame <= session_last(s);
+    return m->mark.kind != MARK_WAVE && m->mark.kind <= MARK_DEATH && m->frame >= session_first(s) &&
+           m->frame <= session_last(s);
 }
 
 uint32_t timebar_before(const struct session *s, uint32_t frame)
