@@ -304,7 +304,7 @@ enum practice_choice practice_poll(struct practice_menu *m, uint16_t pad)
 
 /* ---- drawing ---- */
 
-enum { ROW_H = INK_CELL_H + 1, EDGE = 2 };
+enum { ROW_H = INK_CELL_H + 1, EDGE = 2, FOOT_FROM = 160 /* px of height with room for a line of help */ };
 
 /* Where the menu stands, in pixels; the rows and the numbers' column end at right. */
 struct page {
@@ -341,27 +341,33 @@ static const struct record *record_of(const struct practice_menu *m, const struc
     return records_find(&m->records, piece->mark, m->cart->m.difficulties[m->difficulty]);
 }
 
+/* Grey: never tried; yellow: never captured. */
+static enum ink_colour colour_of(const struct record *r)
+{
+    return !r || !r->attempts ? INK_GREY : r->captures ? INK_GREEN : INK_YELLOW;
+}
+
+/* A boss by its title, with its name where numbers stand; all else by its name, and what follows that. */
 static void draw_piece(const struct practice_menu *m, const struct page *p, int y, const struct piece *piece,
                        bool chosen)
 {
-    static const int indent[] = { 0, 2, 0, 2 };
     const struct record *r = record_of(m, piece);
-    char left[96], right[32] = "";
-    bool heading = piece->kind == PIECE_BOSS;
-    enum ink_colour c = chosen ? INK_PAPER : heading ? INK_CYAN : piece->kind == PIECE_STAGE ? INK_CYAN : INK_WHITE;
+    bool stage = piece->kind == PIECE_STAGE;
+    char left[96], right[32];
 
-    snprintf(left, sizeof left, "%s%s%s%s", piece->kind == PIECE_STAGE ? "stage " : "", heading ? "" : piece->name,
-             piece->title[0] && !heading ? "  " : "", piece->title);
-    if (heading && !piece->title[0])
-        snprintf(left, sizeof left, "%s", piece->name);
-    if (!heading)
-        snprintf(right, sizeof right, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
-    line(p, y, indent[piece->kind], c, left,
-         chosen               ? INK_PAPER
-         : !r || !r->attempts ? INK_GREY
-         : r->captures        ? INK_GREEN
-                              : INK_YELLOW,
-         right);
+    if (piece->kind == PIECE_BOSS) {
+        line(p, y, 0, INK_CYAN, piece->title[0] ? piece->title : piece->name, INK_GREY,
+             piece->title[0] ? piece->name : "");
+        return;
+    }
+    snprintf(left, sizeof left, "%s%s%s%s", stage ? "stage " : "", piece->name, piece->title[0] ? "  " : "",
+             piece->title);
+    snprintf(right, sizeof right, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
+    line(p, y, stage ? 0 : 2,
+         chosen  ? INK_PAPER
+         : stage ? INK_CYAN
+                 : INK_WHITE,
+         left, chosen ? INK_PAPER : colour_of(r), right);
 }
 
 /* The words of a setting. */
@@ -396,7 +402,7 @@ static void draw_row(const struct practice_menu *m, const struct page *p, int y,
 {
     struct row r = row_at(m, at);
     bool chosen = at == m->row;
-    char left[64] = "", right[32] = "";
+    char left[64], right[32], both[40];
 
     if (chosen)
         ink_rect(p->ink, p->x, y - 1, p->w, ROW_H, INK_WHITE);
@@ -406,7 +412,8 @@ static void draw_row(const struct practice_menu *m, const struct page *p, int y,
         line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, "the game from its title", INK_PAPER, "");
     else if (r.kind != ROW_BLANK) {
         setting(m, r, left, right);
-        line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, left, chosen ? INK_PAPER : INK_YELLOW, right);
+        snprintf(both, sizeof both, chosen ? "< %s >" : "%s", right);
+        line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, left, chosen ? INK_PAPER : INK_YELLOW, both);
     }
 }
 
@@ -477,7 +484,10 @@ void practice_draw(struct practice_menu *m, const struct ink *ink)
     y += ROW_H;
     if (m->pieces.why[0])
         y = sentence(&p, y, m->pieces.why);
-    m->shown = (p.y + p.h - y) / ROW_H;
+    bool foot = p.h >= FOOT_FROM;
+    m->shown = (p.y + p.h - y) / ROW_H - foot;
+    if (foot)
+        line(&p, p.y + p.h - ROW_H, 0, INK_GREY, "fire: start   bomb: back   left, right: change", INK_GREY, "");
     m->top = scrolled(m, m->shown);
     for (int i = 0; i < m->shown && m->top + i < rows(m); i++)
         draw_row(m, &p, y + 1 + i * ROW_H, m->top + i);

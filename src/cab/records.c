@@ -161,7 +161,7 @@ bool records_read(struct records *r, const char *text, size_t size, char *err, s
 
 char *records_text(const struct records *r, size_t *size)
 {
-    size_t room = sizeof first_line + (size_t)r->n * RECORDS_LINE, n;
+    size_t room = sizeof first_line + 1 + (size_t)r->n * RECORDS_LINE, n;
     char *text = malloc(room);
 
     if (!text)

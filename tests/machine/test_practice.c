@@ -1,8 +1,9 @@
 /*
- * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, and the list
- * of all pieces of a game.
+ * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, the list of all
+ * pieces of a game; and the cabinet's menu of them.
  */
 #include "rig.h"
+#include "../../src/cab/practice.h"
 
 /* ---- a game that has a piece of every sort ---- */
 
@@ -574,6 +575,266 @@ static void test_reset(void **state)
     rig_game_free(&g);
 }
 
+/* ---- the cabinet's list and menu ---- */
+
+static void expect_piece(const struct pieces *p, int i, enum piece_kind kind, const char *mark, const char *title)
+{
+    assert_true(i < p->n);
+    assert_int_equal(p->piece[i].kind, kind);
+    assert_string_equal(p->piece[i].mark, mark);
+    assert_string_equal(p->piece[i].title, title);
+}
+
+static void test_pieces(void **state)
+{
+    static struct pieces p;
+    struct board_start start = start_at("");
+
+    (void)state;
+    pieces_list(&p, &game.image.rom, &start);
+    assert_string_equal(p.why, "");
+    assert_string_equal(p.ship, "ship");
+    assert_int_equal(p.lives, 3);
+    assert_int_equal(p.registers, 2);
+    assert_string_equal(p.reg[1].name, "power");
+    assert_int_equal(p.reg[1].value, 7);
+    assert_int_equal(p.n, 14);
+    expect_piece(&p, 0, PIECE_STAGE, "one", "");
+    expect_piece(&p, 1, PIECE_POINT, "one:guard", "");
+    expect_piece(&p, 2, PIECE_POINT, "one:end", "");
+    expect_piece(&p, 3, PIECE_STAGE, "rain", "");
+    expect_piece(&p, 5, PIECE_STAGE, "ever", "");
+    expect_piece(&p, 6, PIECE_POINT, "ever:before", "");
+    expect_piece(&p, 8, PIECE_POINT, "waits:round", "");
+    expect_piece(&p, 9, PIECE_BOSS, "queen", "The Queen");
+    expect_piece(&p, 10, PIECE_PHASE, "queen/first", "");
+    expect_piece(&p, 11, PIECE_PHASE, "queen/second", "Sign of Rain");
+    expect_piece(&p, 13, PIECE_PHASE, "knight/stand", "");
+}
+
+/* A stage that faults when it is run through: what was told before is kept. */
+static void test_pieces_of_the_wrong(void **state)
+{
+    static struct pieces p;
+    static const char wrong[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+                                "stage.def('good', function() stage.mark 'a' end)\n"
+                                "stage.def('bad', function() stage.mark 'b' error 'boo' end)\n"
+                                "boot.run { stages = { 'good', 'bad' }, players = { 'ship' } }\n";
+    struct board_start start = start_at("good");
+    struct rig_game g;
+
+    (void)state;
+    rig_script(&g, NULL, wrong);
+    pieces_list(&p, &g.image.rom, &start);
+    assert_string_equal(p.why, "main.lua:3: boo");
+    assert_int_equal(p.n, 3);
+    expect_piece(&p, 1, PIECE_POINT, "good:a", "");
+    expect_piece(&p, 2, PIECE_STAGE, "bad", "");
+    rig_game_free(&g);
+    rig_script(&g, NULL, "task.go(function() end)");
+    pieces_list(&p, &g.image.rom, &start);
+    assert_string_equal(p.why, "practice: nothing can be chosen: main.lua does not call boot.run");
+    assert_int_equal(p.n, 0);
+    rig_game_free(&g);
+}
+
+static struct practice_menu menu;
+
+static void open_menu(const struct board_start *start)
+{
+    menu = (struct practice_menu){ .cart = &game.cart, .home = *start, .slow = 1 };
+    memset(&menu.home.practice, 0, sizeof menu.home.practice);
+    practice_began(&menu, start);
+    practice_open(&menu, 1);
+    practice_poll(&menu, 0);
+}
+
+/* A tap each; the last one's answer. */
+static enum practice_choice tap(const uint16_t *pads, int n)
+{
+    enum practice_choice choice = PRACTICE_STAYS;
+
+    for (int i = 0; i < n; i++) {
+        choice = practice_poll(&menu, pads[i]);
+        if (menu.open)
+            practice_poll(&menu, pads[i] & PAD_FOCUS);
+    }
+    return choice;
+}
+
+#define TAP(...) tap((const uint16_t[]){ __VA_ARGS__ }, sizeof((const uint16_t[]){ __VA_ARGS__ }) / 2)
+
+static void test_menu(void **state)
+{
+    struct board_start start = start_at(""), got;
+    const uint16_t up = PAD_UP, down = PAD_DOWN, left = PAD_LEFT, right = PAD_RIGHT, fire = PAD_FIRE;
+
+    (void)state;
+    start.seed = 77;
+    open_menu(&start); /* on the first piece */
+    assert_int_equal(TAP(down, fire), PRACTICE_START);
+    practice_chosen(&menu, &got);
+    assert_string_equal(got.practice.mark, "one:guard");
+    assert_int_equal(got.practice.lives, 0);
+    assert_int_equal(got.practice.registers, 0);
+    assert_false(got.practice.invincible);
+    assert_int_equal(got.seed, 77);
+    practice_began(&menu, &got);
+    practice_open(&menu, 2);
+    practice_poll(&menu, 0);
+    assert_int_equal(menu.slow, 2);
+    /* Over the line between, from the piece that was played: speed, hitbox, invincible, power, bombs, lives. */
+    assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)),
+                     PRACTICE_STAYS);
+    assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), PRACTICE_STAYS);
+    assert_int_equal(menu.slow, 4);
+    assert_true(menu.hitbox);
+    assert_int_equal(TAP(up, up, up, fire),
+                     PRACTICE_START); /* the title, round the end: the knight's heading is passed over */
+    practice_chosen(&menu, &got);
+    assert_string_equal(got.practice.mark, "queen/second");
+    assert_int_equal(got.practice.lives, 11);
+    assert_true(got.practice.invincible);
+    assert_int_equal(got.practice.registers, 2);
+    assert_string_equal(got.practice.reg[0].name, "bombs");
+    assert_int_equal(got.practice.reg[0].value, -8);
+    assert_string_equal(got.practice.reg[1].name, "power");
+    assert_int_equal(got.practice.reg[1].value, 8);
+    practice_began(&menu, &got);
+    practice_open(&menu, 1);
+    practice_poll(&menu, 0);
+    assert_int_equal(TAP((uint16_t)PAD_BOMB), PRACTICE_BACK);
+    assert_false(menu.open);
+    menu.row = 0;
+    menu.open = true;
+    assert_int_equal(TAP(fire), PRACTICE_START);
+    practice_chosen(&menu, &got);
+    assert_memory_equal(&got.practice, &start.practice, sizeof got.practice);
+}
+
+/* Held buttons: nothing of before the menu; then again after a while. */
+static void test_menu_held(void **state)
+{
+    struct board_start start = start_at("one");
+    int row;
+
+    (void)state;
+    menu = (struct practice_menu){ .cart = &game.cart, .home = start, .slow = 1 };
+    practice_began(&menu, &start);
+    practice_open(&menu, 1);
+    row = menu.row;
+    assert_int_equal(practice_poll(&menu, PAD_FIRE | PAD_DOWN), PRACTICE_STAYS);
+    assert_int_equal(menu.row, row);
+    practice_poll(&menu, 0);
+    for (int f = 0; f < 21; f++)
+        practice_poll(&menu, PAD_DOWN);
+    assert_int_equal(menu.row, row + 2);
+    for (int f = 0; f < 6; f++)
+        practice_poll(&menu, PAD_DOWN);
+    assert_int_equal(menu.row, row + 4);
+}
+
+/* On pictures of any size: nothing is drawn outside, the chosen row is shown, whatever it is. */
+static void test_menu_pictures(void **state)
+{
+    static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 64, 64 }, { 64, 320 }, { 320, 64 }, { 160, 160 } };
+    struct board_start start = start_at("");
+
+    (void)state;
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
+        int w = sizes[s][0], h = sizes[s][1];
+        void *mem = malloc(fb_size(w, h));
+        uint64_t last = 0;
+        struct fb fb;
+        open_menu(&start);
+        if (s % 2)
+            snprintf(menu.pieces.why, sizeof menu.pieces.why, "%s",
+                     "one sentence about what went wrong in a stage of this game");
+        for (int i = 0; i < 30; i++) {
+            struct ink ink;
+            uint32_t rgb[256] = { 0 };
+            uint64_t hash = HASH_START;
+            bool white = false;
+            fb_init(&fb, mem, w, h);
+            ink_open(&ink, &fb, rgb);
+            practice_draw(&menu, &ink);
+            for (int y = 0; y < h; y++) {
+                hash = hash_bytes(hash, fb.pix + (ptrdiff_t)y * fb.pitch, (size_t)w);
+                white |= fb.pix[(ptrdiff_t)y * fb.pitch + w / 2] == ink.colour[INK_WHITE];
+            }
+            assert_true(white && hash != last); /* the chosen row's bar; it has moved */
+            assert_in_range(menu.row, menu.top, menu.top + menu.shown - 1);
+            last = hash;
+            TAP((uint16_t)PAD_DOWN);
+        }
+        free(mem);
+    }
+}
+
+/* What counts, and what does not; the marks are made up. */
+static void told_now(enum board_mark_kind kind, const char *name, const char *of)
+{
+    static struct board_out out;
+
+    out = (struct board_out){ .marks = 1, .mark[0] = { .kind = kind } };
+    snprintf(out.mark[0].name, sizeof out.mark[0].name, "%s", name);
+    snprintf(out.mark[0].of, sizeof out.mark[0].of, "%s", of);
+    practice_hear(&menu, &out);
+}
+
+static void expect_record(const char *mark, int captures, int attempts)
+{
+    const struct record *r = records_find(&menu.records, mark, "normal");
+
+    assert_int_equal(r ? r->captures : 0, captures);
+    assert_int_equal(r ? r->attempts : 0, attempts);
+}
+
+static void test_counting(void **state)
+{
+    struct board_start phase = start_at("queen/second"), stage = start_at("one:guard"), none = start_at("");
+
+    (void)state;
+    menu = (struct practice_menu){ .cart = &game.cart };
+    practice_began(&menu, &phase);
+    told_now(MARK_WON, "second", "queen"); /* before it began */
+    told_now(MARK_START, "", "");
+    told_now(MARK_WON, "first", "queen");
+    told_now(MARK_WON, "second", "knight");
+    told_now(MARK_CLEAR, "queen/second", "");
+    told_now(MARK_LOST, "second", "queen");
+    expect_record("queen/second", 0, 1);
+    told_now(MARK_WON, "second", "queen");
+    told_now(MARK_WON, "second", "queen");
+    expect_record("queen/second", 1, 1);
+    told_now(MARK_START, "", "");
+    told_now(MARK_DEATH, "1", "");
+    told_now(MARK_WON, "second", "queen");
+    expect_record("queen/second", 1, 2);
+    told_now(MARK_START, "", "");
+    practice_void(&menu);
+    told_now(MARK_WON, "second", "queen");
+    told_now(MARK_START, "", "");
+    expect_record("queen/second", 1, 3);
+    practice_began(&menu, &stage);
+    told_now(MARK_START, "", "");
+    told_now(MARK_WON, "guard", "one");
+    told_now(MARK_CLEAR, "on", "");
+    told_now(MARK_CLEAR, "one:guard", "");
+    expect_record("one:guard", 0, 1);
+    told_now(MARK_CLEAR, "one", "");
+    expect_record("one:guard", 1, 1);
+    stage.practice.invincible = true;
+    practice_began(&menu, &stage);
+    told_now(MARK_START, "", "");
+    practice_began(&menu, &none);
+    told_now(MARK_START, "", "");
+    told_now(MARK_CLEAR, "one", "");
+    expect_record("one:guard", 1, 1);
+    assert_int_equal(menu.records.n, 2);
+    records_free(&menu.records);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -593,6 +854,12 @@ int main(void)
         cmocka_unit_test(test_endless_in_list),
         cmocka_unit_test(test_same),
         cmocka_unit_test(test_reset),
+        cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_pieces_of_the_wrong),
+        cmocka_unit_test(test_menu),
+        cmocka_unit_test(test_menu_held),
+        cmocka_unit_test(test_menu_pictures),
+        cmocka_unit_test(test_counting),
     };
 
     return cmocka_run_group_tests_name("practice", tests, open_game, close_game);

@@ -1,0 +1,262 @@
+/*
+ * test_records.c - the file of attempts and captures: what it may say, what is damage, what is kept.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/records.h"
+
+static bool reads(struct records *r, const char *text, char *err)
+{
+    return records_read(r, text, strlen(text), err, 128);
+}
+
+static void expect_text(const struct records *r, const char *expected)
+{
+    size_t n;
+    char *text = records_text(r, &n);
+
+    assert_non_null(text);
+    assert_int_equal(n, strlen(expected));
+    assert_memory_equal(text, expected, n);
+    free(text);
+}
+
+static void test_round(void **state)
+{
+    static const char text[] = "practice 1\n3 12 normal queen/held\n# mine\n0 1 hard one:a b \n\n  x\n"
+                               "999999999 999999999 e 0\nlater things = 3\n0 0 normal queen/bloom\n";
+    struct records r;
+    char err[128];
+
+    (void)state;
+    assert_true(reads(&r, text, err));
+    expect_text(&r, text);
+    const struct record *held = records_find(&r, "queen/held", "normal");
+    assert_non_null(held);
+    assert_int_equal(held->captures, 3);
+    assert_int_equal(held->attempts, 12);
+    assert_null(records_find(&r, "queen/held", "hard"));
+    assert_null(records_find(&r, "", ""));
+    assert_non_null(records_find(&r, "one:a b ", "hard"));
+    assert_false(r.changed);
+    records_free(&r);
+    records_free(&r);
+}
+
+static void test_counting(void **state)
+{
+    struct records r = { 0 };
+    char err[128];
+
+    (void)state;
+    records_capture(&r, "one", "easy"); /* of what was never tried */
+    assert_int_equal(r.n, 0);
+    for (int i = 0; i < 40; i++)
+        records_attempt(&r, "one", "easy");
+    records_attempt(&r, "one", "hard");
+    records_capture(&r, "one", "hard");
+    records_capture(&r, "one", "hard"); /* no more than attempts */
+    records_attempt(&r, "", "hard");
+    records_attempt(&r, "two", "");
+    expect_text(&r, "practice 1\n0 40 easy one\n1 1 hard one\n");
+    assert_true(r.changed);
+    records_free(&r);
+    assert_true(reads(&r, "practice 1\n5 999999999 easy one\n", err));
+    records_attempt(&r, "one", "easy");
+    assert_false(r.changed);
+    expect_text(&r, "practice 1\n5 999999999 easy one\n");
+    records_free(&r);
+    for (int i = 0; i < 500; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "m%d", i);
+        records_attempt(&r, name, "easy");
+    }
+    assert_int_equal(r.n, 500);
+    assert_int_equal(records_find(&r, "m499", "easy")->attempts, 1);
+    records_free(&r);
+}
+
+static void test_damage(void **state)
+{
+    static const char form[] = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
+    static const struct {
+        const char *text, *why;
+    } bad[] = {
+        { "", "line 1: empty" },
+        { "practice 2\n", "line 1: expected \"practice 1\"" },
+        { "practice 1", "line 1: cut short" },
+        { "1 1 a b\n", "line 1: expected \"practice 1\"" },
+        { "practice 1\n1 1 easy one", "line 2: cut short" },
+        { "practice 1\n1\n", NULL },
+        { "practice 1\n1 2\n", NULL },
+        { "practice 1\n1 2 easy\n", NULL },
+        { "practice 1\n1 2 easy \n", NULL },
+        { "practice 1\n1 2  one\n", NULL },
+        { "practice 1\n2 1 easy one\n", NULL },
+        { "practice 1\n1 -2 easy one\n", NULL },
+        { "practice 1\n1 1000000000 easy one\n", NULL },
+        { "practice 1\n1 18446744073709551617 easy one\n", NULL },
+        { "practice 1\n1x 2 easy one\n", NULL },
+        { "practice 1\n1 2 sixteenletters16 one\n", NULL },
+        { "practice 1\n1 2 easy 0123456789012345678901234567890123456789012345678901234567890123\n", NULL },
+        { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: a second record of this piece" },
+        { "practice 1\n1 2 easy o\tne\n", "line 2: not a line of text" },
+        { "practice 1\n\xc3\xa4\n", "line 2: not a line of text" },
+        { "practice 1\r\n", "line 1: not a line of text" },
+    };
+    struct records r;
+    char err[128], line[100];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(reads(&r, bad[i].text, err));
+        snprintf(line, sizeof line, "line 2: %s", form);
+        assert_string_equal(err, bad[i].why ? bad[i].why : line);
+        assert_int_equal(r.n, 0);
+        assert_null(r.line);
+    }
+    assert_false(records_read(&r, "practice 1\n1 \0 easy one\n", 24, err, sizeof err));
+    assert_string_equal(err, "line 2: not a line of text");
+}
+
+static void test_long_lines(void **state)
+{
+    char text[400], err[128];
+    struct records r;
+
+    (void)state;
+    for (int n = RECORDS_LINE - 2; n <= RECORDS_LINE; n++) {
+        snprintf(text, sizeof text, "practice 1\n%0*d\n", n, 0);
+        text[11] = '#';
+        bool good = reads(&r, text, err);
+        assert_int_equal(good, n < RECORDS_LINE);
+        if (good)
+            expect_text(&r, text);
+        records_free(&r);
+    }
+}
+
+/* Whatever a file says, what is read of it is written as it was. */
+static void test_anything(void **state)
+{
+    static const char some[] = "0123 9 1 2 easy one:x/\n\n\n#\tpractice 1\n\x80\0";
+    struct records r;
+    struct rng rng;
+    char text[160], err[128];
+    int good = 0;
+
+    (void)state;
+    rng_seed(&rng, 3);
+    for (int i = 0; i < 200000; i++) {
+        size_t n = 11 + rng_below(&rng, 40), size;
+        memcpy(text, "practice 1\n", 11);
+        for (size_t k = 11; k < n; k++)
+            text[k] = some[rng_below(&rng, rng_below(&rng, 3) ? 24 : sizeof some)];
+        text[n - 1] = '\n';
+        if (!records_read(&r, text, n, err, sizeof err))
+            continue;
+        char *back = records_text(&r, &size);
+        bool leading_zero = size != n; /* numbers come back without zeroes before them */
+        if (!leading_zero)
+            assert_memory_equal(back, text, n);
+        good += !leading_zero;
+        free(back);
+        records_free(&r);
+    }
+    assert_true(good > 1000);
+}
+
+/* ---- the file ---- */
+
+static const char *folder;
+
+static void put_file(const char *text)
+{
+    assert_true(plat_save("user:probe.practice", text, strlen(text)));
+}
+
+static void expect_file(const char *expected)
+{
+    char text[200];
+    long n = plat_load("user:probe.practice", text, sizeof text);
+
+    assert_int_equal(n, (long)strlen(expected));
+    assert_memory_equal(text, expected, (size_t)n);
+}
+
+static void test_file(void **state)
+{
+    struct records r;
+
+    (void)state;
+    records_load(&r, "probe"); /* none */
+    assert_false(r.damaged);
+    records_save(&r);
+    assert_int_equal(plat_size("user:probe.practice"), -1); /* nothing to say */
+    records_attempt(&r, "one", "easy");
+    records_save(&r);
+    expect_file("practice 1\n0 1 easy one\n");
+    put_file("practice 1\n");
+    records_save(&r); /* nothing new */
+    expect_file("practice 1\n");
+    records_free(&r);
+    put_file("practice 1\n# note\n2 3 easy one\n");
+    records_load(&r, "probe");
+    records_attempt(&r, "one", "easy");
+    records_capture(&r, "one", "easy");
+    records_save(&r);
+    expect_file("practice 1\n# note\n3 4 easy one\n");
+    records_free(&r);
+}
+
+static void test_damaged_file(void **state)
+{
+    struct records r;
+
+    (void)state;
+    put_file("practice 1\n2 x easy one\n");
+    records_load(&r, "probe");
+    assert_true(r.damaged);
+    records_attempt(&r, "one", "easy");
+    assert_int_equal(r.n, 0);
+    r.changed = true;
+    records_save(&r);
+    expect_file("practice 1\n2 x easy one\n");
+    records_free(&r);
+}
+
+static int make_folder(void **state)
+{
+    static char path[] = "/tmp/records-XXXXXX";
+
+    (void)state;
+    folder = mkdtemp(path);
+    return !folder || setenv("XDG_DATA_HOME", folder, 1);
+}
+
+static int remove_folder(void **state)
+{
+    char command[100];
+
+    (void)state;
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    return system(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round),        cmocka_unit_test(test_counting), cmocka_unit_test(test_damage),
+        cmocka_unit_test(test_long_lines),   cmocka_unit_test(test_anything), cmocka_unit_test(test_file),
+        cmocka_unit_test(test_damaged_file),
+    };
+
+    return cmocka_run_group_tests_name("records", tests, make_folder, remove_folder);
+}
