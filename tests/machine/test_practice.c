@@ -41,11 +41,14 @@ static const char game_text[] =
     "  wait(100)\n"
     "end)\n"
     "stage.def('ever', function()\n"
-    "  stage.mark 'before'\n"
+    "  stage.mark 'before' stage.mark 'x/y'\n"
     "  while enemy.count() == 0 do wait(1) end\n"
     "  stage.mark 'after'\n"
     "end)\n"
     "stage.def('waits', function() while true do stage.clear() boss.fight 'queen' stage.mark 'round' end end)\n"
+    "stage.def('a/b', function() end) stage.def('c:d', function() end) stage.def('\\u{e4}', function() end)\n"
+    "boss.def('q/r', { title = 'R', kind = 'e', x = 0, y = 0, phases = { { id = 'p', hp = 1, time = 1, run = weak } } "
+    "})\n"
     "boot.run { stages = { 'one', 'rain' }, players = { 'ship', 'other' } }\n";
 
 static struct rig_game game;
@@ -196,9 +199,9 @@ static void test_unknown_registers(void **state)
     (void)state;
     add_register(&near, "power", 1);
     add_register(&near, "bomb", 1);
-    expect_fault(&near, "main.lua:38: --register: ship \"ship\" has no register \"bomb\" (did you mean \"bombs\"?)");
+    expect_fault(&near, "main.lua:40: --register: ship \"ship\" has no register \"bomb\" (did you mean \"bombs\"?)");
     add_register(&far, "speed", 1);
-    expect_fault(&far, "main.lua:38: --register: ship \"ship\" has no register \"speed\" (there is bombs, power)");
+    expect_fault(&far, "main.lua:40: --register: ship \"ship\" has no register \"speed\" (there is bombs, power)");
 }
 
 static void expect_refusal(const struct board_start *start, const char *message)
