@@ -21,11 +21,12 @@ boss.def("queen", { title = "Queen", kind = "e", x = 32, y = 20, phases = {
   { id = "weak", hp = 5, time = 600, run = function(e) wait(20) e:hurt(5) end },
   { id = "strong", hp = 5, time = 60, run = function(e) wait(forever) end } } })
 stage.def("one", function() wait(50) stage.mark "late" wait(40) end)
+local had = save.get("seen", 0)
 local dot = sprite.put { sprite = "dot", x = 0, y = 0, screen = true }
 task.go(function()
   for i = 1, forever do
     if not dot.alive then dot = sprite.put { sprite = "dot", x = 0, y = 0, screen = true } end
-    dot.x, dot.y = i * 7 % 64, i // 9 % 64
+    dot.x, dot.y = i * 7 % 64, (i // 9 + 23 * had) % 64
     if i == 40 then save.set("seen", save.get("seen", 0) + 1) end
     wait(1)
   end
@@ -61,6 +62,7 @@ same 'the board stands still behind the menu' 1 "$(part menu 22 29 | sort -u | w
 refuted() { [ "$1" != "$2" ]; }
 holds 'the menu is seen' refuted "$(part menu 20 20)" "$(part menu 21 21)"
 holds 'what is chosen too' refuted "$(part menu 29 29)" "$(part menu 31 31)"
+rm -rf data
 keys 60 | plays straight
 same 'afterwards the game goes on as if nothing had been' "$(part straight 21 50)" "$(part menu 40 69)"
 same 'nothing was practised' 'none' "$(cat "$file" 2>/dev/null || echo none)"
@@ -117,6 +119,12 @@ keys 100 | plays out
 cp data/curtain/probe.nv before.nv
 { weak; keys 100; } | plays out
 holds 'practice keeps no scores' cmp data/curtain/probe.nv before.nv
+keys 60 | plays with --stage queen/weak
+rm -rf data
+keys 60 | plays without --stage queen/weak
+same 'and begins with none' "$(cat without)" "$(cat with)"
+mkdir -p data/curtain
+cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | plays out
 holds 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" "$(cksum <data/curtain/probe.nv)"
 cp data/curtain/probe.nv menu.nv
