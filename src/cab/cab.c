@@ -488,6 +488,8 @@ static void power_anew(struct board_start start)
     cab.bar = cab.waited = 0;
     memset(cab.pads, 0, sizeof cab.pads);
     practice_began(&cab.practice, &start);
+    if (cab.slow > 1)
+        assisted();
     log_lines(board_last(live()));
     if (fault())
         halt();
@@ -547,8 +549,6 @@ static void menu(const struct keys_read *k)
     if (!start.practice.mark[0] && !cab.options.seeded)
         start.seed = seed_from_clock();
     power_anew(start);
-    if (cab.slow > 1)
-        assisted();
 }
 
 /* ---- picture ---- */

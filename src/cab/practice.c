@@ -87,7 +87,7 @@ static int difficulty_of(const struct practice_menu *m, const struct board_start
 
 void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start)
 {
-    *m = (struct practice_menu){ .cart = cart, .home = *start, .slow = 1 };
+    *m = (struct practice_menu){ .cart = cart, .home = *start, .start = *start, .slow = 1 };
     memset(&m->home.practice, 0, sizeof m->home.practice);
     records_load(&m->records, cart->m.id);
 }

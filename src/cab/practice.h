@@ -65,7 +65,7 @@ void practice_open(struct practice_menu *m, int slow);
 enum practice_choice practice_poll(struct practice_menu *m, uint16_t pad);
 
 /* The start that was chosen: the present run's with another difficulty and practice; or that of the game from its title,
- * which has no practice.mark. */
+ * which has no practice.mark. Its nvram is the caller's business. */
 void practice_chosen(const struct practice_menu *m, struct board_start *out);
 
 /* Draws the open menu over a whole picture. */

@@ -23,7 +23,7 @@ shown() {
 }
 middle() { convert "$1" -crop 240x296+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
 
-# The frames of a demo's moments but waves, from its file (docs/demos.md).
+# The frames of a demo's moments but waves and what practice is counted by, from its file (docs/demos.md).
 moments() {
     python3 - "$1" <<'PY'
 import struct, sys
@@ -31,7 +31,7 @@ data, at, frames = open(sys.argv[1], "rb").read(), 8, []
 while at + 12 <= len(data):
     kind, size = struct.unpack("<II", data[at:at + 8])
     frame, mark = struct.unpack("<IB", data[at + 8:at + 13]) if kind == ord("M") else (0, 2)
-    if mark != 2 and frame not in frames:
+    if mark < 6 and mark != 2 and frame not in frames:
         frames.append(frame)
     at += size + 12
 print("\n".join(map(str, frames)))
