@@ -38,6 +38,7 @@ struct heap {
     uint16_t pad;
     uint32_t partial[CLASSES]; /* slabs with room, a list a class; 0: none */
     uint32_t bin[ROWS][COLUMNS_A_ROW];
+    uint32_t most;    /* used at its highest; a block is below 2^32 */
     uint64_t slabs[]; /* bit p: page p is a slab */
 };
 
@@ -440,6 +441,12 @@ static void *try_take(struct heap *h, size_t size)
     return b ? at(h, b) : NULL;
 }
 
+static void note_use(struct heap *h)
+{
+    if (h->used > h->most)
+        h->most = (uint32_t)h->used;
+}
+
 static void *take(struct heap *h, size_t size)
 {
     void *p = try_take(h, size);
@@ -449,6 +456,7 @@ static void *take(struct heap *h, size_t size)
     if (p) {
         h->used += size;
         h->work += size;
+        note_use(h);
     }
     return p;
 }
@@ -518,6 +526,7 @@ static void *resize(struct heap *h, void *p, size_t old, size_t size)
     }
     h->used += size - old;
     h->work += size >= old ? size : 0;
+    note_use(h);
     return p;
 }
 
@@ -547,6 +556,11 @@ struct heap *heap_init(void *block, size_t size)
 size_t heap_used(const struct heap *h)
 {
     return h->used;
+}
+
+size_t heap_most(const struct heap *h)
+{
+    return h->most;
 }
 
 uint64_t heap_work(const struct heap *h)

@@ -28,8 +28,9 @@ struct heap *heap_init(void *block, size_t size);
  * Results are 16-byte aligned; NULL when there is no room, and then p is untouched. Shrinking never fails. */
 void *heap_realloc(struct heap *h, void *p, size_t old, size_t size);
 
-/* Bytes handed out now, and ever (resizing to no less counts the new size; for guards). */
+/* Bytes handed out now, at most at one time, and in all (resizing to no less counts the new size; for guards). */
 size_t heap_used(const struct heap *h);
+size_t heap_most(const struct heap *h);
 uint64_t heap_work(const struct heap *h);
 
 /* Bytes from the block's start that were ever written. Never shrinks but by restoring a snapshot. */

@@ -437,6 +437,11 @@ static int part_named(const char *name)
     return -1;
 }
 
+size_t board_lua_most(const struct board *b)
+{
+    return heap_most(b->vm.heap);
+}
+
 int64_t board_live(const struct board *b, const char *part)
 {
     int i = part_named(part);

@@ -166,6 +166,9 @@ void board_count(struct board *b, bool on);
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
+/* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
+size_t board_lua_most(const struct board *b);
+
 /* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
  * called when each phase is over, in this order (while the game is frozen, motion is left out). It must not touch the
  * board. NULL: nobody asks, as after power-on and after a restore. */

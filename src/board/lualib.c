@@ -281,6 +281,26 @@ static int base_load(lua_State *L)
 
 /* ---- what stays ---- */
 
+static const struct {
+    const char *library, *names;
+} kept[] = {
+    { "", "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
+          "setmetatable string table tonumber tostring type utf8 warn" },
+    { "string", "byte char find format gmatch gsub len lower match rep reverse sub upper" },
+    { "table", "concat insert move pack remove sort unpack" },
+    { "math", "abs acos asin atan ceil cos deg floor fmod huge max maxinteger min mininteger modf pi rad sin sqrt tan "
+              "tointeger type ult" },
+    { "utf8", "char charpattern codepoint codes len offset" },
+};
+
+const char *lualib_names(const char *library)
+{
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
+        if (strcmp(kept[i].library, library) == 0)
+            return kept[i].names;
+    return NULL;
+}
+
 /* A stock function whose work grows with the text at argument 1 alone; upvalue: that function. */
 static int charged(lua_State *L)
 {
@@ -330,8 +350,7 @@ static void open_base(lua_State *L)
     };
 
     lua_pushglobaltable(L);
-    keep(L, "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
-            "setmetatable string table tonumber tostring type utf8 warn");
+    keep(L, lualib_names(""));
     luaL_setfuncs(L, functions, 0);
     wrap(L, "tonumber");
     lua_pop(L, 1);
@@ -340,7 +359,7 @@ static void open_base(lua_State *L)
 static void open_string(lua_State *L)
 {
     lua_getglobal(L, "string");
-    keep(L, "byte char find format gmatch gsub len lower match rep reverse sub upper");
+    keep(L, lualib_names("string"));
     luapattern_open(L);
     luatext_open(L);
     wrap(L, "lower");
@@ -370,14 +389,13 @@ void lualib_open(lua_State *L)
     open_string(L);
     open_string_metatable(L);
     lua_getglobal(L, "table");
-    keep(L, "concat insert move pack remove sort unpack");
+    keep(L, lualib_names("table"));
     luatable_open(L);
     lua_getglobal(L, "math");
-    keep(L, "abs acos asin atan ceil cos deg floor fmod huge max maxinteger min mininteger modf pi rad sin sqrt tan "
-            "tointeger type ult");
+    keep(L, lualib_names("math"));
     luamath_open(L);
     lua_getglobal(L, "utf8");
-    keep(L, "char charpattern codepoint codes len offset");
+    keep(L, lualib_names("utf8"));
     luautf8_open(L);
     lua_pop(L, 3);
 }

@@ -1,6 +1,6 @@
 /*
  * lualib.h - the library scripts see: stock Lua 5.4 without what is unbounded or differs between hosts.
- * floor: board    used by: board/
+ * floor: board    used by: board/ cab/
  *
  * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
  * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys. table.sort is
@@ -20,6 +20,9 @@
 /* Replaces and removes, once, right after the stock base, string, table, math and utf8 were opened into globals. What
  * is not listed goes, unknown globals included; so do print and require, which are the host's. */
 void lualib_open(lua_State *L);
+
+/* The names that stay of a library ("math"; "": the globals), with blanks between; NULL: there is no such library. */
+const char *lualib_names(const char *library);
 
 /* Pushes the text of the value at idx as tostring and print show it. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);

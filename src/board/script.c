@@ -207,8 +207,10 @@ static const char *token(struct scan *s)
         comment(s);
         return NULL;
     }
-    if (c == '^')
+    if (c == '^') {
+        s->p++;
         return no_power;
+    }
     if (letter(c))
         name(s);
     else if (c == '"' || c == '\'')
@@ -222,19 +224,26 @@ static const char *token(struct scan *s)
     return refused(s);
 }
 
-bool script_scan(const char *text, size_t n, int *line, const char **what)
+bool script_scan_on(const char *text, size_t n, struct script_place *place, int *line, const char **what)
 {
-    struct scan s = { text, text + n, 1, { 0 }, 0 };
+    struct scan s = { text + place->at, text + n, place->line, { 0 }, 0 };
 
     while (s.p < s.end) {
-        int at = s.line;
+        *line = s.line;
         *what = token(&s);
-        if (*what != NULL) {
-            *line = at;
-            return false;
-        }
+        if (*what == NULL)
+            continue;
+        *place = (struct script_place){ (size_t)(s.p - text), s.line };
+        return false;
     }
     return true;
+}
+
+bool script_scan(const char *text, size_t n, int *line, const char **what)
+{
+    struct script_place start = { 0, 1 };
+
+    return script_scan_on(text, n, &start, line, what);
 }
 
 static void *allocate(void *heap, void *p, size_t old, size_t size)
@@ -262,19 +271,24 @@ static bool compile(const char *text, size_t n, const char *chunk, void *work, s
     return good;
 }
 
+bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
+                    size_t err_size)
+{
+    if (n > 0 && text[0] == LUA_SIGNATURE[0]) {
+        snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
+        return false;
+    }
+    return compile(text, n, chunk, work, work_size, err, err_size);
+}
+
 bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                   size_t err_size)
 {
     const char *what;
     int line;
 
-    if (!script_scan(text, n, &line, &what)) {
-        snprintf(err, err_size, "%s:%d: %s", chunk + 1, line, what);
-        return false;
-    }
-    if (n > 0 && text[0] == LUA_SIGNATURE[0]) {
-        snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
-        return false;
-    }
-    return compile(text, n, chunk, work, work_size, err, err_size);
+    if (script_scan(text, n, &line, &what))
+        return script_compile(text, n, chunk, work, work_size, err, err_size);
+    snprintf(err, err_size, "%s:%d: %s", chunk + 1, line, what);
+    return false;
 }

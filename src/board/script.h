@@ -13,6 +13,17 @@
  * nothing. */
 bool script_scan(const char *text, size_t n, int *line, const char **what);
 
+/* script_scan from a place on, which moves behind what is found, so that the next call finds the next. */
+struct script_place {
+    size_t at;
+    int line; /* of the byte at; the text starts at { 0, 1 } */
+};
+bool script_scan_on(const char *text, size_t n, struct script_place *place, int *line, const char **what);
+
+/* The syntax check alone; compiled Lua is refused too. As script_check. */
+bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
+                    size_t err_size);
+
 /* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; work is work_size bytes
  * to think in, 16-byte aligned, at least HEAP_MIN; too few are said to be. err gets "stages/one.lua:42: what". */
 bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,

@@ -20,7 +20,8 @@ enum {
     FOR_ROM = FOR_PACK | 1 << COMMAND_LIST | 1 << COMMAND_UNPACK,
     FOR_HEADLESS = FOR_RENDER | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
-    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM
+    FOR_CHECK = 1 << COMMAND_CHECK,
+    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK
 };
 
 static const struct {
@@ -38,6 +39,8 @@ static const struct {
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
+    [COMMAND_CHECK] = { "check", "DIR", 1, 1,
+                        "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
     [COMMAND_VERSION] = { "version", "", 0, 0, "core version, compiler, flags, Lua release (also --version)" },
 };
@@ -552,7 +555,8 @@ static void help_all(void (*line)(const char *))
     line("The word play may be left out. Options, each explained by curtain help COMMAND:");
     help_options(FOR_ALL, line);
     line("");
-    line("Exit codes: 0 done, 1 a demo does not hold, 2 bad input or a script fault, 3 the host failed.");
+    line("Exit codes: 0 done, 1 a demo does not hold or check found something, 2 bad input or a script fault, 3 the "
+         "host failed.");
 }
 
 void args_help(int command, void (*line)(const char *))

@@ -125,6 +125,37 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
     return true;
 }
 
+static int bank_with(const uint8_t *rgb, const uint8_t *colour)
+{
+    for (int bank = 0, off; bank < 16; bank++) {
+        nearest_shade(rgb + bank * 48, colour, &off);
+        if (off == 0)
+            return bank;
+    }
+    return -1;
+}
+
+struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
+                                  const uint8_t rgb[CART_PALETTE])
+{
+    struct art_strays s = { .bank = -1 };
+
+    for (size_t i = 0; i < (size_t)picture->w * (size_t)picture->h; i++) {
+        const uint8_t *colour = picture->rgba + i * 4;
+        int off = 0;
+        if ((marked != NULL && !marked[i]) || colour[3] < 128)
+            continue;
+        nearest_shade(rgb + bank * 48, colour, &off);
+        if (off == 0 || s.n++ > 0)
+            continue;
+        s.x = (int)(i % (size_t)picture->w);
+        s.y = (int)(i / (size_t)picture->w);
+        memcpy(s.c, colour, 3);
+    }
+    s.bank = s.n > 0 ? bank_with(rgb, s.c) : -1;
+    return s;
+}
+
 /* Pictures of w x h on end, without padding: picture = frame * rotations + rotation. */
 struct stack {
     uint8_t *pix;

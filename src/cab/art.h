@@ -29,6 +29,17 @@ bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETT
 bool art_make_font(const struct art_picture *picture, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size);
 
+/* The opaque pixels of a picture that have none of the bank's colours. marked: a byte a pixel, 0 for those that do not
+ * matter; NULL: all do. */
+struct art_strays {
+    long n;
+    int x, y;     /* of the first, in reading order */
+    int bank;     /* one that has its colour, or -1 */
+    uint8_t c[3]; /* its colour */
+};
+struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
+                                  const uint8_t rgb[CART_PALETTE]);
+
 /* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc. */
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
                      const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,

@@ -10,6 +10,7 @@
 #include "../board/api.h"
 #include "args.h"
 #include "cab.h"
+#include "check.h"
 #include "config.h"
 #include "files.h"
 #include "game.h"
@@ -227,6 +228,8 @@ int cli_main(int argc, char **argv)
         return list(&a);
     case COMMAND_UNPACK:
         return unpack(&a);
+    case COMMAND_CHECK:
+        return check_game(&a);
     case COMMAND_HELP:
         return help(&a);
     case COMMAND_VERSION:

@@ -18,16 +18,10 @@
 #include "art.h"
 #include "blend.h"
 #include "files.h"
+#include "tree.h"
 #include "png.h"
 
-enum {
-    MAX_FILE = 256 << 20,    /* bytes of any file read */
-    MAX_SCRIPT = 4 << 20,    /* bytes of a script or rom.lua */
-    SCRIPT_WORK = 256 << 20, /* bytes to compile a script in; what is not needed is never touched */
-    MAX_FILES = 1 << 16,     /* in a folder and all below it */
-    MAX_DEPTH = 8,           /* folders in folders: a link to a folder above ends here */
-    PATH = 1024
-};
+enum { PATH = TREE_PATH };
 
 static bool fail(char *err, size_t size, const char *format, ...)
 {
@@ -37,97 +31,6 @@ static bool fail(char *err, size_t size, const char *format, ...)
     vsnprintf(err, size, format, args);
     va_end(args);
     return false;
-}
-
-/* ---- the folder ---- */
-
-struct paths {
-    char **name; /* from the game's folder: "stages/one.lua" */
-    int n, room;
-    bool failed; /* out of memory, or too many */
-};
-
-static void paths_close(struct paths *p)
-{
-    for (int i = 0; i < p->n; i++)
-        free(p->name[i]);
-    free(p->name);
-}
-
-static void paths_add(struct paths *p, const char *folder, const char *name)
-{
-    size_t size = strlen(folder) + strlen(name) + 2;
-
-    if (p->n == p->room) {
-        int room = p->room == 0 ? 64 : p->room * 2;
-        char **more = room <= MAX_FILES ? realloc(p->name, (size_t)room * sizeof *more) : NULL;
-        p->failed = p->failed || more == NULL;
-        if (more == NULL)
-            return;
-        p->name = more;
-        p->room = room;
-    }
-    char *path = malloc(size);
-    p->failed = p->failed || path == NULL;
-    if (path == NULL)
-        return;
-    snprintf(path, size, "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
-    p->name[p->n++] = path;
-}
-
-/* One folder's entries: its files go to files, its folders to folders. */
-struct listing {
-    const char *folder;
-    struct paths *files;
-    struct paths folders;
-};
-
-static void list_entry(void *user, const struct plat_file *file)
-{
-    struct listing *l = user;
-
-    if (file->name[0] == '.' || (l->folder[0] == '\0' && strcmp(file->name, "tests") == 0))
-        return;
-    paths_add(file->folder ? &l->folders : l->files, l->folder, file->name);
-}
-
-/* The file's path for the platform: dir/name. */
-static bool join(char out[PATH], const char *dir, const char *name)
-{
-    size_t n = strlen(dir);
-    const char *slash = n > 0 && dir[n - 1] != '/' && name[0] != '\0' ? "/" : "";
-    int size = snprintf(out, PATH, "%s%s%s", dir, slash, name);
-
-    return size >= 0 && size < PATH;
-}
-
-static bool walk(const char *dir, const char *folder, int depth, struct paths *files, char *err, size_t err_size)
-{
-    struct listing l = { folder, files, { 0 } };
-    char path[PATH];
-    bool good = true;
-
-    if (depth > MAX_DEPTH || !join(path, dir, folder))
-        return fail(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
-    if (plat_list(path, list_entry, &l) < 0)
-        good = fail(err, err_size, "%s: cannot be read as a folder", path);
-    else if (files->failed || l.folders.failed)
-        good = fail(err, err_size, "%s: too many files", dir);
-    for (int i = 0; good && i < l.folders.n; i++)
-        good = walk(dir, l.folders.name[i], depth + 1, files, err, err_size);
-    paths_close(&l.folders);
-    return good;
-}
-
-static int by_path(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
-static void paths_sort(struct paths *p)
-{
-    if (p->n > 0)
-        qsort(p->name, (size_t)p->n, sizeof p->name[0], by_path);
 }
 
 /* ---- the lumps ---- */
@@ -163,7 +66,7 @@ static bool lumps_grow(struct lumps *l)
 struct packer {
     const char *dir;
     bool nearest;
-    struct paths files;
+    struct tree files;
     struct lumps lumps;
     struct manifest m;
     struct art art;
@@ -198,44 +101,13 @@ static bool add_copy(struct packer *p, const char *folder, const char *name, con
     return add(p, folder, name, copy, size);
 }
 
-/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. */
-static bool load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
-                 size_t err_size)
-{
-    long n = plat_size(path);
-
-    if (n < 0)
-        return fail(err, err_size, "%s: no such file", name);
-    if ((unsigned long)n > max)
-        return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
-    *data = malloc((size_t)n + 1);
-    if (*data == NULL)
-        return fail(err, err_size, "%s: out of memory", name);
-    if (plat_load(path, *data, (size_t)n) != n) {
-        free(*data);
-        return fail(err, err_size, "%s: cannot be read", name);
-    }
-    (*data)[n] = 0;
-    *size = (size_t)n;
-    return true;
-}
-
 static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)
 {
     char path[PATH];
 
-    if (!join(path, p->dir, name))
+    if (!tree_join(path, p->dir, name))
         return fail(p->err, p->err_size, "%s: the path is too long", name);
-    return load(path, name, max, data, size, p->err, p->err_size);
-}
-
-/* Some editors start a text with a byte order mark, which Lua does not know. */
-static void drop_mark(uint8_t *data, size_t *size)
-{
-    if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
-        *size -= 3;
-        memmove(data, data + 3, *size + 1);
-    }
+    return tree_load(path, name, max, data, size, p->err, p->err_size);
 }
 
 static bool ends_with(const char *s, const char *tail)
@@ -250,30 +122,16 @@ static bool starts_with(const char *s, const char *head)
     return strncmp(s, head, strlen(head)) == 0;
 }
 
-/* The last part of a path; "" for one like "." that is no name. */
-static void folder_name(const char *dir, char out[64])
-{
-    size_t n = strlen(dir), from;
-
-    while (n > 0 && dir[n - 1] == '/')
-        n--;
-    for (from = n; from > 0 && dir[from - 1] != '/' && dir[from - 1] != '\\' && dir[from - 1] != ':';)
-        from--;
-    snprintf(out, 64, "%.*s", (int)(n - from < 63 ? n - from : 63), dir + from);
-    if (strspn(out, ".") == strlen(out))
-        out[0] = '\0';
-}
-
 static bool read_manifest(struct packer *p)
 {
     char folder[64];
     uint8_t *text;
     size_t size;
 
-    if (!load_in(p, "rom.lua", MAX_SCRIPT, &text, &size))
+    if (!load_in(p, "rom.lua", TREE_SCRIPT, &text, &size))
         return false;
-    drop_mark(text, &size);
-    folder_name(p->dir, folder);
+    tree_drop_mark(text, &size);
+    tree_id(p->dir, folder);
     void *work = malloc(MANIFEST_WORK);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
@@ -298,7 +156,7 @@ static bool load_picture(struct packer *p, const char *file, struct art_picture 
     uint8_t *data = NULL;
     size_t size = 0;
 
-    if (!load_in(p, file, MAX_FILE, &data, &size))
+    if (!load_in(p, file, TREE_FILE, &data, &size))
         return false;
     bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
     free(data);
@@ -402,8 +260,7 @@ static bool add_art(struct packer *p)
     return true;
 }
 
-/* Is std/NAME.lua (path) the name of a library script? */
-static bool is_std(const char *path)
+bool pack_is_std(const char *path)
 {
     for (int i = 0; i < std_script_count; i++) {
         size_t n = strlen(std_scripts[i].name);
@@ -420,14 +277,14 @@ static bool add_script(struct packer *p, const char *path)
     uint8_t *text;
     size_t size;
 
-    if (std && !is_std(path))
+    if (std && !pack_is_std(path))
         return fail(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
-    if (!load_in(p, path, MAX_SCRIPT, &text, &size))
+    if (!load_in(p, path, TREE_SCRIPT, &text, &size))
         return false;
-    drop_mark(text, &size);
+    tree_drop_mark(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
-    void *work = malloc(SCRIPT_WORK);
-    bool good = work != NULL ? script_check((const char *)text, size, chunk, work, SCRIPT_WORK, p->err, p->err_size)
+    void *work = malloc(TREE_WORK);
+    bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
                              : fail(p->err, p->err_size, "out of memory");
     free(work);
     if (!good) {
@@ -444,7 +301,7 @@ static bool add_demo(struct packer *p, const char *path)
     uint8_t *data;
     size_t size;
 
-    if (!load_in(p, path, MAX_FILE, &data, &size))
+    if (!load_in(p, path, TREE_FILE, &data, &size))
         return false;
     snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("demos/") - strlen(".demo")),
              path + strlen("demos/"));
@@ -456,7 +313,7 @@ static bool add_text(struct packer *p, const char *path)
     uint8_t *data;
     size_t size;
 
-    return load_in(p, path, MAX_FILE, &data, &size) && add(p, "data/", path, data, size);
+    return load_in(p, path, TREE_FILE, &data, &size) && add(p, "data/", path, data, size);
 }
 
 static bool add_file(struct packer *p, const char *path)
@@ -470,20 +327,12 @@ static bool add_file(struct packer *p, const char *path)
     return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
 }
 
-static bool has_file(const struct packer *p, const char *path)
-{
-    for (int i = 0; i < p->files.n; i++)
-        if (strcmp(p->files.name[i], path) == 0)
-            return true;
-    return false;
-}
-
 static bool add_files(struct packer *p)
 {
     char path[PATH];
 
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
-    if (!has_file(p, path))
+    if (!tree_has(&p->files, path))
         return fail(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
     for (int i = 0; i < p->files.n; i++)
         if (!add_file(p, p->files.name[i]))
@@ -498,7 +347,7 @@ static bool add_std(struct packer *p)
     for (int i = 0; i < std_script_count; i++) {
         const struct embedded *s = &std_scripts[i];
         snprintf(path, sizeof path, "std/%s.lua", s->name);
-        if (!has_file(p, path) && !add_copy(p, "script/@std/", path + 4, s->data, s->size))
+        if (!tree_has(&p->files, path) && !add_copy(p, "script/@std/", path + 4, s->data, s->size))
             return false;
     }
     return true;
@@ -535,9 +384,8 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
 
 static bool gather(struct packer *p)
 {
-    if (!walk(p->dir, "", 0, &p->files, p->err, p->err_size))
+    if (!tree_walk(p->dir, &p->files, p->err, p->err_size))
         return false;
-    paths_sort(&p->files);
     return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && add_art(p);
 }
 
@@ -552,7 +400,7 @@ bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, c
     p->err = err;
     p->err_size = err_size;
     bool good = gather(p) && write_image(p, image, size);
-    paths_close(&p->files);
+    tree_close(&p->files);
     lumps_close(&p->lumps);
     free(p);
     return good;
@@ -564,7 +412,7 @@ static bool load_file(const char *path, struct rom_image *out, char *err, size_t
 {
     char why[256];
 
-    if (!load(path, path, MAX_FILE, &out->bytes, &out->size, err, err_size))
+    if (!tree_load(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
         return false;
     if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
         return true;
@@ -629,13 +477,13 @@ static void unpacked_name(const char *name, char out[PATH])
 }
 
 /* May all of files (sorted) be written? */
-static bool may_unpack(const struct paths *files, const char *dir, char *err, size_t err_size)
+static bool may_unpack(const struct tree *files, const char *dir, char *err, size_t err_size)
 {
     char path[PATH];
 
     for (int i = 0; i < files->n; i++) {
         const char *name = files->name[i];
-        if (!manifest_path_ok(name) || !join(path, dir, name))
+        if (!manifest_path_ok(name) || !tree_join(path, dir, name))
             return fail(err, err_size, "\"%s\" is not a file's name inside a folder", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
             return fail(err, err_size, "two lumps would become the file %s", name);
@@ -653,7 +501,7 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
         struct lump l;
         rom_lump(rom, (int)i, &l);
         unpacked_name(l.name, name);
-        if (!join(path, dir, name))
+        if (!tree_join(path, dir, name))
             return fail(err, err_size, "%s: the path is too long", name);
         if (!files_save(path, l.data, l.size, err, err_size))
             return false;
@@ -663,17 +511,17 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
 
 bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_size)
 {
-    struct paths files = { 0 };
+    struct tree files = { 0 };
     char name[PATH];
 
     for (uint32_t i = 0; i < rom->count; i++) {
         struct lump l;
         rom_lump(rom, (int)i, &l);
         unpacked_name(l.name, name);
-        paths_add(&files, "", name);
+        tree_add(&files, "", name);
     }
-    paths_sort(&files);
+    tree_sort(&files);
     bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "too many lumps");
-    paths_close(&files);
+    tree_close(&files);
     return good && save_lumps(rom, dir, err, err_size);
 }

@@ -23,6 +23,9 @@ struct embedded {
 extern const struct embedded std_scripts[];
 extern const int std_script_count;
 
+/* Is std/NAME.lua (path) the name of a library script? */
+bool pack_is_std(const char *path);
+
 /* A ROM in memory, checked by rom_open and cart_open. */
 struct rom_image {
     uint8_t *bytes; /* malloc; NULL: nothing is loaded */

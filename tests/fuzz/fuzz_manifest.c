@@ -1,6 +1,7 @@
 /*
  * fuzz_manifest.c - libFuzzer: any bytes as the binary manifest and as the text of rom.lua and of a script. What is
- * taken is in range and survives packing; what is refused comes with one line.
+ * taken is in range and survives packing; what is refused comes with one line. A script that compiles is one that the lint
+ * reads to its end.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -8,6 +9,8 @@
 #include <string.h>
 #include "../../src/board/manifest.h"
 #include "../../src/board/script.h"
+#include "../../src/cab/facts.h"
+#include "../../src/cab/known.h"
 
 static void need(bool good)
 {
@@ -51,6 +54,17 @@ static void text(const char *data, size_t size)
     need(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
 }
 
+/* What the compiler takes, the lint reads to its end. */
+static void facts(const char *data, size_t size, bool compiles)
+{
+    struct facts f;
+
+    need(facts_read(&f, data, size, known_global) || !compiles);
+    for (int i = 0; i < f.n_globals; i++)
+        need(f.globals[i].line > 0 && f.globals[i].name != NULL);
+    facts_free(&f);
+}
+
 static void script(const char *data, size_t size)
 {
     static _Alignas(16) char work[4 << 20];
@@ -58,6 +72,7 @@ static void script(const char *data, size_t size)
 
     if (!script_check(data, size, "@a.lua", work, sizeof work, err, sizeof err))
         need_line(err);
+    facts(data, size, script_compile(data, size, "@a.lua", work, sizeof work, err, sizeof err));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -78,7 +78,7 @@ static void test_commands(void **state)
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command((const char *[]){ "play", "render", "hash", "verify", "pack", "list", "unpack",
-                                                        "help", "version" }[i]),
+                                                        "check", "help", "version" }[i]),
                          i);
     assert_int_equal(args_command("Play"), -1);
 }

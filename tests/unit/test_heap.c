@@ -276,6 +276,29 @@ static void refuses_what_cannot_fit(void **state)
     free(block);
 }
 
+/* The highest use counts what a block that moves takes twice, and goes back with a snapshot. */
+static void knows_its_highest_use(void **state)
+{
+    (void)state;
+    void *block = block_of(BLOCK), *kept = malloc(BLOCK);
+    struct heap *h = heap_init(block, BLOCK);
+    assert_int_equal(heap_most(h), 0);
+    void *p = heap_realloc(h, NULL, 0, 1000), *q = heap_realloc(h, NULL, 0, 3000);
+    assert_int_equal(heap_most(h), 4000);
+    heap_realloc(h, q, 3000, 0);
+    assert_int_equal(heap_most(h), 4000);
+    heap_save(h, kept);
+    p = heap_realloc(h, p, 1000, 4500);
+    assert_true(heap_most(h) == 4500 || heap_most(h) == 5500);
+    p = heap_realloc(h, p, 4500, 9000);
+    assert_true(heap_most(h) >= 9000);
+    heap_restore(h, kept);
+    assert_int_equal(heap_most(h), 4000);
+    assert_int_equal(heap_used(h), 1000);
+    free(kept);
+    free(block);
+}
+
 /* A block shrunk in a full heap stays where it is and can grow back into its own room. */
 static void shrinks_in_place_when_full(void **state)
 {
@@ -316,15 +339,11 @@ static void grows_at_the_top(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(keeps_contents_and_its_books),
-        cmocka_unit_test(survives_being_full),
-        cmocka_unit_test(joins_what_is_freed),
-        cmocka_unit_test(places_by_calls_alone),
-        cmocka_unit_test(snapshots_restore_all),
-        cmocka_unit_test(snapshots_leave_holes_out),
-        cmocka_unit_test(refuses_what_cannot_fit),
-        cmocka_unit_test(shrinks_in_place_when_full),
-        cmocka_unit_test(grows_at_the_top),
+        cmocka_unit_test(keeps_contents_and_its_books), cmocka_unit_test(survives_being_full),
+        cmocka_unit_test(joins_what_is_freed),          cmocka_unit_test(places_by_calls_alone),
+        cmocka_unit_test(snapshots_restore_all),        cmocka_unit_test(snapshots_leave_holes_out),
+        cmocka_unit_test(refuses_what_cannot_fit),      cmocka_unit_test(shrinks_in_place_when_full),
+        cmocka_unit_test(knows_its_highest_use),        cmocka_unit_test(grows_at_the_top),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

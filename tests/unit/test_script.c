@@ -198,12 +198,33 @@ static void test_check(void **state)
     checked("return 1\n[[a\nb]]", "stages/one.lua:3: <eof> expected near '[[a b]]'");
 }
 
+/* One call after the other finds all, with their lines. */
+static void test_all(void **state)
+{
+    static const char text[] = "x = 2 ^ 3\ny = [[\n__gc]] ^ 1\nt.__mode = '^'\n";
+    static const struct {
+        int line;
+        const char *what;
+    } want[] = { { 1, POWER }, { 2, GC }, { 3, POWER }, { 4, MODE } };
+    struct script_place place = { 0, 1 };
+    const char *what;
+    int line;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
+        assert_false(script_scan_on(text, sizeof text - 1, &place, &line, &what));
+        assert_int_equal(line, want[i].line);
+        assert_string_equal(what, want[i].what);
+    }
+    assert_true(script_scan_on(text, sizeof text - 1, &place, &line, &what));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_power), cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
         cmocka_unit_test(test_lines), cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
-        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_check), cmocka_unit_test(test_all),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,245 @@
+/*
+ * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game that
+ * nobody plays. What faults, what does not hold, and how much Lua RAM was in use at most.
+ */
+#include "check_parts.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../board/board.h"
+#include "../board/cart.h"
+#include "demo.h"
+#include "guard.h"
+#include "pack.h"
+
+enum {
+    IDLE_FRAMES = 600,   /* of a game without demos */
+    MOST_FRAMES = 36000, /* of a demo: ten minutes */
+    MOST_LUA = 75        /* percent of board.lua_kib */
+};
+
+#define ALL UINT32_MAX /* frames */
+
+struct run {
+    struct check *c;
+    const char *what; /* "demos/attract.demo", "600 frames of nobody playing" */
+    struct rom_image image;
+    struct cart cart;
+    struct guard guard;
+    struct demo demo;
+    uint64_t hashes[MAX_PARTS];
+    void *copies; /* of board_hashes_again */
+    size_t most;  /* bytes of Lua RAM, of all runs so far */
+    char who[TREE_PATH];
+    bool memory_fault;
+};
+
+/* ---- one run ---- */
+
+/* A line that has a finding already is most likely the reason of the fault. */
+static void note_fault(struct run *r, const struct board_fault *fault)
+{
+    struct findings alone = { 0 };
+
+    r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
+    findings_add_sentence(&alone, r->what, fault->message);
+    bool known =
+        alone.n > 0 && alone.list[0].line > 0 && findings_at(&r->c->found, alone.list[0].file, alone.list[0].line);
+    findings_close(&alone);
+    if (!known)
+        findings_add_sentence(&r->c->found, r->what, fault->message);
+}
+
+static bool power(struct run *r, const struct board_start *start)
+{
+    char err[512];
+
+    if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err))
+        return true;
+    findings_add_sentence(&r->c->found, "rom.lua", err);
+    return false;
+}
+
+static void finish(struct run *r)
+{
+    size_t most = board_lua_most(r->guard.board);
+
+    if (board_last(r->guard.board)->fault)
+        note_fault(r, board_last(r->guard.board)->fault);
+    if (most > r->most) {
+        r->most = most;
+        snprintf(r->who, sizeof r->who, "%s", r->what);
+    }
+    guard_close(&r->guard);
+}
+
+static void run_idle(struct run *r)
+{
+    const uint16_t nothing[PADS] = { 0 };
+    struct board_start start = { .difficulty = -1 };
+
+    r->what = "600 frames of nobody playing";
+    for (int i = 0; i < r->cart.m.n_dips; i++)
+        start.dip[i] = r->cart.m.dips[i].value;
+    if (!power(r, &start))
+        return;
+    for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
+        guard_tick(&r->guard, nothing);
+    finish(r);
+}
+
+/* ---- a demo ---- */
+
+static int part_of(const struct board *b, const char *name)
+{
+    for (int i = 0; i < board_parts(b); i++)
+        if (strncmp(board_part(b, i), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
+            return i;
+    return -1;
+}
+
+/* Does the board agree with what the demo knows of this frame? */
+static bool agrees(struct run *r, uint32_t frame)
+{
+    const struct demo *d = &r->demo;
+    uint64_t hashes[MAX_PARTS];
+    bool all = true;
+
+    board_hashes_again(r->guard.board, r->copies, r->hashes);
+    for (int i = 0; i < d->parts; i++) {
+        int part = part_of(r->guard.board, d->part[i]);
+        hashes[i] = part >= 0 ? r->hashes[part] : 0;
+        all = all && part >= 0;
+    }
+    return all && demo_differs(d, frame, hashes) == 0;
+}
+
+/* A demo that was recorded with a fault holds when that comes again, there and only there. */
+static bool is_as_recorded(struct run *r, uint32_t frame)
+{
+    const struct board_fault *fault = board_last(r->guard.board)->fault;
+    const struct demo *d = &r->demo;
+
+    if (fault)
+        return d->fault == fault->kind && frame == d->frames;
+    return agrees(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
+}
+
+/* Plays the demo, also on after it went wrong. Returns the first frame that is not as it was recorded, or ALL. */
+static uint32_t play(struct run *r)
+{
+    uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
+    uint16_t pads[PADS];
+
+    for (uint32_t f = 0;; f++) {
+        if (wrong == ALL && !is_as_recorded(r, f))
+            wrong = f;
+        if (f == last || board_last(r->guard.board)->fault)
+            return wrong;
+        demo_pads(&r->demo, f, pads);
+        guard_tick(&r->guard, pads);
+    }
+}
+
+static void run_loaded(struct run *r)
+{
+    char doubt[128];
+    bool doubted = demo_doubt(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
+
+    if (!power(r, &r->demo.start))
+        return;
+    r->copies = calloc(1, board_copies(r->guard.board));
+    if (r->copies == NULL) {
+        r->c->found.failed = true;
+        guard_close(&r->guard);
+        return;
+    }
+    uint32_t wrong = play(r);
+    free(r->copies);
+    if (wrong != ALL && !doubted)
+        findings_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
+                     wrong, r->c->dir, r->c->dir, r->what);
+    finish(r);
+    r->c->demos++;
+}
+
+static void run_demo(struct run *r, const char *path)
+{
+    char err[512];
+    uint8_t *data;
+    size_t size;
+
+    r->what = path;
+    if (!check_load(r->c, path, DEMO_MAX_BYTES, &data, &size))
+        return;
+    bool good = demo_read(&r->demo, data, size, err, sizeof err);
+    free(data);
+    if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
+        findings_add(&r->c->found, path, 0, "%s", err);
+    else if (!r->demo.complete)
+        findings_add(&r->c->found, path, 0, "cut short: it has no end mark");
+    if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
+        run_loaded(r);
+    demo_free(&r->demo);
+}
+
+static bool is_demo(const char *path)
+{
+    size_t n = strlen(path), m = strlen(".demo");
+
+    return strncmp(path, "demos/", 6) == 0 && n > 6 + m && strcmp(path + n - m, ".demo") == 0;
+}
+
+/* ---- all runs ---- */
+
+static void judge_memory(struct run *r)
+{
+    size_t room = (size_t)r->cart.m.lua_kib * 1024;
+
+    r->c->lua_most = r->most;
+    if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
+        return;
+    findings_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
+                 "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
+                 r->most / 1024, MOST_LUA);
+}
+
+static void run_all(struct run *r)
+{
+    const struct tree *files = &r->c->files;
+
+    for (int i = 0; i < files->n; i++)
+        if (is_demo(files->name[i]))
+            run_demo(r, files->name[i]);
+    if (r->most == 0)
+        run_idle(r);
+    judge_memory(r);
+}
+
+/* Colours are looked at elsewhere; here the nearest will do. */
+void check_run(struct check *c)
+{
+    struct run *r = calloc(1, sizeof *r);
+    char err[512];
+
+    if (r == NULL) {
+        c->found.failed = true;
+        return;
+    }
+    r->c = c;
+    if (!pack_folder(c->dir, true, &r->image.bytes, &r->image.size, err, sizeof err)) {
+        r->image.bytes = NULL;
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else if (!rom_open(&r->image.rom, r->image.bytes, r->image.size, err, sizeof err) ||
+               !cart_open(&r->cart, &r->image.rom, err, sizeof err)) {
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else {
+        run_all(r);
+    }
+    rom_image_free(&r->image);
+    free(r);
+}

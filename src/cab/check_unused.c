@@ -1,0 +1,257 @@
+/*
+ * check_unused.c - what is in the folder and nobody asks for.
+ *
+ * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch of
+ * rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..` leads
+ * to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
+ */
+#include "check_parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool starts_with(const char *s, const char *head)
+{
+    return strncmp(s, head, strlen(head)) == 0;
+}
+
+static bool ends_with(const char *s, const char *tail)
+{
+    size_t n = strlen(s), m = strlen(tail);
+
+    return n >= m && strcmp(s + n - m, tail) == 0;
+}
+
+/* ---- is a name spelt? ---- */
+
+/* "bead%d" may make "bead1": what stands before the first conversion, or behind the last. */
+static bool fits_format(const char *name, const char *format)
+{
+    size_t n = strcspn(format, "%");
+    const char *last = strrchr(format, '%');
+
+    if (last == NULL)
+        return false;
+    if (n > 0 && strncmp(name, format, n) == 0)
+        return true;
+    last += 1 + strspn(last + 1, "-+ #0123456789.");
+    return *last != '\0' && last[1] != '\0' && ends_with(name, last + 1);
+}
+
+static bool fits(const struct fact_text *t, const char *name)
+{
+    if (strcmp(t->s, name) == 0)
+        return true;
+    if (t->how & FACT_KEY || t->s[0] == '\0')
+        return false;
+    if (t->how == (FACT_FIRST | FACT_LAST))
+        return strstr(name, t->s) != NULL;
+    return (t->how == FACT_FIRST && starts_with(name, t->s)) || (t->how == FACT_LAST && ends_with(name, t->s)) ||
+           fits_format(name, t->s);
+}
+
+static bool in_scripts(const struct check *c, const char *name)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].facts.n_texts; k++)
+            if (fits(&c->scripts[i].facts.texts[k], name))
+                return true;
+    return false;
+}
+
+/* Of the library's strings only whole ones count: "logo". */
+static bool in_library(const struct check *c, const char *name)
+{
+    for (int i = 0; i < c->n_library; i++) {
+        const struct facts *f = &c->library[i].facts;
+        for (int k = 0; k < f->n_texts; k++)
+            if (!(f->texts[k].how & FACT_KEY) && strcmp(f->texts[k].s, name) == 0)
+                return true;
+    }
+    return false;
+}
+
+static bool word_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+static bool in_texts(const struct check *c, const char *name)
+{
+    size_t n = strlen(name);
+
+    for (int i = 0; i < c->n_texts; i++) {
+        const char *all = (const char *)c->texts[i].bytes;
+        for (const char *p = all; (p = strstr(p, name)) != NULL; p++)
+            if ((p == all || !word_char(p[-1])) && !word_char(p[n]))
+                return true;
+    }
+    return false;
+}
+
+/* What board.dip and board.difficulty may return. */
+static bool in_manifest(const struct check *c, const char *name)
+{
+    for (int i = 0; i < c->m.n_difficulties; i++)
+        if (strcmp(c->m.difficulties[i], name) == 0)
+            return true;
+    for (int i = 0; i < c->m.n_dips; i++)
+        for (int k = 0; k < c->m.dips[i].values; k++)
+            if (strcmp(c->m.dips[i].value_name[k], name) == 0)
+                return true;
+    return false;
+}
+
+bool check_mentioned(const struct check *c, const char *name)
+{
+    return in_scripts(c, name) || in_library(c, name) || in_texts(c, name) || in_manifest(c, name);
+}
+
+/* ---- scripts ---- */
+
+static bool is(const char *a, const char *b)
+{
+    return a != NULL && strcmp(a, b) == 0;
+}
+
+/* Is space.name (or the global name) used with anything but a string for its argument, or handed around? */
+static bool is_dynamic(const struct check *c, const char *space, const char *name)
+{
+    int uses = 0, calls = 0;
+
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct facts *f = &c->scripts[i].facts;
+        for (int k = 0; k < f->n_globals; k++) {
+            const struct fact_global *g = &f->globals[k];
+            uses += space != NULL ? is(g->field, name) && is(g->name, space) : g->use == USE_VALUE && is(g->name, name);
+            uses += space != NULL && g->use == USE_VALUE && is(g->name, space);
+        }
+        for (int k = 0; k < f->n_calls; k++) {
+            const struct fact_call *call = &f->calls[k];
+            bool same = is(call->name, name) && (space != NULL ? is(call->space, space) : call->space == NULL);
+            calls += same && call->arg[0] != NULL;
+        }
+    }
+    return uses != calls;
+}
+
+static struct check_script *find_script(struct check *c, const char *name)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        if (strcmp(c->scripts[i].name, name) == 0)
+            return &c->scripts[i];
+    return NULL;
+}
+
+static void reach(struct check *c, struct check_script *s)
+{
+    if (s == NULL || s->reached)
+        return;
+    s->reached = true;
+    for (int k = 0; k < s->facts.n_calls; k++) {
+        const struct fact_call *call = &s->facts.calls[k];
+        if (call->space == NULL && is(call->name, "require") && call->arg[0] != NULL)
+            reach(c, find_script(c, call->arg[0]));
+    }
+}
+
+static void unused_scripts(struct check *c)
+{
+    if (is_dynamic(c, NULL, "require"))
+        return;
+    reach(c, find_script(c, c->m.entry));
+    for (int i = 0; i < c->n_scripts; i++)
+        if (starts_with(c->scripts[i].path, "std/"))
+            reach(c, &c->scripts[i]);
+    for (int i = 0; i < c->n_scripts; i++)
+        if (!c->scripts[i].reached)
+            findings_add(&c->found, c->scripts[i].path, 0, "no script requires it");
+}
+
+/* ---- the rest ---- */
+
+static bool sheet_used(const struct check *c, int sheet)
+{
+    for (int i = 0; i < c->art.n_sprites; i++)
+        if (c->art.sprites[i].sheet == sheet)
+            return true;
+    return false;
+}
+
+static void unused_names(struct check *c)
+{
+    for (int i = 0; i < c->art.n_sheets; i++)
+        if (!sheet_used(c, i))
+            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", c->art.sheets[i].name),
+                         "sheet \"%s\": no sprite is on it", c->art.sheets[i].name);
+    for (int i = 0; i < c->art.n_sprites; i++)
+        if (!check_mentioned(c, c->art.sprites[i].name))
+            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", c->art.sprites[i].name),
+                         "sprite \"%s\": no script names it", c->art.sprites[i].name);
+    for (int i = 0; i < c->art.n_blends; i++)
+        if (!check_mentioned(c, c->art.blends[i].name))
+            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "blends", c->art.blends[i].name),
+                         "blend \"%s\": no script names it", c->art.blends[i].name);
+    for (int i = 0; i < c->art.n_palettes; i++)
+        if (!check_mentioned(c, c->art.palettes[i].name))
+            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
+                         "palette \"%s\": no script names it", c->art.palettes[i].name);
+}
+
+static bool picture_used(const struct check *c, const char *path)
+{
+    bool used = strcmp(path, c->art.palette) == 0 || strcmp(path, c->art.font) == 0;
+
+    for (int i = 0; i < c->art.n_palettes; i++)
+        used = used || strcmp(path, c->art.palettes[i].file) == 0;
+    for (int i = 0; i < c->art.n_sheets; i++)
+        used = used || strcmp(path, c->art.sheets[i].file) == 0;
+    return used;
+}
+
+static void unused_files(struct check *c, bool texts)
+{
+    for (int i = 0; i < c->files.n; i++) {
+        const char *path = c->files.name[i];
+        if (ends_with(path, ".png") && !picture_used(c, path))
+            findings_add(&c->found, path, 0, "rom.lua does not name it");
+        if (texts && ends_with(path, ".txt") && !in_scripts(c, path))
+            findings_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
+    }
+}
+
+static bool all_whole(const struct check *c)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        if (!c->scripts[i].facts.whole)
+            return false;
+    return true;
+}
+
+static void read_texts(struct check *c)
+{
+    c->texts = calloc((size_t)c->files.n + 1, sizeof *c->texts);
+    for (int i = 0; c->texts != NULL && i < c->files.n; i++) {
+        size_t size;
+        struct check_text *t = &c->texts[c->n_texts];
+        t->path = c->files.name[i];
+        if (ends_with(t->path, ".txt") && check_load(c, t->path, TREE_FILE, &t->bytes, &size))
+            c->n_texts++;
+    }
+}
+
+/* Of scripts that cannot be read whole nobody knows what they use. */
+void check_unused(struct check *c)
+{
+    bool whole = all_whole(c);
+
+    if (!c->manifest)
+        return;
+    read_texts(c);
+    if (whole)
+        unused_scripts(c);
+    if (whole)
+        unused_names(c);
+    unused_files(c, whole && !is_dynamic(c, "rom", "text"));
+}

@@ -1,0 +1,164 @@
+/*
+ * tree.c - see tree.h.
+ */
+#include "tree.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+
+enum {
+    MAX_FILES = 1 << 16, /* in a folder and all below it */
+    MAX_DEPTH = 8        /* folders in folders: a link to a folder above ends here */
+};
+
+static bool fail(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    return false;
+}
+
+void tree_close(struct tree *p)
+{
+    for (int i = 0; i < p->n; i++)
+        free(p->name[i]);
+    free(p->name);
+}
+
+void tree_add(struct tree *p, const char *folder, const char *name)
+{
+    size_t size = strlen(folder) + strlen(name) + 2;
+
+    if (p->n == p->room) {
+        int room = p->room == 0 ? 64 : p->room * 2;
+        char **more = room <= MAX_FILES ? realloc(p->name, (size_t)room * sizeof *more) : NULL;
+        p->failed = p->failed || more == NULL;
+        if (more == NULL)
+            return;
+        p->name = more;
+        p->room = room;
+    }
+    char *path = malloc(size);
+    p->failed = p->failed || path == NULL;
+    if (path == NULL)
+        return;
+    snprintf(path, size, "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
+    p->name[p->n++] = path;
+}
+
+static int by_path(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+void tree_sort(struct tree *p)
+{
+    if (p->n > 0)
+        qsort(p->name, (size_t)p->n, sizeof p->name[0], by_path);
+}
+
+/* One folder's entries: its files go to files, its folders to folders. */
+struct listing {
+    const char *folder;
+    struct tree *files;
+    struct tree folders;
+};
+
+static void list_entry(void *user, const struct plat_file *file)
+{
+    struct listing *l = user;
+
+    if (file->name[0] == '.' || (l->folder[0] == '\0' && strcmp(file->name, "tests") == 0))
+        return;
+    tree_add(file->folder ? &l->folders : l->files, l->folder, file->name);
+}
+
+bool tree_join(char out[TREE_PATH], const char *dir, const char *name)
+{
+    size_t n = strlen(dir);
+    const char *slash = n > 0 && dir[n - 1] != '/' && name[0] != '\0' ? "/" : "";
+    int size = snprintf(out, TREE_PATH, "%s%s%s", dir, slash, name);
+
+    return size >= 0 && size < TREE_PATH;
+}
+
+static bool walk(const char *dir, const char *folder, int depth, struct tree *files, char *err, size_t err_size)
+{
+    struct listing l = { folder, files, { 0 } };
+    char path[TREE_PATH];
+    bool good = true;
+
+    if (depth > MAX_DEPTH || !tree_join(path, dir, folder))
+        return fail(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
+    if (plat_list(path, list_entry, &l) < 0)
+        good = fail(err, err_size, "%s: cannot be read as a folder", path);
+    else if (files->failed || l.folders.failed)
+        good = fail(err, err_size, "%s: too many files", dir);
+    for (int i = 0; good && i < l.folders.n; i++)
+        good = walk(dir, l.folders.name[i], depth + 1, files, err, err_size);
+    tree_close(&l.folders);
+    return good;
+}
+
+bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size)
+{
+    bool good = walk(dir, "", 0, files, err, err_size);
+
+    tree_sort(files);
+    return good;
+}
+
+bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err, size_t err_size)
+{
+    long n = plat_size(path);
+
+    if (n < 0)
+        return fail(err, err_size, "%s: no such file", name);
+    if ((unsigned long)n > max)
+        return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
+    *data = malloc((size_t)n + 1);
+    if (*data == NULL)
+        return fail(err, err_size, "%s: out of memory", name);
+    if (plat_load(path, *data, (size_t)n) != n) {
+        free(*data);
+        return fail(err, err_size, "%s: cannot be read", name);
+    }
+    (*data)[n] = 0;
+    *size = (size_t)n;
+    return true;
+}
+
+void tree_drop_mark(uint8_t *data, size_t *size)
+{
+    if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
+        *size -= 3;
+        memmove(data, data + 3, *size + 1);
+    }
+}
+
+void tree_id(const char *dir, char out[64])
+{
+    size_t n = strlen(dir), from;
+
+    while (n > 0 && dir[n - 1] == '/')
+        n--;
+    for (from = n; from > 0 && dir[from - 1] != '/' && dir[from - 1] != '\\' && dir[from - 1] != ':';)
+        from--;
+    snprintf(out, 64, "%.*s", (int)(n - from < 63 ? n - from : 63), dir + from);
+    if (strspn(out, ".") == strlen(out))
+        out[0] = '\0';
+}
+
+bool tree_has(const struct tree *files, const char *path)
+{
+    for (int i = 0; i < files->n; i++)
+        if (strcmp(files->name[i], path) == 0)
+            return true;
+    return false;
+}

@@ -1,0 +1,49 @@
+/*
+ * tree.h - a game's folder: the paths of all files in it, and whole files read.
+ * floor: cab    used by: pack check
+ */
+#ifndef CAB_TREE_H
+#define CAB_TREE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    TREE_FILE = 256 << 20, /* bytes of any file read */
+    TREE_SCRIPT = 4 << 20, /* bytes of a script or rom.lua */
+    TREE_WORK = 256 << 20, /* bytes to compile a script in; what is not needed is never touched */
+    TREE_PATH = 1024
+};
+
+struct tree {
+    char **name; /* from the game's folder: "stages/one.lua"; in byte order */
+    int n, room;
+    bool failed; /* out of memory, or too many */
+};
+
+/* Fills *files (zeroed) with the paths of all files but those whose name, or a folder's above them, starts with a dot,
+ * and those of tests/. False and one sentence; close it either way. */
+bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size);
+void tree_close(struct tree *files);
+
+bool tree_has(const struct tree *files, const char *path);
+
+/* Adds a path; sorts all. */
+void tree_add(struct tree *files, const char *folder, const char *name);
+void tree_sort(struct tree *files);
+
+/* The file's path for the platform: dir/name. False: too long. */
+bool tree_join(char out[TREE_PATH], const char *dir, const char *name);
+
+/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. */
+bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
+               size_t err_size);
+
+/* Takes the byte order mark off that some editors start a text with, and Lua does not know. */
+void tree_drop_mark(uint8_t *data, size_t *size);
+
+/* The last part of a path; "" for one like "." that is no name. */
+void tree_id(const char *dir, char out[64]);
+
+#endif

@@ -1,0 +1,531 @@
+#!/usr/bin/env bash
+# check.sh - curtain check: every kind of finding, planted, with its file, line and words, and exit code 1; what is no
+# game's folder, exit code 2; and what is fine is let through: the games and examples here, and what the manual shows.
+. "$(dirname "$0")/../tap.sh"
+
+finds() { # NAME DIR [OPTION...], standard input: exactly these lines, in this order
+    local name=$1 want got
+    shift
+    want=$(cat)
+    got=$("$curtain" check "$@" 2>&1)
+    same "$name" "$want"$'\n'"exit 1" "$got"$'\n'"exit $?"
+}
+fine() { # NAME DIR [OPTION...]: one line, no finding
+    local name=$1 got
+    shift
+    got=$("$curtain" check "$@" 2>&1)
+    got="$got exit $?"
+    holds "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?, [0-9]+ demos?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
+}
+refuses() { # NAME LINE WORD...
+    local name=$1 line=$2 got
+    shift 2
+    got=$("$curtain" "$@" 2>&1)
+    same "$name" "curtain: $line"$'\n'"exit 2" "$got"$'\n'"exit $?"
+}
+png() { python3 "$repo/tests/cli/png_make.py" "$@"; }
+lua() { # NAME, standard input: main.lua of a game whose two sprites are used; then the findings after a line of ----
+    local text
+    text=$(cat)
+    { echo 'local used = { "dot", "dart" }' && sed '/^----$/,$d' <<<"$text"; } | game l
+    finds "$1" l < <(sed '1,/^----$/d' <<<"$text")
+    rm -rf l
+}
+good() { # NAME, standard input: main.lua, and nothing is found
+    { echo 'local used = { "dot", "dart" }' && cat; } | game l
+    fine "$1" l
+    rm -rf l
+}
+
+# ---- what is fine ----
+
+cd "$repo" || exit 2
+for dir in roms/*/ examples/*/; do fine "${dir%/}" "${dir%/}"; done
+cd "$tmp" || exit 2
+game everything <"$repo/tests/cli/everything.lua"
+fine 'a game that uses everything' everything
+mkdir -p pages
+python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
+for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stage that has kinds of its own
+    rm -rf page
+    cp -r "$repo/examples/sandbox" page
+    rm page/glow.lua
+    { echo 'local used = { "lamp", "ember", "glow", "ghost" }' && cat "$repo/tests/cli/drive.lua"; } >page/main.lua
+    case $file in
+    *.task) { echo 'return function(e, p)' && cat "$file" && echo 'end'; } >page/try.lua ;;
+    *) cp "$file" page/try.lua ;;
+    esac
+    fine "docs/manual.md:$(basename "$file")" page
+done
+
+good 'locals, upvalues, methods, labels, attribs' <<'LUA'
+local t <const>, n = { deep = {} }, 3
+function t:add(k) self.n = (self.n or 0) + k return self end
+function t.deep.f(...) return select("#", ...) end
+for i = 1, n do
+  for k, v in pairs { a = i } do t[k] = v end
+  if i == 2 then goto on end
+  repeat local last = i until last
+  ::on::
+end
+local function fib(k) return k < 2 and k or fib(k - 1) + fib(k - 2) end
+local bullet = { fier = fib }
+print(bullet.fier(3), t:add(1).n, #t, ("%d %%p %5.1f"):format(1, 2), 1 // 1, 0 / 1)
+do local _ENV = { x = 1 } y = x end
+LUA
+good 'tables of the API that a game adds to' <<'LUA'
+function hud.lives(p) return hud.own and p end
+hud.own, pad.shaken = true, false
+print(hud.lives(1), pad.shaken, pad["shaken"], hud.banks.plain)
+LUA
+good 'a table of the API that is handed around' <<'LUA'
+local function extend(t, name) t[name] = print end
+extend(score, "show")
+score.show(1)
+LUA
+good 'globals that are made through _G' <<'LUA'
+rawset(_G, "speed", 3)
+print(speed)
+LUA
+good 'what is asked for before it is used' <<'LUA'
+if rom.has("logo") then sprite.put { sprite = "logo", x = 1, y = 1 } end
+LUA
+good 'lists and locals that are something else later' <<'LUA'
+local b = bullet.group("x")
+b = {}
+print(#b, #query.near { what = "bullet", x = 1, y = 1, radius = 3 })
+for _, e in ipairs(query.near { what = "enemy", x = 1, y = 1, radius = 3 }) do print(e) end
+enemy.each(nil, function(e) e = { e } for k in pairs(e) do print(k) end end)
+for _, row in ipairs(score.rows("easy")) do print(row.name) end
+on.phase(function(_, id) print(#id) end)
+LUA
+
+# ---- scripts ----
+
+lua 'undeclared globals' <<'LUA'
+local count = 1
+counter = conut
+print(wiat, zzz, bulet.fire, _G.first)
+zzz = 1
+local function f() return inner, count end
+local inner = f
+wait_untill(inner)
+----
+main.lua:3: undeclared global "counter" (did you mean "count"?)
+main.lua:3: undeclared global "conut" (did you mean "count"?)
+main.lua:4: undeclared global "wiat" (did you mean "wait"?)
+main.lua:4: undeclared global "zzz"
+main.lua:4: undeclared global "bulet" (did you mean "bullet"?)
+main.lua:4: undeclared global "first"
+main.lua:5: undeclared global "zzz": there are no new globals (write "local zzz")
+main.lua:6: undeclared global "inner"
+main.lua:8: undeclared global "wait_untill" (did you mean "wait_until"?)
+9 problems
+LUA
+lua 'fields nobody put there' <<'LUA'
+print(bullet.fier, hud.bannre, string.trim, math.sing(1), rom.titel, menu["choos"], utf8.length)
+bullet:fire { kind = "x" }
+on.hti(print)
+----
+main.lua:2: bullet has no "fier" (did you mean "fire"?)
+main.lua:2: hud has no "bannre" (did you mean "banner"?)
+main.lua:2: string has no "trim"
+main.lua:2: math has no "sing" (did you mean "sin"?)
+main.lua:2: rom has no "titel" (did you mean "title"?)
+main.lua:2: menu has no "choos" (did you mean "choose"?)
+main.lua:2: utf8 has no "length"
+main.lua:3: bullet:fire: call it with a dot, as bullet.fire
+main.lua:4: on has no "hti" (did you mean "hit"?)
+9 problems
+LUA
+lua 'what the sandbox lacks' <<'LUA'
+print(os.time(), io, debug.traceback, coroutine.wrap, next({}), package.path)
+print(dofile, collectgarbage "count", xpcall, loadstring, unpack)
+print(math.random(6), math.randomseed, math.exp(1), math.log(2), math.pow, table.getn)
+print(string.dump, string.pack, string.packsize, string.unpack)
+----
+main.lua:2: os is not available (board.frame() tells the time, save.set keeps things)
+main.lua:2: io is not available (rom.text reads a text of the game, print writes to the log)
+main.lua:2: debug is not available (print and board.note tell what happens)
+main.lua:2: coroutine is not available (task.go starts a task, wait(n) lets frames pass)
+main.lua:2: next is not available (pairs visits a table in an order that is always the same)
+main.lua:2: package is not available (require loads the game's scripts)
+main.lua:3: dofile is not available (require runs another script)
+main.lua:3: collectgarbage is not available (the board collects between frames)
+main.lua:3: xpcall is not available (pcall catches what error raises)
+main.lua:3: loadstring is not available (load takes a text)
+main.lua:3: unpack is not available (it is table.unpack)
+main.lua:4: math.random is not available (rng.int, rng.number, rng.pick or rng.chance)
+main.lua:4: math.randomseed is not available (the run has a seed: --seed)
+main.lua:4: math.exp is not available (results differ between machines)
+main.lua:4: math.log is not available (results differ between machines)
+main.lua:4: math.pow is not available (x * x, or math.sqrt)
+main.lua:4: table.getn is not available (#t is the length of t)
+main.lua:5: string.dump is not available (compiled Lua does not run here)
+main.lua:5: string.pack is not available (its bytes differ between machines; string.char makes bytes)
+main.lua:5: string.packsize is not available (sizes differ between machines)
+main.lua:5: string.unpack is not available (its bytes differ between machines; string.byte reads bytes)
+21 problems
+LUA
+lua 'what is refused when a script is loaded, all of it' <<'LUA'
+print(2 ^ 3, "2 ^ 3", [[
+__gc]], { __mode = "k" })
+print(4
+  ^ 5, "\95_gc")
+----
+main.lua:2: the operator ^ is not available (results differ between machines); use x*x or math.sqrt
+main.lua:2: the name __gc is not available (when it would run differs between machines)
+main.lua:3: the name __mode is not available (what it keeps differs between machines)
+main.lua:5: the operator ^ is not available (results differ between machines); use x*x or math.sqrt
+main.lua:5: the name __gc is not available (when it would run differs between machines)
+5 problems; the game was not run, for it cannot be packed
+LUA
+lua 'things that are no tables' <<'LUA'
+for k in pairs(bullet.group("x")) do print(k) end
+local shots = shot.fire { kind = "x" }
+task.go(function() for _, s in ipairs(shots) do print(s) end end)
+local p
+p = player.get(1)
+print(#p, #task.scope(), #motion.def { { wait = 1 } })
+bullet.each("x", function(b) print(#b) end)
+enemy.def("e", { sprite = "dot", hit = "none", run = function(e) for k in pairs(e) do print(k) end end })
+on.hit(function(_, by) print(#by) end)
+boss.def("b", { title = "B", kind = "e", x = 1, y = 1, phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
+----
+main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
+main.lua:4: ipairs: what shot.fire returns is a shot, not a table
+main.lua:7: #: what player.get returns is a player, not a table
+main.lua:7: #: what task.scope returns is a scope, not a table
+main.lua:7: #: what motion.def returns is a motion, not a table
+main.lua:8: #: what bullet.each hands to its function is a thing, not a table
+main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
+main.lua:10: #: what on.hit hands to its function is a thing, not a table
+main.lua:11: #: what boss.def hands to its function is a thing, not a table
+9 problems
+LUA
+lua 'divisions by nothing' <<'LUA'
+local n = 3
+print(0/0, -(0.0/0), 1/0)
+print(function() return n / 0, n // 0, n % (0) end)
+----
+main.lua:3: 0/0 is no number: it equals nothing, and the board refuses it
+main.lua:3: divided by 0: the board refuses what is infinite (math.huge compares)
+main.lua:4: divided by 0: the result is infinite or no number
+main.lua:4: // 0: an error that ends the run when both are whole numbers
+main.lua:4: % 0: an error that ends the run when both are whole numbers
+5 problems
+LUA
+lua 'formats that differ between machines' <<'LUA'
+print(function(t) return ("%d: %-8p"):format(1, t), string.format("%.3a %%p", 1) end)
+----
+main.lua:2: %p is not available (an address differs between runs)
+main.lua:2: %a is not available (it differs between machines; %.17g)
+2 problems
+LUA
+lua 'a fault while it runs' <<'LUA'
+task.go(function() wait(20) local t = nil print(t.x) end)
+----
+main.lua:2: attempt to index a nil value (local 't')
+1 problem
+LUA
+lua 'a fault whose line has a finding already' <<'LUA'
+task.go(function() wait(20) print(nothing) end)
+----
+main.lua:2: undeclared global "nothing"
+1 problem
+LUA
+
+echo 'print("dot", "dart")' | game s
+mkdir -p s/stages s/std
+echo 'local x = = 1' >s/stages/one.lua
+printf '\n\nprint(bullet.fier, x' >s/stages/two.lua
+printf '\33Lua' >s/stages/three.lua
+echo 'return {}' >'s/stages/my file.lua'
+echo 'return {}' >s/std/nothing.lua
+printf 'require "stages/one"\nrequire "stages/noen"\nrequire "stages/two.lua"\nprint(hud.own)\n' >>s/main.lua
+finds 'syntax errors in several files, and the others still read' s <<'END'
+main.lua:3: require: there is no stages/noen.lua in the game
+main.lua:4: require: there is no stages/two.lua.lua in the game (the name goes without .lua)
+main.lua:5: hud has no "own"
+stages/my file.lua: expected a name of letters, digits, _ - and . only
+stages/one.lua:1: unexpected symbol near '='
+stages/three.lua:1: compiled Lua, expected text
+stages/two.lua:3: ')' expected near <eof>
+std/nothing.lua: the standard library has no such script to replace
+8 problems; the game was not run, for it cannot be packed
+END
+
+# ---- rom.lua and the art ----
+
+game a <<'LUA'
+bullet.def("b", { sprite = "dto", hit = "none", blend = "glwo" })
+palette.load("dsuk")
+palette.fade { to = "night", over = 3 }
+sprite.put { sprite = "bead" .. 1, x = 1, y = 1 }
+task.go(function() board.attract("demo") end)
+print(("tail%d"):format(2))
+boot.run { stages = { "one" }, players = { "p" }, demo = "attract" }
+LUA
+cat >a/rom.lua <<'LUA'
+return {
+  id = "probe", title = "Probe", screen = { w = 64, h = 64 },
+  palettes = { dusk = "art/dusk.png" }, blends = { glow = "add" },
+  sheets = {
+    all = { file = "art/all.png" },
+    far = { file = "art/far.png", bank = 2 },
+    gone = {
+      file = "art/gone.png" },
+  },
+  sprites = {
+    dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 },
+    bead1 = { sheet = "all", x = 0, y = 0, w = 8, h = 8 },
+    tail7 = { sheet = "all", x = 0, y = 0, w = 8, h = 8 },
+    lonely = { sheet = "all", x = 8, y = 8, w = 8, h = 8 },
+    wide = { sheet = "all", x = 8, y = 0, w = 8, h = 8,
+      frames = 3 },
+  },
+}
+LUA
+png a/art/all.png 16 16 ffffff 3 2 123456 4 2 123456 12 12 eeeeee 1 9 998877
+png a/art/left.png 8 8 ffffff
+png a/art/dusk.png 8 8 ffffff
+cp a/rom.lua a/art/far.png
+echo 'a line' >a/left.txt
+echo 'return {}' >a/never.lua
+finds 'missing and unused art, files and names' a <<'END'
+art/all.png: pixel 3,2: colour #123456 is not in bank 0; 2 such pixels in all
+art/dusk.png: 8x8 pixels, expected 16x16: a row a bank, a column a shade
+art/far.png: not a PNG
+art/left.png: rom.lua does not name it
+left.txt: no script reads it, and it is packed all the same
+main.lua:1: sprite "dto" is not in rom.lua (did you mean "dot"?)
+main.lua:1: blend "glwo" is not in rom.lua (did you mean "glow"?)
+main.lua:2: palette "dsuk" is not in rom.lua (did you mean "dusk"?)
+main.lua:3: palette "night" is not in rom.lua
+main.lua:5: board.attract: there is no demos/demo.demo
+main.lua:7: boot.run: demo: there is no demos/attract.demo
+never.lua: no script requires it
+rom.lua:3: blend "glow": no script names it
+rom.lua:3: palette "dusk": no script names it
+rom.lua:6: sheet "far": no sprite is on it
+rom.lua:7: sheet "gone": no sprite is on it
+rom.lua:8: there is no art/gone.png
+rom.lua:11: sprite "dot": no script names it
+rom.lua:14: sprite "lonely": no script names it
+rom.lua:15: sprite "wide": 3 frames of 8x8 at 8,0 are not inside the sheet's 16x16 pixels
+rom.lua:15: sprite "wide": no script names it
+21 problems; the game was not run, for it cannot be packed
+END
+
+art() { # NAME, then sed's program for rom.lua; standard input: the findings
+    echo 'print("dot", "dart")' | game r
+    sed -i "$2" r/rom.lua
+    finds "$1" r
+    rm -rf r
+}
+not_run='; the game was not run, for it cannot be packed'
+art 'an unknown name in rom.lua' 's/bullets = 256/bulets = 256/' <<END
+rom.lua:3: board.bulets: unknown name (did you mean "bullets"?)
+1 problem$not_run
+END
+art 'a number out of range' 's/w = 64/w = 60/' <<END
+rom.lua:2: screen.w: expected a whole number from 64 to 1024, got 60
+1 problem$not_run
+END
+art 'a sprite without its size' 's/dot = { sheet = "all", x = 0, y = 0, w = 8/dot = { sheet = "all", x = 0, y = 0/' <<END
+rom.lua:5: sprites.dot.w: expected a whole number from 1 to 1024, got nil
+1 problem$not_run
+END
+art 'a sheet that is not there' 's/sheet = "all"/sheet = "al"/' <<END
+rom.lua:5: sprites.dot.sheet: "al" is not one of the sheets
+1 problem$not_run
+END
+art 'a syntax error in rom.lua' '3s/,$/ ,,/' <<END
+rom.lua:3: unexpected symbol near ','
+1 problem$not_run
+END
+art 'an entry that is not there' '2s/id = "probe"/id = "probe", entry = "start"/' <<END
+main.lua: no script requires it
+rom.lua:2: entry: there is no start.lua
+2 problems$not_run
+END
+art 'no palette, no font, no picture' '4s/.*/palette = "p.png", font = "f.png", sheets = { all = { file = "all.png" } },/' <<END
+art/all.png: rom.lua does not name it
+rom.lua:4: there is no p.png
+rom.lua:4: there is no all.png
+3 problems$not_run
+END
+echo 'print("dot", "dart")' | game r
+png r/art/all.png 16 16 ffffff 1 1 ff0000
+finds 'a colour of another bank' r <<'END'
+art/all.png: pixel 1,1: colour #ff0000 is not in bank 0 but in bank 1
+1 problem
+END
+fine 'unless the nearest will do' r --nearest
+png r/art/font.png 128 48 ffffff 100 40 010203
+sed -i '4s/^/font = "art\/font.png", /' r/rom.lua
+png r/art/all.png 16 16 ffffff 15 15 ff0000
+finds 'a colour of the font; one that no sprite shows is none' r <<'END'
+art/font.png: pixel 100,40: colour #010203 is not in bank 0
+1 problem
+END
+png r/art/font.png 120 48 ffffff
+finds 'a font of the wrong size' r <<END
+art/font.png: 120x48 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row
+1 problem$not_run
+END
+rm -rf r
+
+# What may be put together counts as used, and so does what a text or a switch spells.
+game u <<'LUA'
+local kinds = { heron = 1 }
+local function put(name) sprite.put { sprite = name, x = 1, y = 1 } end
+for i = 1, 2 do put("bead" .. i) end
+for kind in pairs(kinds) do put(kind) put(kind .. "_bead") end
+put(("tail%d"):format(1))
+put(("%s_wing"):format("left"))
+put(board.dip("hull"))
+print(rom.text("cast.txt"))
+require("part" .. "one")
+LUA
+cat >u/rom.lua <<'LUA'
+return { screen = { w = 64, h = 64 }, sheets = { all = { file = "art/all.png" } },
+  dip = { hull = { "wood", "iron" } },
+  sprites = {
+    bead1 = { sheet = "all", w = 8, h = 8 }, bead2 = { sheet = "all", w = 8, h = 8 },
+    heron = { sheet = "all", w = 8, h = 8 }, heron_bead = { sheet = "all", w = 8, h = 8 },
+    tail1 = { sheet = "all", w = 8, h = 8 }, left_wing = { sheet = "all", w = 8, h = 8 },
+    wood = { sheet = "all", w = 8, h = 8 }, iron = { sheet = "all", w = 8, h = 8 },
+    queen = { sheet = "all", w = 8, h = 8 }, king = { sheet = "all", w = 8, h = 8 },
+    logo = { sheet = "all", w = 8, h = 8 },
+    unbead = { sheet = "all", w = 8, h = 8 } } }
+LUA
+echo 'the queen and the kings' >u/cast.txt
+echo 'return {}' >u/partone.lua
+finds 'names that scripts put together' u <<'END'
+rom.lua:8: sprite "king": no script names it
+rom.lua:10: sprite "unbead": no script names it
+2 problems
+END
+
+# ---- the run ----
+
+game m <<'LUA'
+print("dot", "dart")
+task.go(function()
+  local t = {}
+  for i = 1, 280 do t[i] = ("x"):rep(1000) wait(2) end
+  wait(forever)
+end)
+LUA
+sed -i 's/lua_kib = 1024/lua_kib = 512/' m/rom.lua
+got=$("$curtain" check m)
+holds "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
+    grep -Eq '^rom.lua:3: board.lua_kib = 512: 600 frames of nobody playing had (38[4-9]|39[0-9]|4[0-9][0-9]) KiB of it in use, more than 75 %$' <<<"$got"
+same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
+sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
+fine 'the same with more room' m
+sed -i 's/280 do/28000 do/;s/wait(2)//' m/main.lua
+finds 'out of Lua RAM is one finding' m <<'END'
+main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua)
+1 problem
+END
+
+echo 'print("dot", "dart") task.go(function() while true do wait(1) if pad.down("fire") then error("fired") end end end)' | game d
+mkdir d/demos
+"$curtain" hash d --frames 700 --record d/demos/idle.demo >/dev/null 2>&1
+fine 'a demo that holds' d
+cp d/demos/idle.demo d/demos/spoilt.demo
+printf '\377' | dd of=d/demos/spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
+head -c 1000 d/demos/idle.demo >d/demos/cut.demo
+finds 'damaged demos' d <<'END'
+demos/cut.demo: cut short: it has no end mark
+demos/spoilt.demo: the record at byte 8 is damaged (CRC)
+2 problems
+END
+rm d/demos/cut.demo d/demos/spoilt.demo
+python3 - d/demos/idle.demo d/demos/fire.demo <<'PY'
+import struct, sys, zlib
+# The same demo with fire held by player 1 from its second second on.
+data = open(sys.argv[1], "rb").read()
+out, at, crc, seconds = data[:8], 8, 0, 0
+while at < len(data):
+    kind, size = data[at:at + 4], struct.unpack("<I", data[at + 4:at + 8])[0]
+    body = bytearray(data[at + 8:at + 8 + size])
+    if kind[:1] == b"S":
+        seconds += 1
+        if seconds == 3:
+            assert body[5] == 1, body[:12]
+            body[10:12] = b"\x10\x00"
+    head = kind + struct.pack("<I", size) + bytes(body)
+    crc = zlib.crc32(head, crc)
+    out += head + struct.pack("<I", crc)
+    at += 12 + size
+open(sys.argv[2], "wb").write(out)
+PY
+finds 'a demo that does not hold, and its fault' d <<'END'
+demos/fire.demo: does not hold from frame 61 on (curtain verify d d/demos/fire.demo)
+main.lua:1: fired
+2 problems
+END
+echo '-- later' >>d/main.lua
+finds 'of another build, only the fault' d <<'END'
+main.lua:1: fired
+1 problem
+END
+sed -i 's/"probe"/"other"/' d/rom.lua
+rm d/demos/fire.demo
+finds 'a demo of another game' d <<'END'
+demos/idle.demo: a demo of another game ("probe", this is "other")
+1 problem
+END
+
+# ---- the manual's example ----
+
+sample() { sed -n '/^A game with more to say about it:$/,/^|/s/^    //p' "$repo/docs/manual.md"; }
+cp -r "$repo/examples/first" mygame
+python3 - mygame <<'PY'
+import sys
+# One orb of 12 x 12 px, all in a colour of bank 0 but 17 pixels.
+folder = sys.argv[1]
+open(folder + "/rom.lua", "w").write('''return {
+  title = "First Light",
+  sheets = {
+    bullets = { file = "art/bullets.png" },
+  },
+  palette = "art/palette.png",
+  sprites = {
+    orb  = { sheet = "bullets", x = 16, y = 0, w = 12, h = 12 },
+    dart = { sheet = "bullets", x = 0, y = 0, w = 8, h = 8 } } }
+''')
+open(folder + "/main.lua", "w").write('''local count = 1
+
+print(conut)
+local six = math.random(6)
+bullet.fier { kind = "orb", x = 1, y = 1 }
+for b in pairs(bullet.group()) do print(b, count) end
+bullet.def("orb", { sprite = "obr", hit = "none" })
+print(six ^ 2, "orb")
+''')
+PY
+mkdir mygame/stages
+echo 'return {}' >mygame/stages/one.lua
+rm mygame/art/*.png
+png mygame/art/palette.png 16 16 ffffff
+png mygame/art/draft.png 8 8 ffffff
+png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
+finds 'what the manual shows' mygame < <(sample)
+
+# ---- what is no game ----
+
+mkdir empty
+refuses 'no such folder' 'none: no such folder' check none
+refuses 'a file' 'd/main.lua: is a file; check takes a game'"'"'s folder' check d/main.lua
+refuses 'a folder without rom.lua' 'empty: is not a game'"'"'s folder: there is no rom.lua' check empty
+refuses 'no word' 'check: expected DIR (curtain help check)' check
+refuses 'a word too many' 'check: "d" is one argument too many (curtain help check)' check d d
+refuses 'an option of another command' '--frames does not go with check (it goes with render, hash)' check d --frames 3
+same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
+"$curtain" check d >/dev/full 2>err
+same 'standard output is full' "3 curtain: standard output cannot be written" "$? $(cat err)"
+finish
