@@ -24,7 +24,7 @@ enum command {
     COMMANDS
 };
 
-enum { ARGS_MAX_DIPS = 16, ARGS_MAX_SPANS = 64, ARGS_MAX_FRAME = 1 << 23, ARGS_MAX_SCALE = 16 };
+enum { ARGS_MAX_DIPS = 16, ARGS_MAX_TRACES = 32, ARGS_MAX_SPANS = 64, ARGS_MAX_FRAME = 1 << 23, ARGS_MAX_SCALE = 16 };
 
 /* Frames first, first + step ... up to and with last. */
 struct span {
@@ -38,8 +38,10 @@ struct args {
     const char *record, *demo, *stage, *difficulty, *out, *sheet; /* NULL: not given */
     const char *dips[ARGS_MAX_DIPS];                              /* "NAME=VALUE" */
     int n_dips;
+    const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
+    int n_traces;
     uint64_t seed;
-    bool seeded, fullscreen, mute, nearest, parts, trace;
+    bool seeded, fullscreen, mute, nearest, parts, verbose, bisect, restamp, null;
     int scale;      /* 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];
