@@ -436,8 +436,8 @@ static void test_verify(void **state)
     says(out, "/b.demo: holds, 20 frames\n");
     write_game(2);
     runs("verify @/g @/a.demo @/b.demo", EXIT_DIFFERS);
-    says(out, "/a.demo: frame 2: script differs (recorded on another build)\n");
-    says(out, "/b.demo: frame 2: script differs (recorded on another build)\n");
+    says(out, "/a.demo: frame 2: script, board differ (recorded on another build)\n");
+    says(out, "/b.demo: frame 2: script, board differ (recorded on another build)\n");
     write_game(1);
     runs("verify @/g @/none.demo @/a.demo", EXIT_INPUT); /* the others are looked at all the same */
     says(out, "/a.demo: holds, 150 frames\n");
