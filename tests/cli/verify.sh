@@ -125,7 +125,9 @@ bullet.def("orb", { sprite = "dot", hit = { circle = 4 } })
 task.go(function()
   wait(400)
   local p = player.get(1)
-  bullet.fire { kind = "orb", x = p.x, y = p.y, speed = 0 }
+  local b = bullet.fire { kind = "orb", x = p.x, y = p.y, speed = 0 }
+  wait(1)
+  b:remove()
 end)
 boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 6000, run = function() end } } })
 local across = path.def { { x = 10, y = 10 }, { x = 60, y = 10, over = 300 } }
