@@ -4,10 +4,12 @@
     demo_read.py DEMO            or, as a module: demo = read(bytes)
 
 Refuses (exit 2) what the page says a reader must refuse, as far as one file alone can show it."""
+import re
 import struct
 import sys
 import zlib
 
+MOST = {b"H": 65536, b"S": 4636, b"M": 38, b"F": 4, b"E": 8}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death"]
 
 
@@ -50,7 +52,7 @@ def nvram(packed, size):
 def header(b, form):
     d = {"format": form, "core": b.num("I"), "game": b.num("Q"), "rom": b.num("Q"), "id": b.text(31), "lua": b.text(15)}
     d.update(seed=b.num("Q"), dip=[b.num("i") for _ in range(16)], difficulty=b.num("i"), mark=b.text(63))
-    need(-1 <= d["difficulty"] < 8 and d["id"], "difficulty or id")
+    need(-1 <= d["difficulty"] < 8 and re.fullmatch("[a-z0-9_]+", d["id"]), "difficulty or id")
     d.update(lives=0, invincible=0, registers=[])
     if form > 2:
         d["lives"], d["invincible"], n = b.num("i"), b.num("B"), b.num("B")
@@ -106,7 +108,7 @@ def read(data):
     d, at, crc = None, 8, 0
     while len(data) - at >= 8 and not (d and d["end"] is not None):
         kind, n = data[at:at + 4], struct.unpack("<I", data[at + 4:at + 8])[0]
-        need(kind in (b"H\0\0\0", b"S\0\0\0", b"M\0\0\0", b"F\0\0\0", b"E\0\0\0"), "kind")
+        need(kind[1:] == b"\0\0\0" and n <= MOST.get(kind[:1], -1), "kind or size")
         if len(data) - at < 12 + n:
             break  # cut short
         crc = zlib.crc32(data[at:at + 8 + n], crc)

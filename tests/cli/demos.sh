@@ -8,11 +8,11 @@
 program=$OUT/curtain-null
 core=$("$program" version | sed -n 's/^curtain core version //p')
 
-# The ROM a demo is played on: of roms/NAME/demos/X.demo the folder, of tests/demos/NAME-2.demo the ROM.
+# The ROM a demo is played on: of roms/NAME/demos/X.demo the folder, of tests/demos/NAME-X.demo the ROM.
 rom_of() {
     case $1 in
     roms/*) echo "${1%/demos/*}" ;;
-    *) sed 's/-[0-9]*\.demo$/.rom/' <<<"$1" ;;
+    *) sed 's/-[^-]*\.demo$/.rom/' <<<"$1" ;;
     esac
 }
 demos() { tree 'roms/*/demos/*.demo' 'tests/demos/*.demo' | sort; }
