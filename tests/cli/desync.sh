@@ -124,7 +124,7 @@ sed '7p' whole >other
 bisect 'a line twice' 2 'curtain: other:8: out of order' whole other
 line=$(grep -nm1 ' pal [0-9]' trace | cut -d: -f1)
 sed "${line}{h;d};$((line + 1)){G}" trace >other
-bisect 'slots out of order' 2 "curtain: other:$((line + 1)): out of order" trace other
+bisect 'slots out of order' 2 "curtain: other:$((line + 1)): out of order" other other
 printf '\0\n' >binary
 bisect 'bytes' 2 'curtain: binary:1: the line is cut short' whole binary
 cp "$repo/README.md" page
