@@ -33,7 +33,7 @@ take() { # the page's blocks into $scratch/blocks
     python3 "$pages/snippets.py" "$1" "$scratch/blocks"
 }
 run() { # DIR STAGE FRAMES
-    "$bench/build/curtain" hash "$1" ${2:+--stage "$2"} --frames "$3" --every 100000 --difficulty normal --trace
+    "$bench/build/curtain" hash "$1" ${2:+--stage "$2"} --frames "$3" --every 100000 --difficulty normal --verbose
 }
 game() { # a sandbox of its own, in $game
     game=$scratch/game

@@ -15,6 +15,7 @@
 #include "../../fb/fb.h"
 #include "../base/pads.h"
 #include "../base/rom.h"
+#include "../chips/slots.h"
 
 enum {
     CORE_VERSION = 2,   /* raised whenever the same ROM and demo could give another hash */
@@ -145,6 +146,13 @@ void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
  * copies and hashes are as the last call left them; at first copies are board_copies(b) bytes of zeroes. */
 size_t board_copies(const struct board *b);
 void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS]);
+
+/* The combined hash of those of the parts. */
+uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
+
+/* Visits every value that part i's hash is made of, in its order: live things, refused ones, registers, then each live
+ * slot's columns. */
+void board_trace(const struct board *b, int i, slots_visit *visit, void *context);
 
 /* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts
  * it back into the same RAM, whatever was done to that RAM in between. Fastest when RAM and buf are aligned to 64. */

@@ -25,14 +25,27 @@ void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
         out[i] = board_part_hash(b, i);
 }
 
-uint64_t board_hash(const struct board *b)
+uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
 {
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
         if (!parts[i].chip->apart)
-            h = hash_fold(h, board_part_hash(b, i));
+            h = hash_fold(h, hashes[i]);
     return h;
+}
+
+uint64_t board_hash(const struct board *b)
+{
+    uint64_t hashes[MAX_PARTS];
+
+    board_hashes(b, hashes);
+    return board_hash_of(hashes);
+}
+
+void board_trace(const struct board *b, int i, slots_visit *visit, void *context)
+{
+    slots_values(parts[i].chip, chip_at(b, i), visit, context);
 }
 
 /* Bytes of a list's copy: its struct, and its columns when it is full. */

@@ -35,7 +35,9 @@ static const struct {
                          "on" },
     [COMMAND_HASH] = { "hash", "[ROM]", 0, 1, "run without a window and print the state hash of every frame: N HASH" },
     [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
-                         "replay demos and compare hashes; names the first frame and the parts that differ" },
+                         "replay demos and compare hashes; names the first frame and the parts that differ. For DEMO, "
+                         "- "
+                         "reads names from standard input, a line each" },
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
@@ -61,10 +63,14 @@ enum option {
     OPTION_FRAMES,
     OPTION_EVERY,
     OPTION_PARTS,
+    OPTION_TRACE,
     OPTION_SHEET,
     OPTION_OUT,
     OPTION_NEAREST,
-    OPTION_TRACE,
+    OPTION_BISECT,
+    OPTION_RESTAMP,
+    OPTION_NULL,
+    OPTION_VERBOSE,
     OPTION_HELP,
     OPTION_VERSION,
     OPTIONS
@@ -89,14 +95,26 @@ static const struct {
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
-                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames" },
+                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames; with --trace, "
+                        "these frames" },
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, "print every Nth frame only" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, "print the hash of each part as well" },
+    [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
+                       "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
+                       "times" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
     [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK, "where to write: render: folder; pack: ROM file" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
-    [OPTION_TRACE] = { "--trace", NULL, FOR_RUN | FOR_VERIFY, "print the Lua traceback of a script fault (also -v)" },
+    [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
+                        "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
+                        "first frame, part, slot and column that differ. - is standard input" },
+    [OPTION_RESTAMP] = { "--restamp", NULL, FOR_VERIFY,
+                         "write demos that hold anew, in the newest format and as of this ROM" },
+    [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
+    [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
+                         "also print the Lua traceback of a script fault; verify: hashes, moment and buttons of a "
+                         "difference too (also -v, --traceback)" },
     [OPTION_HELP] = { "--help", NULL, FOR_ALL, "help of the command (also -h)" },
     [OPTION_VERSION] = { "--version", NULL, FOR_ALL, "what this program is" },
 };
@@ -286,6 +304,14 @@ static bool add_setting(const char **list, int *n, int most, enum option o, cons
     return true;
 }
 
+static bool set_trace(struct args *a, const char *value, char *err, size_t err_size)
+{
+    if (a->n_traces == ARGS_MAX_TRACES)
+        return fail(err, err_size, "--trace: more than %d", ARGS_MAX_TRACES);
+    a->traces[a->n_traces++] = value;
+    return true;
+}
+
 static bool set_number(struct args *a, enum option o, const char *value, char *err, size_t err_size)
 {
     uint64_t v = 0, low = o == OPTION_SEED ? 0 : 1;
@@ -340,6 +366,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return add_setting(a->dips, &a->n_dips, ARGS_MAX_DIPS, o, value, err, err_size);
     case OPTION_REGISTER:
         return add_setting(a->registers, &a->n_registers, ARGS_MAX_REGISTERS, o, value, err, err_size);
+    case OPTION_TRACE:
+        return set_trace(a, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
     case OPTION_SEED:
@@ -359,8 +387,14 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->parts);
     case OPTION_NEAREST:
         return set_switch(&a->nearest);
-    case OPTION_TRACE:
-        return set_switch(&a->trace);
+    case OPTION_BISECT:
+        return set_switch(&a->bisect);
+    case OPTION_RESTAMP:
+        return set_switch(&a->restamp);
+    case OPTION_NULL:
+        return set_switch(&a->null);
+    case OPTION_VERBOSE:
+        return set_switch(&a->verbose);
     default:
         return true;
     }
@@ -372,7 +406,11 @@ static enum option find_option(const char *name, size_t n)
     static const struct {
         const char *name;
         enum option is;
-    } shorts[] = { { "-h", OPTION_HELP }, { "-v", OPTION_TRACE }, { "--out", OPTION_OUT } };
+    } shorts[] = { { "-h", OPTION_HELP },
+                   { "-v", OPTION_VERBOSE },
+                   { "--traceback", OPTION_VERBOSE },
+                   { "-0", OPTION_NULL },
+                   { "--out", OPTION_OUT } };
 
     for (int i = 0; i < OPTIONS; i++) {
         if (strlen(options[i].name) == n && memcmp(options[i].name, name, n) == 0)
@@ -415,7 +453,7 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned 
             return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
         value = equals ? equals + 1 : argv[++*i];
     }
-    if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER)
+    if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER && o != OPTION_TRACE)
         return fail(err, err_size, "%s is given twice", options[o].name);
     *seen |= 1u << o;
     return set(a, o, value, err, err_size);
@@ -528,21 +566,21 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
 
 static void help_options(unsigned set_of, void (*line)(const char *))
 {
-    char text[256], name[48];
+    char text[320], name[48];
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(options[o].commands & set_of))
             continue;
         snprintf(name, sizeof name, "%s%s%s", options[o].name, options[o].value ? " " : "",
                  options[o].value ? options[o].value : "");
-        snprintf(text, sizeof text, "  %-18s %s", name, options[o].help);
+        snprintf(text, sizeof text, "  %-21s %s", name, options[o].help);
         line(text);
     }
 }
 
 static void help_all(void (*line)(const char *))
 {
-    char text[256], name[48];
+    char text[320], name[48];
 
     line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
     line("");
@@ -561,7 +599,7 @@ static void help_all(void (*line)(const char *))
 
 void args_help(int command, void (*line)(const char *))
 {
-    char text[256];
+    char text[320];
 
     if (command < 0) {
         help_all(line);

@@ -29,6 +29,7 @@ enum {
     ARGS_MAX_DIPS = 16,
     ARGS_MAX_REGISTERS = 16,
     ARGS_MAX_LIVES = 99,
+    ARGS_MAX_TRACES = 32,
     ARGS_MAX_SPANS = 64,
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16
@@ -48,9 +49,11 @@ struct args {
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
     int n_registers;
-    int lives; /* 0: not given */
+    int lives;                           /* 0: not given */
+    const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
+    int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, parts, trace;
+    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, null;
     int scale;      /* 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];

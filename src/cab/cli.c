@@ -1,5 +1,6 @@
 /*
- * cli.c - see cli.h. What the words mean is in args.c; runs without a window are in headless.c, with one in cab.c.
+ * cli.c - see cli.h. What the words mean is in args.c; runs without a window are in headless.c and verify.c,
+ * with one in cab.c.
  */
 #include "cli.h"
 
@@ -16,6 +17,7 @@
 #include "game.h"
 #include "headless.h"
 #include "keys.h"
+#include "verify.h"
 
 #ifndef CURTAIN_CFLAGS
 #define CURTAIN_CFLAGS "unknown"
@@ -221,7 +223,7 @@ int cli_main(int argc, char **argv)
     case COMMAND_HASH:
         return headless_hash(&a);
     case COMMAND_VERIFY:
-        return headless_verify(&a);
+        return verify_run(&a);
     case COMMAND_PACK:
         return pack(&a);
     case COMMAND_LIST:

@@ -62,11 +62,6 @@ uint64_t *demo_row(const struct demo *d, uint32_t i)
     return d->track + (size_t)i * (size_t)d->parts;
 }
 
-const uint16_t *demo_prints(const struct demo *d, uint32_t frame)
-{
-    return frame < 1 || frame > d->printed ? NULL : d->prints + (size_t)(frame - 1) * (size_t)d->parts;
-}
-
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 {
     char why[256];
@@ -101,17 +96,21 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
     return frame < d->frames ? frame : d->frames;
 }
 
-/* The row of a frame, or NULL. */
-static const uint64_t *row_at(const struct demo *d, uint32_t frame)
+const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
 {
     uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
 
     return i < d->seconds && demo_row_frame(d, i) == frame ? demo_row(d, i) : NULL;
 }
 
+const uint16_t *demo_prints(const struct demo *d, uint32_t frame)
+{
+    return frame < 1 || frame > d->printed ? NULL : d->prints + (size_t)(frame - 1) * (size_t)d->parts;
+}
+
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
-    const uint64_t *row = row_at(d, frame);
+    const uint64_t *row = demo_hashes(d, frame);
     const uint16_t *prints = demo_prints(d, frame);
     uint32_t differ = 0;
 

@@ -80,6 +80,13 @@ void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
 /* The frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., the last one at the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 
+/* The whole hashes after a frame, in the order of .part, if it has a row of the track; else NULL. */
+const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
+
+/* The prints after a frame, in the order of .part (only those of .printing are known), or NULL for a frame that has
+ * none: the first and one that faulted. */
+const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
+
 /* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their prints, and where
  * there is a row by the whole hashes. A difference that a print does not show (one in 65536) shows in a later frame's.
  * 0 where there is neither: in the frame that faulted, after the end. */

@@ -25,7 +25,4 @@ bool demo_room_moment(struct demo *d);
 /* Hash row i. */
 uint64_t *demo_row(const struct demo *d, uint32_t i);
 
-/* The prints after a frame (0: of the first row), or NULL for a frame that has none. */
-const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
-
 #endif

@@ -72,12 +72,11 @@ bool guard_back(struct guard *g, uint32_t frame)
     return rewind_to(&g->past, g->board, frame, false);
 }
 
-bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
+bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size)
 {
-    *g = (struct guard){ .rom = rom, .ms = GUARD_MS };
-    rewind_open(&g->past, 0);
-    if (take_ram(g, err, err_size))
-        g->board = board_power(g->ram, g->ram_size, rom, start, true, err, err_size);
+    rewind_forget(&g->past);
+    g->counting = false;
+    g->board = board_power(g->ram, g->ram_size, g->rom, start, true, err, err_size);
     if (!g->board) {
         guard_close(g);
         return false;
@@ -85,6 +84,16 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
     if (!board_last(g->board)->fault)
         count(g, 0);
     return true;
+}
+
+bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
+{
+    *g = (struct guard){ .rom = rom, .ms = GUARD_MS };
+    rewind_open(&g->past, 0);
+    if (take_ram(g, err, err_size))
+        return guard_again(g, start, err, err_size);
+    guard_close(g);
+    return false;
 }
 
 /* The tick that was interrupted, and those before it from the last key frame on. */

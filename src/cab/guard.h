@@ -38,6 +38,10 @@ struct guard {
  * fault stands in board_last(g->board)->fault as after board_power. The ROM must outlive the guard. */
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size);
 
+/* The same once more, in the RAM that guard_power took: for one run after another of the same ROM. Without a board
+ * afterwards the guard is closed. */
+bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size);
+
 /* board_tick, and never FAULT_INTERRUPTED. */
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
 

@@ -1,6 +1,6 @@
 /*
- * headless.c - see headless.h. A run is power, then ticks with the demo's pads; the three commands differ in what they
- * do between ticks.
+ * headless.c - see headless.h. A run is power, then ticks with the demo's pads; the two commands differ in what they do
+ * between ticks.
  */
 #include "headless.h"
 
@@ -13,6 +13,7 @@
 #include "game.h"
 #include "guard.h"
 #include "png.h"
+#include "trace.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
 
@@ -44,7 +45,7 @@ static int outcome(struct run *r)
     const struct board_out *out = board_last(r->guard.board);
 
     pass_on_log(out);
-    return out->fault ? game_report_fault(out->fault, r->a->trace) : EXIT_DONE;
+    return out->fault ? game_report_fault(out->fault, r->a->verbose) : EXIT_DONE;
 }
 
 static int run_open(struct run *r, const struct args *a)
@@ -259,203 +260,103 @@ int headless_render(const struct args *a)
 
 /* ---- hash ---- */
 
-static void print_hash(const struct board *b, bool parts)
-{
+struct hashing {
     uint64_t hashes[MAX_PARTS];
+    void *copies;   /* of board_hashes_again */
+    uint32_t trace; /* parts to print instead, 1 << part */
+};
 
-    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash(b));
-    if (parts)
-        board_hashes(b, hashes);
+static void print_hash(struct hashing *h, const struct board *b, bool parts)
+{
+    board_hashes_again(b, h->copies, h->hashes);
+    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash_of(h->hashes));
     for (int i = 0; parts && i < board_parts(b); i++)
-        printf(" %s=%016llx", board_part(b, i), (unsigned long long)hashes[i]);
+        printf(" %s=%016llx", board_part(b, i), (unsigned long long)h->hashes[i]);
     putchar('\n');
+}
+
+static int unknown_part(const struct board *b, const char *name, int n)
+{
+    const char *names[MAX_PARTS], *meant;
+    char word[64];
+
+    for (int i = 0; i < board_parts(b); i++)
+        names[i] = board_part(b, i);
+    snprintf(word, sizeof word, "%.*s", n, name);
+    meant = args_near(word, names, board_parts(b));
+    if (meant)
+        return game_report(EXIT_INPUT, "--trace: unknown part \"%s\" (did you mean \"%s\"?)", word, meant);
+    return game_report(EXIT_INPUT, "--trace: unknown part \"%s\" (hash --parts names them all)", word);
+}
+
+/* Adds the part of that name, or all, to *set; false: there is none. */
+static bool add_part(const struct board *b, const char *name, size_t n, uint32_t *set)
+{
+    bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
+
+    for (int i = 0; i < board_parts(b); i++) {
+        const char *part = board_part(b, i);
+        bool is = strlen(part) == n && memcmp(part, name, n) == 0;
+        *set |= (uint32_t)(is || all) << i;
+        known |= is;
+    }
+    return known;
+}
+
+static int read_traces(const struct args *a, const struct board *b, uint32_t *set)
+{
+    for (int i = 0; i < a->n_traces; i++) {
+        for (const char *p = a->traces[i];; p++) {
+            size_t n = strcspn(p, ",");
+            if (!add_part(b, p, n, set))
+                return unknown_part(b, p, (int)n);
+            p += n;
+            if (!*p)
+                break;
+        }
+    }
+    return EXIT_DONE;
+}
+
+static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
+{
+    if (f % r->a->every != 0)
+        return;
+    if (!h->trace)
+        print_hash(h, r->guard.board, r->a->parts);
+    else if (!r->a->n_spans || args_wants(r->a, f))
+        trace_frame(stdout, r->guard.board, h->trace);
 }
 
 static int hash_frames(struct run *r, uint32_t frames)
 {
-    int code = EXIT_DONE;
+    struct hashing h = { .copies = calloc(1, board_copies(r->guard.board)) };
+    int code = h.copies ? read_traces(r->a, r->guard.board, &h.trace) : game_report(EXIT_HOST, "out of memory");
 
     for (uint32_t f = 0; code == EXIT_DONE; f++) {
-        if (f % r->a->every == 0)
-            print_hash(r->guard.board, r->a->parts);
+        print_frame(&h, r, f);
         if (f == frames || ferror(stdout))
             break;
         code = run_tick(r);
     }
+    free(h.copies);
     return code;
 }
 
 int headless_hash(const struct args *a)
 {
     struct run *r;
+    bool one = a->n_spans == 1 && a->spans[0].first == a->spans[0].last;
 
-    if (a->n_spans > 1 || (a->n_spans && a->spans[0].first != a->spans[0].last))
+    if (a->n_spans && !one && !a->n_traces)
         return game_report(EXIT_INPUT, "--frames: hash takes one number, how many frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
         return game_report(EXIT_HOST, "out of memory");
     int code = run_open(r, a);
-    uint32_t frames = a->n_spans ? a->spans[0].last : r->game.has_demo ? r->game.demo.frames : HASH_FRAMES;
+    uint32_t frames = a->n_spans ? args_last_frame(a) : r->game.has_demo ? r->game.demo.frames : HASH_FRAMES;
     if (code == EXIT_DONE)
         code = hash_frames(r, frames);
     code = stdout_done(run_close(r, code));
     free(r);
-    return code;
-}
-
-/* ---- verify ---- */
-
-struct check {
-    const char *path;
-    struct demo demo;
-    struct guard guard;
-    char doubt[160];     /* " (recorded on another build)", or nothing */
-    int part[MAX_PARTS]; /* the board's part for each of the demo's; -1: it has none */
-    uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_again */
-    bool trace;
-};
-
-static int differs(const struct check *c, uint32_t frame, const char *what)
-{
-    printf("%s: frame %u: %s%s\n", c->path, (unsigned)frame, what, c->doubt);
-    return EXIT_DIFFERS;
-}
-
-static int holds(const struct check *c)
-{
-    printf("%s: holds, %u frames%s%s\n", c->path, (unsigned)c->demo.frames,
-           c->demo.fault ? ", ends in the fault it was recorded with" : "", c->doubt);
-    return EXIT_DONE;
-}
-
-/* The board's part of that name, or -1: builds may differ in their parts. */
-static int part_of(const struct board *b, const char *name)
-{
-    for (int i = 0; i < board_parts(b); i++) {
-        if (strncmp(board_part(b, i), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
-            return i;
-    }
-    return -1;
-}
-
-/* Compares the board with prints and track; names the parts that differ. */
-static int check_frame(struct check *c, const struct board *b, uint32_t frame)
-{
-    const struct demo *d = &c->demo;
-    uint64_t hashes[MAX_PARTS];
-    char what[MAX_PARTS * 18 + 16] = "";
-    uint32_t differ = 0;
-    size_t n = 0;
-    int count = 0;
-
-    board_hashes_again(b, c->copies, c->hashes);
-    for (int i = 0; i < d->parts; i++)
-        hashes[i] = c->part[i] < 0 ? 0 : c->hashes[c->part[i]];
-    differ = demo_differs(d, frame, hashes);
-    for (int i = 0; i < d->parts; i++) {
-        if (!(differ >> i & 1) && !(c->part[i] < 0))
-            continue;
-        n += (size_t)snprintf(what + n, sizeof what - n, "%s%s", n ? ", " : "", d->part[i]);
-        count++;
-    }
-    if (count == 0)
-        return EXIT_DONE;
-    snprintf(what + n, sizeof what - n, count == 1 ? " differs" : " differ");
-    return differs(c, frame, what);
-}
-
-/* The board has faulted at this frame: was it so when the demo was recorded? */
-static int check_fault(const struct check *c, const struct board_fault *fault, uint32_t frame)
-{
-    char what[600];
-
-    if (c->demo.fault == fault->kind && frame == c->demo.frames)
-        return holds(c);
-    snprintf(what, sizeof what, "a fault that is not in the demo: %s", fault->message);
-    differs(c, frame, what);
-    if (c->trace)
-        game_report_fault(fault, true);
-    return EXIT_DIFFERS;
-}
-
-static int replay(struct check *c)
-{
-    const struct demo *d = &c->demo;
-    const struct board *b = c->guard.board;
-    uint16_t pads[PADS];
-
-    for (uint32_t f = 0;; f++) {
-        const struct board_fault *fault = board_last(b)->fault;
-        if (fault)
-            return check_fault(c, fault, f);
-        if (check_frame(c, b, f) != EXIT_DONE)
-            return EXIT_DIFFERS;
-        if (f == d->frames)
-            return d->fault ? differs(c, f, "the fault it was recorded with does not happen") : holds(c);
-        demo_pads(d, f, pads);
-        guard_tick(&c->guard, pads);
-    }
-}
-
-static int verify_loaded(struct check *c, const struct game *g)
-{
-    char err[512], doubt[128];
-
-    if (!demo_fits(&c->demo, &g->cart, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s: %s", c->path, err);
-    if (!c->demo.complete)
-        return game_report(EXIT_INPUT, "%s: cut short: it has %u frames and no end mark", c->path,
-                           (unsigned)c->demo.frames);
-    if (demo_doubt(&c->demo, &g->cart, doubt, sizeof doubt))
-        snprintf(c->doubt, sizeof c->doubt, " (%s)", doubt);
-    if (!guard_power(&c->guard, &g->rom, &c->demo.start, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s: %s", c->path, err);
-    for (int i = 0; i < c->demo.parts; i++)
-        c->part[i] = part_of(c->guard.board, c->demo.part[i]);
-    c->copies = calloc(1, board_copies(c->guard.board));
-    int code = c->copies ? replay(c) : game_report(EXIT_HOST, "out of memory");
-    free(c->copies);
-    guard_close(&c->guard);
-    return code;
-}
-
-static int verify_demo(struct check *c, const struct game *g, const char *path, bool trace)
-{
-    char err[1024];
-
-    memset(c, 0, sizeof *c);
-    c->path = path;
-    c->trace = trace;
-    if (!demo_load(&c->demo, path, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
-    int code = verify_loaded(c, g);
-    demo_free(&c->demo);
-    fflush(stdout); /* a line a demo, as soon as it is known */
-    return code;
-}
-
-static int verify_all(struct check *c, struct game *g, const struct args *a)
-{
-    char err[1024];
-    int worst = EXIT_DONE;
-
-    if (!game_open(g, a->words[0], a, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
-    for (int i = 1; i < a->n_words; i++) {
-        int code = verify_demo(c, g, a->words[i], a->trace);
-        worst = code > worst ? code : worst;
-    }
-    game_close(g);
-    return stdout_done(worst);
-}
-
-int headless_verify(const struct args *a)
-{
-    struct check *c = malloc(sizeof *c); /* these are large for a stack: each holds an nvram image */
-    struct game *g = malloc(sizeof *g);
-    int code = c && g ? verify_all(c, g, a) : game_report(EXIT_HOST, "out of memory");
-
-    free(c);
-    free(g);
     return code;
 }

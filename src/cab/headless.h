@@ -1,5 +1,5 @@
 /*
- * headless.h - running a board with no window: render, hash, verify.
+ * headless.h - running a board with no window: render and hash.
  * floor: cab    used by: cli
  *
  * Nothing of the host but files gets near these runs: no clock, no nvram, seed 0 unless told. A request for attract or
@@ -12,6 +12,5 @@
 
 int headless_render(const struct args *a);
 int headless_hash(const struct args *a);
-int headless_verify(const struct args *a);
 
 #endif

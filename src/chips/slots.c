@@ -197,6 +197,51 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
     return h;
 }
 
+/* The values of one column of a slot, or of one register, at p. */
+static void visit_values(const struct column *c, const uint8_t *p, struct slots_value v, slots_visit *visit,
+                         void *context)
+{
+    v.column = c->name;
+    v.width = c->width;
+    v.n = c->n;
+    for (v.i = 0; v.i < c->n; v.i++) {
+        v.value = value_at(p + (size_t)v.i * c->width, c->width);
+        visit(context, &v);
+    }
+}
+
+static void visit_registers(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+{
+    const struct slots *s = self;
+    struct slots_value v = { .slot = NO_SLOT, .n = 1, .width = sizeof s->live };
+
+    v.column = "live";
+    v.value = s->live;
+    visit(context, &v);
+    v.column = "refused";
+    v.value = s->refused;
+    visit(context, &v);
+    for (int c = 0; c < chip->count; c++)
+        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+            visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
+}
+
+void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+{
+    const struct slots *s = self;
+    uint32_t end = s->used ? s->top : s->live;
+
+    visit_registers(chip, self, visit, context);
+    for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
+        struct slots_value v = { .slot = i, .gen = s->used ? s->gen[i] : 0 };
+        for (int c = 0; c < chip->count; c++) {
+            const struct column *col = &chip->columns[c];
+            if (!col->reg && col->kind == COL_GAME)
+                visit_values(col, column_at(col, self) + (size_t)i * col->width * col->n, v, visit, context);
+        }
+    }
+}
+
 /* One walk serves save, restore and counting. Long pieces start at cache lines, as they do in RAM: copying between
  * places that differ by a few bytes within the page is up to 16 times slower on some processors. */
 static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)

@@ -124,6 +124,20 @@ static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
 /* The state hash: registers, then for each live slot in slot order the slot, its generation and its game columns. */
 uint64_t slots_hash(const struct chip *chip, const void *self);
 
+/* One value that is hashed. */
+struct slots_value {
+    const char *column; /* or register; "live" and "refused" come first */
+    int64_t slot;       /* NO_SLOT: a register */
+    uint32_t gen;       /* of the slot's tenant; 0: a register, or an entry of a list */
+    uint16_t i, n;      /* the i-th of n of this slot and column */
+    uint8_t width;      /* bytes */
+    uint64_t value;
+};
+typedef void slots_visit(void *context, const struct slots_value *v);
+
+/* Visits all that slots_hash folds, in its order. */
+void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
+
 /* The lowest set bit of a non-zero word. */
 static inline uint32_t lowest_bit(uint64_t w)
 {

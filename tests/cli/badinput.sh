@@ -229,7 +229,13 @@ bad 'every 0' '--every: expected a whole number from 1 to 8388608, got "0"' hash
 bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --scale 99
 bad 'an option of another command' '--scale does not go with hash (it goes with play)' hash g --scale 2
 bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
-bad 'a switch with a value' '--trace takes no value, got "1"' hash g --trace=1
+bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceback=1
+bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g --trace input,bulets
+bad 'a part that is none' '--trace: unknown part "" (hash --parts names them all)' hash g --trace input,
+bad 'names that end in NUL, and no names' '--null goes with names from standard input: verify ROM -' verify g a.demo -0
+bad 'bisect of one' 'verify: expected ROM DEMO... (curtain help verify)' verify --bisect a.demo
+bad 'bisect of three' 'verify --bisect: expected two files that hash printed' verify --bisect a.demo a.demo a.demo
+bad 'bisect of standard input twice' 'verify --bisect: only one of the two can be standard input' verify --bisect - -
 bad 'what a demo holds' '--seed does not go with --demo, which holds its own' hash g --seed 1 --demo a.demo
 bad 'unknown DIP switch' '--dip: unknown DIP switch "coin" (did you mean "coins"?)' hash g --dip coin=one
 bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)' hash g --dip coins=oen

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# verify.sh - what `verify` says of a demo that does not hold: the very frame in which a script acts differently; the
-# frames between two rows of hashes when it is another part that differs.
+# verify.sh - what `verify` says of a demo that does not hold: the very frame, and the parts; of a demo of format 2, which
+# has prints of scripts alone, the frames between two rows of hashes when it is another part. What --verbose adds, and
+# --restamp.
 . "$(dirname "$0")/../tap.sh"
 
 # play [FRAME ACT]...: the game; in these frames its script does that too. narrow: its bullet is gone in frame 61.
@@ -18,9 +19,10 @@ play() {
     } | game g
     sed -i 's/screen = {/field = { x = 0, y = 0, w = 64, h = 64, margin = 1000 }, screen = {/' g/rom.lua
 }
-narrow() { sed -i 's/margin = 1000/margin = 16/' g/rom.lua; }
+narrow() { sed -i "s/margin = 1000/margin = ${1:-16}/" g/rom.lua; }
 record() { # NAME FRAMES
     "$curtain" hash g --frames "$2" --every 1000 --record "$1.demo" >/dev/null 2>&1
+    python3 "$repo/tests/cli/demo_old.py" "$1.demo" "old-$1.demo"
 }
 says() { # NAME CODE DEMO LINE
     local got
@@ -34,21 +36,31 @@ record a 200
 record first 60
 record second 61
 says 'the same game' 0 a 'holds, 200 frames'
+says 'the same game, format 2' 0 old-a 'holds, 200 frames'
 
 # ---- a script that acts differently ----
 
 for frame in 1 2 59 60 61 75 119 120 121 180 181 199 200; do
-    play $frame 'board.note(1)'
+    play $frame 'bullet.group():turn(0)'
     differs "a script differs in frame $frame" a "frame $frame: script differs"
+    differs "a script differs in frame $frame, format 2" old-a "frame $frame: script differs"
 done
 play 201 'board.note(1)'
 says 'a script differs after the end' 0 a 'holds, 200 frames (recorded on another build)'
-for act in 'rng.int(1, 6)' 'task.go(function() end)' 'bullet.group():turn(0)' 'bullet.fire { kind = "orb", x = 1, y = 1, speed = 0 }'; do
+while read -r parts act; do
     play 75 "$act"
-    differs "a script differs by $act" a 'frame 75: script differs'
-done
+    parts=${parts//_/ }
+    differs "a script differs by $act" a "frame 75: ${parts//,/, }"
+    differs "a script differs by $act, format 2" old-a 'frame 75: script differs'
+done <<'END'
+script,board_differ rng.int(1, 6)
+script,tasks_differ task.go(function() end)
+script,board_differ board.note(1)
+script,bullets_differ bullet.fire { kind = "orb", x = 1, y = 1, speed = 0 }
+script,pal_differ palette.set(9, 0x123456)
+END
 play 75 'board.note(1)' 76 'board.note(2)' 130 'board.note(3)'
-differs 'the first of several frames' a 'frame 75: script differs'
+differs 'the first of several frames' a 'frame 75: script, board differ'
 "$curtain" verify g a.demo first.demo second.demo >out 2>&1
 same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded on another build)" "$? $(sed -n 2p out)"
 play
@@ -57,20 +69,30 @@ differs 'a script differs at power-on' a 'frame 0: script, board differ'
 
 # ---- another part: the bullet leaves a smaller field, which no script sees ----
 
+for margin in 15 16 17 30 74 75 76; do
+    play
+    narrow $margin
+    differs "a part differs in frame $((margin + 45))" a "frame $((margin + 45)): bullets differs"
+done
 play
 narrow
-differs 'a part differs between two rows' a 'frames 61 to 120: bullets differ'
-differs 'a part differs in the one frame of a row' second 'frame 61: bullets differ'
+differs 'a part differs between two rows, format 2' old-a 'frames 61 to 120: bullets differs'
+differs 'a part differs in the one frame of a row, format 2' old-second 'frame 61: bullets differs'
+differs 'a part differs in the last frame' second 'frame 61: bullets differs'
 says 'a part differs after the end' 0 first 'holds, 60 frames (recorded on another build)'
 play 75 'board.note(1)'
 narrow
-differs 'a script differs before the row' a 'frame 75: script differs'
+differs 'a part differs before the script' a 'frame 61: bullets differs'
+differs 'a script differs before the row, format 2' old-a 'frame 75: script differs'
+play 61 'board.note(1)'
+narrow
+differs 'a part and the script differ' a 'frame 61: script, board, bullets differ'
 play 120 'board.note(1)'
 narrow
-differs 'a script differs in the frame of the row' a 'frame 120: script differs'
+differs 'a script differs in the frame of the row, format 2' old-a 'frame 120: script, board, bullets differ'
 play 121 'board.note(1)'
 narrow
-differs 'a script differs after the row' a 'frames 61 to 120: bullets differ'
+differs 'a script differs after the row, format 2' old-a 'frames 61 to 120: bullets differs'
 
 # ---- a demo that ends in a fault ----
 
@@ -79,11 +101,124 @@ play 100 "$end"
 record fault 200
 says 'the same fault' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
 for frame in 61 75 99; do
-    play $frame 'board.note(1)' 100 "$end"
-    differs "a script differs in frame $frame, in the second of the fault" fault "frame $frame: script differs"
+    play $frame 'bullet.group():turn(0)' 100 "$end"
+    for demo in fault old-fault; do
+        differs "a script differs in frame $frame, in the second of the $demo" $demo "frame $frame: script differs"
+    done
 done
 play 95 "$end"
 differs 'a fault that comes too soon' fault 'frame 95: a fault that is not in the demo: main.lua:4: the end'
+"$curtain" verify g fault.demo -v >out 2>&1
+holds 'verbose: the traceback' grep -qx '  stack traceback:' out
 play
 differs 'a fault that does not come' fault 'frame 100: the fault it was recorded with does not happen'
+
+# ---- verbose ----
+
+# A practice start runs through these moments: a stage, a wave, a mark, a boss, a phase.
+moments() { # [FRAME ACT]
+    cat <<'LUA'
+enemy.def("wisp", { sprite = "dot", hit = "none" })
+enemy.def("queen", { sprite = "dot", hit = "none" })
+player.def("ship", { sprite = "dot", hit = { circle = 1 } })
+bullet.def("orb", { sprite = "dot", hit = { circle = 4 } })
+task.go(function()
+  wait(400)
+  local p = player.get(1)
+  local b = bullet.fire { kind = "orb", x = p.x, y = p.y, speed = 0 }
+  wait(1)
+  b:remove()
+end)
+boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 6000, run = function() end } } })
+local across = path.def { { x = 10, y = 10 }, { x = 60, y = 10, over = 300 } }
+stage.def("one", function()
+  stage.at(10) stage.wave { kind = "wisp", n = 1, every = 1, path = across }
+  stage.at(50) stage.mark("middle")
+  stage.at(100) boss.fight("queen")
+end)
+boot.run { stages = { "one" }, players = { "ship" } }
+LUA
+    echo "task.go(function() for frame = 1, 2000 do if frame == ${1:-2000} then ${2:-} end wait(1) end end)"
+}
+moments | game g
+"$curtain" hash g --stage one --frames 600 --every 1000 --record m.demo >/dev/null 2>&1
+python3 "$repo/tests/cli/demo_read.py" m.demo >m.txt
+at() { awk -v name="$1" '$1 == "moment" && $4 == name { print $2 }' m.txt; }
+same 'the moments of a run' 'stage one,wave wisp,point middle,boss queen,phase bloom,death 1,' "$(awk '$1 == "moment" { printf "%s %s,", $3, $4 }' m.txt)"
+line() { # NAME FRAME WORDS: where --verbose says the frame is
+    moments "$2" 'board.note(7)' | game g
+    "$curtain" verify g m.demo -v >out 2>&1
+    same "$1" "m.demo: frame $2: script, board differ (recorded on another build)|$3" "$(sed -n 1p out)|$(grep -E '^  (in|[0-9.]+ s)' out)"
+}
+seconds() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.1f s", (b - a) / 60 }'; }
+line 'verbose: in the first frame' 1 '  in stage one, 0.0 s after it began'
+f=$(($(at one) + 6)) && line 'verbose: in a stage' $f '  in stage one, 0.1 s after it began'
+f=$(($(at wisp) + 30)) && line 'verbose: in a wave' $f '  in stage one, wave wisp, 0.5 s after it began'
+f=$(($(at middle) + 3)) && line 'verbose: after a mark' $f "  in stage one, mark middle, $(seconds $(at middle) $f) after it began"
+f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f '  in stage one, mark middle, boss queen, 0.0 s after it began'
+f=$(($(at bloom) + 66)) && line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after it began'
+f=$(($(at 1) + 90)) && line 'verbose: after a death' $f "  in stage one, mark middle, boss queen, phase bloom, $(seconds $(at bloom) $f) after it began; player 1 died 1.5 s before"
+
+play
+record v 200
+play 75 'board.note(1)'
+"$curtain" verify g v.demo -v >out 2>&1
+same 'verbose: prints of the parts that differ' 'board script' \
+    "$(sed -n 's/^  \([a-z]*\): recorded print [0-9a-f]\{4\}, here [0-9a-f]\{4\}$/\1/p' out | sort | xargs)"
+python3 "$repo/tests/cli/demo_read.py" v.demo >v.txt
+for part in script board; do
+    print=$(sed -n "s/^prints 75 .*\b$part=\([0-9a-f]*\).*/\1/p" v.txt)
+    hash=$("$curtain" hash g --frames 75 --parts --every 75 | sed -n "s/^75 .* $part=[0-9a-f]*\([0-9a-f]\{4\}\)\b.*/\1/p")
+    holds "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
+done
+play 120 'board.note(1)'
+"$curtain" verify g v.demo -v >out 2>&1
+holds 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
+holds 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
+holds 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
+"$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
+holds 'verbose: of one that holds too' grep -Eqx '  20 parts, 11 rows, [0-9]+ moments' out
+
+# ---- restamp ----
+
+play
+record r 200
+cp r.demo was.demo
+cp old-r.demo two.demo
+head -c -30 r.demo >short.demo
+cp short.demo short.was
+play 75 'board.note(1)'
+record other 200
+cp other.demo other.was
+play 201 'board.note(1)' # another build, on which r holds
+python3 "$repo/tests/cli/demo_read.py" r.demo >before
+"$curtain" verify g --restamp r.demo two.demo >out 2>&1
+same 'restamp: two that hold' '0 r.demo: holds, 200 frames, restamped (recorded on another build)|two.demo: holds, 200 frames, restamped (recorded on another build)|' "$? $(tr '\n' '|' <out)"
+says 'restamp: it is of this build now' 0 r 'holds, 200 frames'
+says 'restamp: so is the one of format 2' 0 two 'holds, 200 frames'
+holds 'restamp: and from either format the same bytes' cmp r.demo two.demo
+python3 "$repo/tests/cli/demo_read.py" r.demo >after
+same 'restamp: nothing else changed' 'game|rom|' "$(diff before after | sed -n 's/^> \([a-z]*\) .*/\1/p' | tr '\n' '|')"
+cp r.demo again.demo
+"$curtain" verify g --restamp again.demo >/dev/null
+holds 'restamp: once more changes nothing' cmp r.demo again.demo
+got=$("$curtain" verify g --restamp other.demo 2>&1)
+same 'restamp: one that differs' '1 other.demo: frame 75: script, board differ (recorded on another build)' "$? $got"
+holds 'restamp: is left alone' cmp other.demo other.was
+got=$("$curtain" verify g --restamp short.demo 2>&1)
+same 'restamp: one cut short' '2 curtain: short.demo: cut short: it has 180 frames and no end mark' "$? $got"
+holds 'restamp: is left alone too' cmp short.demo short.was
+play 100 "$end"
+record fault 200
+cp fault.demo fault.was
+play 100 "$end" 150 'board.note(1)'
+"$curtain" verify g --restamp fault.demo old-fault.demo >out 2>&1
+same 'restamp: one that ends in a fault' '0 fault.demo: holds, 100 frames, ends in the fault it was recorded with, restamped (recorded on another build)' "$? $(head -1 out)"
+holds 'restamp: of either format' cmp fault.demo old-fault.demo
+says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
+moments | game g
+"$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo >/dev/null 2>&1
+python3 "$repo/tests/cli/demo_old.py" m.demo old-m.demo
+"$curtain" verify g --restamp old-m.demo >/dev/null 2>&1
+holds 'restamp: start and moments' cmp m.demo old-m.demo
 finish

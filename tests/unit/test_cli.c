@@ -67,10 +67,10 @@ static void test_commands(void **state)
     assert_int_equal(a.command, COMMAND_HASH);
     assert_int_equal(a.n_words, 1);
     assert_string_equal(a.words[0], "game");
-    reads("verify game one two three --trace");
+    reads("verify game one two three --verbose");
     assert_int_equal(a.n_words, 4);
     assert_string_equal(a.words[3], "three");
-    assert_true(a.trace);
+    assert_true(a.verbose);
     reads("render --frames 0");
     assert_int_equal(a.command, COMMAND_RENDER);
     assert_int_equal(a.n_words, 0);
@@ -108,7 +108,7 @@ static void test_values(void **state)
     reads("render game --frames 1 -o out --sheet s.png --nearest -v");
     assert_string_equal(a.out, "out");
     assert_string_equal(a.sheet, "s.png");
-    assert_true(a.nearest && a.trace);
+    assert_true(a.nearest && a.verbose);
 }
 
 /* All frames up to `last` and a few more, as a string of 0 and 1. */
@@ -436,8 +436,8 @@ static void test_verify(void **state)
     says(out, "/b.demo: holds, 20 frames\n");
     write_game(2);
     runs("verify @/g @/a.demo @/b.demo", EXIT_DIFFERS);
-    says(out, "/a.demo: frame 2: script differs (recorded on another build)\n");
-    says(out, "/b.demo: frame 2: script differs (recorded on another build)\n");
+    says(out, "/a.demo: frame 2: script, board differ (recorded on another build)\n");
+    says(out, "/b.demo: frame 2: script, board differ (recorded on another build)\n");
     write_game(1);
     runs("verify @/g @/none.demo @/a.demo", EXIT_INPUT); /* the others are looked at all the same */
     says(out, "/a.demo: holds, 150 frames\n");
@@ -469,7 +469,7 @@ static void test_fault(void **state)
     assert_string_equal(log_text, "main.lua:2: boom\n");
     runs("verify @/g @/f.demo", EXIT_DONE);
     says(out, ", ends in the fault it was recorded with\n");
-    assert_int_equal(run("hash @/g --every 1000 --trace"), EXIT_INPUT);
+    assert_int_equal(run("hash @/g --every 1000 --traceback"), EXIT_INPUT);
     says(log_text, "main.lua:2: boom\nstack traceback:\n");
     write_file("g/main.lua", "task.go(function()\n wait(1000) error('boom') end)\n");
     runs("verify @/g @/f.demo", EXIT_DIFFERS);

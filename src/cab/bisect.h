@@ -1,0 +1,17 @@
+/*
+ * bisect.h - `verify --bisect A B`: the first frame in which two runs differ, out of what `hash` printed of each.
+ * floor: cab    used by: verify
+ *
+ * A and B are tracks (hash, or hash --parts) or traces (hash --trace, see trace.h), of two builds, machines or ROMs;
+ * either may be "-", standard input. They are read line by line, so their size does not matter.
+ */
+#ifndef CAB_BISECT_H
+#define CAB_BISECT_H
+
+#include "args.h"
+
+/* EXIT_DONE: equal. EXIT_DIFFERS: the frame, and what differs in it, is on standard output. EXIT_INPUT: not such files,
+ * not of the same frames and parts, or equal but of different lengths. */
+int bisect_run(const struct args *a);
+
+#endif

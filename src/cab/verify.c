@@ -1,0 +1,362 @@
+/*
+ * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from one
+ * to the next, so a list of names may be as long as it likes.
+ */
+#include "verify.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "bisect.h"
+#include "cli.h"
+#include "game.h"
+#include "replay.h"
+
+struct verify {
+    const struct args *a;
+    struct game game;
+    struct replay replay;
+    struct demo demo;
+    struct demo_writer again; /* of --restamp */
+    char doubt[160];          /* " (recorded on another build)", or nothing */
+    bool batch;               /* names come from standard input */
+};
+
+/* ---- lines ---- */
+
+/* Names may hold anything; a line is a line. */
+static void print_clean(const char *text)
+{
+    for (; *text; text++)
+        putchar((unsigned char)*text < 32 || *text == 127 ? ' ' : *text);
+}
+
+/* What keeps a demo from being replayed, with its name in it; returns code. */
+static int refuse(const struct verify *v, int code, const char *format, ...)
+{
+    char line[2048];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    if (!v->batch)
+        return game_report(code, "%s", line);
+    print_clean(line);
+    putchar('\n');
+    return code;
+}
+
+static void say(const struct verify *v, const char *path, const char *format, ...)
+{
+    char line[2048];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    print_clean(path);
+    fputs(": ", stdout);
+    print_clean(line);
+    print_clean(v->doubt);
+    putchar('\n');
+}
+
+/* "input, player" */
+static void list_parts(const struct demo *d, uint32_t parts, char *out, size_t size)
+{
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; i < d->parts; i++) {
+        if (parts >> i & 1 && n < size)
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
+    }
+}
+
+static void say_parts(const struct verify *v, const char *path, const struct verdict *w)
+{
+    char parts[MAX_PARTS * 18], frames[40];
+    const char *verb = w->parts & (w->parts - 1) ? "differ" : "differs";
+
+    list_parts(&v->demo, w->parts, parts, sizeof parts);
+    if (w->first == w->frame)
+        snprintf(frames, sizeof frames, "frame %u", (unsigned)w->frame);
+    else
+        snprintf(frames, sizeof frames, "frames %u to %u", (unsigned)w->first, (unsigned)w->frame);
+    say(v, path, "%s: %s %s", frames, parts, verb);
+}
+
+static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
+{
+    unsigned frame = (unsigned)w->frame;
+
+    if (w->kind == VERDICT_DIFFERS)
+        say_parts(v, path, w);
+    else if (w->kind == VERDICT_FAULT)
+        say(v, path, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(&v->replay)->message);
+    else if (w->kind == VERDICT_NO_FAULT)
+        say(v, path, "frame %u: the fault it was recorded with does not happen", frame);
+    else
+        say(v, path, "holds, %u frames%s%s", frame, v->demo.fault ? ", ends in the fault it was recorded with" : "",
+            v->a->restamp ? ", restamped" : "");
+}
+
+/* ---- more of it: --verbose ---- */
+
+static void say_hashes(const struct verify *v, const struct verdict *w)
+{
+    const uint64_t *row = demo_hashes(&v->demo, w->frame);
+    const uint16_t *prints = demo_prints(&v->demo, w->frame);
+
+    for (int i = 0; i < v->demo.parts; i++) {
+        unsigned long long here = v->replay.hashes[i];
+        if (!(w->parts >> i & 1))
+            continue;
+        if (w->missing >> i & 1)
+            printf("  %s: this build has no such part\n", v->demo.part[i]);
+        else if (row)
+            printf("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
+        else
+            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)prints[i],
+                   (unsigned)(here & 0xffff));
+    }
+}
+
+/* The moments a frame lies in: of each kind the last, or NULL when what came after it ended it. */
+static void moments_at(const struct demo *d, uint32_t frame, const struct demo_moment *in[MARK_KINDS])
+{
+    static const unsigned ends[MARK_KINDS] = {
+        [MARK_STAGE] = 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
+        [MARK_POINT] = 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
+        [MARK_WAVE] = 1 << MARK_BOSS | 1 << MARK_PHASE,
+        [MARK_BOSS] = 1 << MARK_WAVE | 1 << MARK_PHASE,
+    };
+
+    memset(in, 0, sizeof in[0] * MARK_KINDS);
+    for (uint32_t i = 0; i < d->moments && d->moment[i].frame <= frame; i++) {
+        enum board_mark_kind kind = d->moment[i].mark.kind;
+        in[kind] = &d->moment[i];
+        for (int k = 0; k < MARK_KINDS; k++)
+            in[k] = ends[kind] >> k & 1 ? NULL : in[k];
+    }
+}
+
+/* "in stage one, boss queen, phase bloom, 12.3 s after it began; player 1 died 2.0 s before" */
+static void say_moment(const struct demo *d, uint32_t frame)
+{
+    static const char *const kinds[MARK_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
+    const struct demo_moment *in[MARK_KINDS], *last = NULL, *death;
+
+    moments_at(d, frame, in);
+    for (int k = 0; k < MARK_DEATH; k++) {
+        if (!in[k])
+            continue;
+        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->mark.name);
+        last = !last || in[k]->frame > last->frame ? in[k] : last;
+    }
+    if (last)
+        printf(", %.1f s after it began", (frame - last->frame) / 60.0);
+    else
+        printf("  %.1f s after power-on", frame / 60.0);
+    death = in[MARK_DEATH];
+    if (death)
+        printf("; player %s died %.1f s before", death->mark.name, (frame - death->frame) / 60.0);
+    putchar('\n');
+}
+
+static void say_pads(const struct demo *d, uint32_t frame)
+{
+    static const char *const names[PAD_BUTTONS] = PAD_NAMES;
+    uint16_t pads[PADS];
+
+    if (frame == 0)
+        return;
+    demo_pads(d, frame - 1, pads);
+    printf("  held:");
+    for (int p = 0; p < PADS; p++) {
+        printf("%s player %d", p ? ";" : "", p + 1);
+        for (int i = 0; i < PAD_BUTTONS; i++)
+            if (pads[p] >> i & 1)
+                printf(" %s", names[i]);
+        if (!pads[p])
+            printf(" nothing");
+    }
+    putchar('\n');
+}
+
+static void say_trace(const char *text)
+{
+    printf("  ");
+    for (; *text; text++)
+        if (*text == '\n')
+            printf("\n  ");
+        else
+            putchar((unsigned char)*text < 32 ? ' ' : *text);
+    putchar('\n');
+}
+
+static void say_header(const struct demo *d)
+{
+    static const char *const flags[] = { "branched", "touched", "assisted" };
+
+    printf("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format, (unsigned)d->core,
+           d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
+    printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
+           d->start.practice.mark[0] ? "from " : "from power-on", d->start.practice.mark);
+    for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
+        printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? flags[i] : "");
+    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->moments);
+}
+
+static void say_more(const struct verify *v, const struct verdict *w)
+{
+    const struct board_fault *fault = replay_fault(&v->replay);
+
+    say_header(&v->demo);
+    if (w->kind == VERDICT_HOLDS)
+        return;
+    if (w->kind == VERDICT_DIFFERS)
+        say_hashes(v, w);
+    say_moment(&v->demo, w->frame);
+    say_pads(&v->demo, w->frame);
+    if (fault && fault->trace[0])
+        say_trace(fault->trace);
+}
+
+/* ---- demos ---- */
+
+/* Writes a demo that holds anew: newest format, this ROM and core version, all prints and moments. */
+static int restamp(struct verify *v, const char *path)
+{
+    char err[1200];
+
+    if (demo_save(&v->again.demo, path, err, sizeof err))
+        return EXIT_DONE;
+    return refuse(v, EXIT_HOST, "%s", err);
+}
+
+static int judge(struct verify *v, const char *path)
+{
+    struct verdict w;
+    char err[512];
+    int code = replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
+
+    if (code != EXIT_DONE)
+        return refuse(v, code, "%s: %s", path, err);
+    if (w.kind == VERDICT_HOLDS && v->a->restamp)
+        code = restamp(v, path);
+    if (code != EXIT_DONE)
+        return code;
+    say_verdict(v, path, &w);
+    if (v->a->verbose)
+        say_more(v, &w);
+    return w.kind == VERDICT_HOLDS ? EXIT_DONE : EXIT_DIFFERS;
+}
+
+static int verify_loaded(struct verify *v, const char *path)
+{
+    char err[512], doubt[128];
+
+    if (!demo_fits(&v->demo, &v->game.cart, err, sizeof err))
+        return refuse(v, EXIT_INPUT, "%s: %s", path, err);
+    if (!v->demo.complete)
+        return refuse(v, EXIT_INPUT, "%s: cut short: it has %u frames and no end mark", path, (unsigned)v->demo.frames);
+    v->doubt[0] = 0;
+    if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
+        snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
+    return judge(v, path);
+}
+
+static int verify_demo(struct verify *v, const char *path)
+{
+    char err[1200];
+    int code;
+
+    if (demo_load(&v->demo, path, err, sizeof err))
+        code = verify_loaded(v, path);
+    else
+        code = refuse(v, EXIT_INPUT, "%s", err);
+    demo_free(&v->again.demo);
+    demo_free(&v->demo);
+    fflush(stdout);
+    return code;
+}
+
+/* ---- names ---- */
+
+/* The next name of standard input, up to a newline (and a carriage return before it) or with --null a NUL; empty ones
+ * are passed over. False: there are no more. One too long for a path is cut, and *whole false. */
+static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
+{
+    int end = null ? 0 : '\n', c = 0;
+    size_t n = 0;
+
+    *whole = true;
+    while (n == 0 && c != EOF) {
+        for (c = getchar(); c != EOF && c != end; c = getchar()) {
+            if (n < DEMO_PATH - 1)
+                name[n++] = (char)c;
+            else
+                *whole = false;
+        }
+        if (!null && n && name[n - 1] == '\r')
+            n--;
+    }
+    name[n] = 0;
+    return n > 0;
+}
+
+static int verify_stdin(struct verify *v)
+{
+    char name[DEMO_PATH];
+    int worst = EXIT_DONE;
+    bool whole;
+
+    v->batch = true;
+    while (next_name(name, v->a->null, &whole)) {
+        int code = whole ? verify_demo(v, name) : refuse(v, EXIT_INPUT, "%s: the name is too long", name);
+        worst = code > worst ? code : worst;
+    }
+    return worst;
+}
+
+static int verify_words(struct verify *v)
+{
+    int worst = EXIT_DONE;
+
+    for (int i = 1; i < v->a->n_words; i++) {
+        int code = verify_demo(v, v->a->words[i]);
+        worst = code > worst ? code : worst;
+    }
+    return worst;
+}
+
+static int verify_all(struct verify *v, const struct args *a)
+{
+    char err[1024];
+    bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
+
+    v->a = a;
+    if (a->null && !listed)
+        return game_report(EXIT_INPUT, "--null goes with names from standard input: verify ROM -");
+    if (!game_open(&v->game, a->words[0], a, err, sizeof err))
+        return game_report(EXIT_INPUT, "%s", err);
+    int code = listed ? verify_stdin(v) : verify_words(v);
+    replay_close(&v->replay);
+    game_close(&v->game);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return game_report(EXIT_HOST, "standard output cannot be written");
+    return code;
+}
+
+int verify_run(const struct args *a)
+{
+    if (a->bisect)
+        return bisect_run(a);
+    struct verify *v = calloc(1, sizeof *v); /* large for a stack: it holds several nvram images */
+    int code = v ? verify_all(v, a) : game_report(EXIT_HOST, "out of memory");
+    free(v);
+    return code;
+}

@@ -1,0 +1,22 @@
+/*
+ * verify.h - the command `verify`: replays demos and says whether they hold; stamps them anew; compares two tracks.
+ * floor: cab    used by: cli
+ *
+ * A demo is a line on standard output, as soon as it is known:
+ *
+ *     PATH: holds, N frames[, ends in the fault it was recorded with][, restamped][ (DOUBT)]
+ *     PATH: frame F: PARTS differ[ (DOUBT)]              or: frames F to G, where there are no prints
+ *     PATH: frame F: a fault that is not in the demo: WHAT[ (DOUBT)]
+ *     PATH: frame F: the fault it was recorded with does not happen[ (DOUBT)]
+ *
+ * What cannot be replayed is one sentence on plat_log; with names from standard input `PATH: WHY` in the same stream.
+ */
+#ifndef CAB_VERIFY_H
+#define CAB_VERIFY_H
+
+#include "args.h"
+
+/* Returns the worst exit code of all demos. */
+int verify_run(const struct args *a);
+
+#endif

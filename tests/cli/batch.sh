@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# batch.sh - `verify ROM -` as a score server uses it: a thousand names, some of demos that are damaged in places this
+# script knows; a line each, every one right, in the order of the names; and memory that does not grow with them.
+. "$(dirname "$0")/../tap.sh"
+
+# Five demos of a game that draws random numbers and listens to the pads.
+game g <<'LUA'
+bullet.def("orb", { sprite = "dot", hit = "none" })
+task.go(function()
+  while true do
+    if pad.down("fire") then bullet.fire { kind = "orb", x = 32, y = 32, speed = rng.int(1, 3), dir = rng.dir() } end
+    if board.frame() % 7 == rng.int(0, 6) then board.note(rng.int(1, 99)) end
+    wait(1)
+  end
+end)
+LUA
+frames=(1 60 125 200 333)
+for i in 0 1 2 3 4; do
+    "$curtain" hash g --seed $((i + 1)) --difficulty hard --frames "${frames[$i]}" --every 1000 --record "good$i.demo" >/dev/null
+done
+
+# patch DEMO BYTE: one bit of it flipped, and the checksums made good again.
+patch() {
+    python3 - "$@" <<'END'
+import struct, sys, zlib
+data, at = bytearray(open(sys.argv[1], "rb").read()), int(sys.argv[2])
+data[at] ^= 1
+pos, crc = 8, 0
+while pos < len(data):
+    n = struct.unpack_from("<I", data, pos + 4)[0]
+    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
+    struct.pack_into("<I", data, pos + 8 + n, crc)
+    pos += 12 + n
+open(sys.argv[3], "wb").write(data)
+END
+}
+# Where the record i of a demo starts.
+record() {
+    python3 -c '
+import struct, sys
+data, at = open(sys.argv[1], "rb").read(), 8
+for _ in range(int(sys.argv[2])):
+    at += 12 + struct.unpack_from("<I", data, at + 4)[0]
+print(at)' "$1" "$2"
+}
+
+# Twenty that are not good, and what has to be said of each.
+declare -A want
+for i in 0 1 2 3 4; do want[good$i.demo]="holds, ${frames[$i]} frames"; done
+bad() { want[$1]=$2; }
+size=$(stat -c %s good3.demo)
+head -c 7 good3.demo >bad1.demo && bad bad1.demo 'not a demo'
+head -c 20 good3.demo >bad2.demo && bad bad2.demo 'cut short in its header'
+head -c "$(record good3.demo 3)" good3.demo >bad3.demo && bad bad3.demo 'cut short: it has 60 frames and no end mark'
+head -c $((size - 1)) good3.demo >bad4.demo && bad bad4.demo 'cut short: it has 200 frames and no end mark'
+{ cat good3.demo && printf 'x'; } >bad5.demo && bad bad5.demo 'has 1 bytes after its end'
+: >bad6.demo && bad bad6.demo 'not a demo'
+cp g/rom.lua bad7.demo && bad bad7.demo 'not a demo'
+bad bad8.demo 'no such file'
+for i in 9 10 11 12; do # a flipped bit that nobody repaired, in four records
+    at=$(record good3.demo $((i - 9)))
+    cp good3.demo bad$i.demo
+    printf '\x55' | dd of=bad$i.demo bs=1 seek=$((at + 9)) conv=notrunc 2>/dev/null
+    bad bad$i.demo "the record at byte $at is damaged (CRC)"
+done
+# Format 9; then with good checksums: the game's id, the first row, the seed, pads in the first, the third and the last
+# second, a print, the core version.
+python3 -c 'd = bytearray(open("good3.demo", "rb").read()); d[4] = 9; open("bad13.demo", "wb").write(d)'
+bad bad13.demo 'demo format 9, this build reads 2 to 3'
+id=$(grep -abo probe good3.demo | head -1 | cut -d: -f1)
+patch good3.demo "$id" bad14.demo && bad bad14.demo 'a demo of another game ("qrobe", this is "probe")'
+patch good3.demo $(($(record good3.demo 2) - 12)) bad15.demo && bad bad15.demo 'frame 0: spark_kinds differs'
+seed=$((8 + 8 + 4 + 8 + 8 + 1 + 5 + 1 + $(strings -n 5 good3.demo | grep -om1 '5\.4\.[0-9]*' | tr -d '\n' | wc -c)))
+patch good3.demo $seed bad16.demo && bad bad16.demo 'frame 0: board, sparks differ'
+pads() { # DEMO RECORD: the byte of player 1's first run in that second
+    echo $(($(record "$1" "$2") + 8 + 8 + 2))
+}
+patch good3.demo "$(pads good3.demo 2)" bad17.demo && bad bad17.demo 'frame 1: input differs'
+patch good3.demo "$(pads good3.demo 4)" bad18.demo && bad bad18.demo 'frame 121: input differs'
+patch good3.demo "$(pads good3.demo 5)" bad19.demo && bad bad19.demo 'frame 181: input differs'
+patch good3.demo 16 bad20.demo && bad bad20.demo 'holds, 200 frames (recorded on core version 3, this is 2)'
+
+# A thousand names: each bad one once, between good ones.
+python3 - >names <<'END'
+import random
+random.seed(7)
+names = ["bad%d.demo" % i for i in range(1, 21)] + ["good%d.demo" % (i % 5) for i in range(980)]
+random.shuffle(names)
+print("\n".join(names))
+END
+while read -r name; do echo "$name: ${want[$name]}"; done <names >wanted
+run() { # NAMES OUT: prints exit code and peak memory in KiB
+    python3 - "$curtain" "$1" "$2" <<'END'
+import resource, subprocess, sys
+program, names, out = sys.argv[1:]
+code = subprocess.call([program, "verify", "g", "-"], stdin=open(names), stdout=open(out, "w"))
+print(code, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+END
+}
+read -r code most < <(run names got)
+same 'a thousand names: the worst code is that of bad input' 2 "$code"
+same 'a thousand lines' 1000 "$(wc -l <got)"
+if cmp -s wanted got; then ok 'every verdict is right'; else not_ok 'every verdict is right' "$(diff wanted got | head -20)"; fi
+same 'nothing is said elsewhere' '' "$("$curtain" verify g - <names 2>&1 >/dev/null)"
+
+# ---- memory ----
+
+head -20 names >few
+read -r code least < <(run few few.got)
+same 'twenty of them' "$(head -20 wanted)" "$(cat few.got)"
+holds "memory is flat: $least KiB after 20 names, $most after 1000" [ "$most" -le $((least + 1024)) ]
+
+# ---- names ----
+
+sed 's/$/\r/' few | "$curtain" verify g - >got
+same 'names may end in a carriage return' "$(head -20 wanted)" "$(cat got)"
+tr '\n' '\0' <few | "$curtain" verify g - --null >got
+same 'names may end in NUL' "$(head -20 wanted)" "$(cat got)"
+printf '\n\ngood1.demo\n\n\ngood2.demo' | "$curtain" verify g - >got
+code=$?
+same 'empty lines are passed over, and the last may lack its end' "0 $(printf 'good1.demo: %s\ngood2.demo: %s' "${want[good1.demo]}" "${want[good2.demo]}")" "$code $(cat got)"
+cp good1.demo $'odd \n name.demo'
+printf 'odd \n name.demo\0' | "$curtain" verify g - -0 >got
+same 'a name with a newline is one line' 'odd   name.demo: holds, 60 frames' "$(cat got)"
+{ printf '%02000d\n' 0 && echo good1.demo; } | "$curtain" verify g - >got
+code=$?
+same 'a name without end, and the one after it' "2 $(printf '%01023d' 0): the name is too long|good1.demo: holds, 60 frames|" "$code $(tr '\n' '|' <got)"
+"$curtain" verify g - </dev/null >got 2>&1
+same 'no names' '0 ' "$? $(cat got)"
+# A line comes before the next name is there.
+coproc server { "$curtain" verify g - 2>&1; }
+for i in 0 1 2; do
+    echo "good$i.demo" >&"${server[1]}"
+    read -r -t 60 line <&"${server[0]}"
+    same "a name, and its line at once ($i)" "good$i.demo: ${want[good$i.demo]}" "$line"
+done
+exec {server[1]}>&-
+wait "$server_PID" 2>/dev/null
+
+# ---- the same as arguments ----
+
+grep -v -e '^bad' names | head -50 >fifty
+xargs "$curtain" verify g <fifty >got 2>&1
+same 'as arguments: the same code' 0 $?
+same 'as arguments: the same lines' "$("$curtain" verify g - <fifty)" "$(cat got)"
+finish

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Reads a demo as docs/demos.md describes it, and nothing else of Curtain; prints all that is in it, a line each.
+
+    demo_read.py DEMO            or, as a module: demo = read(bytes)
+
+Refuses (exit 2) what the page says a reader must refuse, as far as one file alone can show it."""
+import re
+import struct
+import sys
+import zlib
+
+MOST = {b"H": 65536, b"S": 4636, b"M": 38, b"F": 4, b"E": 8}  # bytes of a payload
+KINDS = ["stage", "point", "wave", "boss", "phase", "death"]
+
+
+class Bad(Exception):
+    pass
+
+
+def need(holds, why):
+    if not holds:
+        raise Bad(why)
+
+
+class Bytes:
+    def __init__(self, data):
+        self.data, self.at = data, 0
+
+    def take(self, n):
+        need(self.at + n <= len(self.data), "too short")
+        self.at += n
+        return self.data[self.at - n:self.at]
+
+    def num(self, code):
+        return struct.unpack("<" + code, self.take(struct.calcsize(code)))[0]
+
+    def text(self, most):
+        raw = self.take(self.num("B"))
+        need(len(raw) <= most and all(32 <= c <= 126 for c in raw), "a string")
+        return raw.decode("ascii")
+
+
+def nvram(packed, size):
+    out, b = bytearray(), Bytes(packed)
+    while b.at < len(packed):
+        c = b.num("B")
+        out += b.take(c + 1) if c < 128 else b.take(1) * (c - 125)
+    need(len(out) == size <= 32768, "nvram")
+    return bytes(out)
+
+
+def header(b, form):
+    d = {"format": form, "core": b.num("I"), "game": b.num("Q"), "rom": b.num("Q"), "id": b.text(31), "lua": b.text(15)}
+    d.update(seed=b.num("Q"), dip=[b.num("i") for _ in range(16)], difficulty=b.num("i"), mark=b.text(63))
+    need(-1 <= d["difficulty"] < 8 and re.fullmatch("[a-z0-9_]+", d["id"]), "difficulty or id")
+    d.update(lives=0, invincible=0, registers=[])
+    if form > 2:
+        d["lives"], d["invincible"], n = b.num("i"), b.num("B"), b.num("B")
+        need(0 <= d["lives"] <= 99 and d["invincible"] < 2 and n <= 16, "practice")
+        d["registers"] = [(b.text(31), b.num("i")) for _ in range(n)]
+    d["parts"] = [b.text(15) for _ in range(b.num("B"))]
+    need(1 <= len(d["parts"]) <= 32 and "script" in d["parts"], "parts")
+    size = b.num("I")
+    d.update(nvram=nvram(b.take(len(b.data) - b.at), size), pads=[], prints=[], rows=[], moments=[], flags=0, end=None, open=True)
+    return d
+
+
+def second(b, d):
+    first, n, runs, hashed, zero = b.num("I"), b.num("B"), b.num("B"), b.num("B"), b.num("B")
+    start = first == 0 and n == 0 and not d["rows"]
+    need(d["open"] and first == len(d["pads"]) and hashed < 2 and zero == 0, "order")
+    need(hashed if start else 1 <= n <= 60 and d["rows"], "number of frames")
+    for _ in range(runs):
+        run, one, two = b.num("H"), b.num("H"), b.num("H")
+        need(run >= 1 and (one | two) < 1024, "pads")
+        d["pads"] += [(one, two)] * run
+    need(len(d["pads"]) == first + n, "runs")
+    for _ in range(n - 1):
+        before = d["prints"][-1] if d["prints"] else [h & 0xffff for h in d["rows"][0]]
+        mask = b.num("I") if d["format"] > 2 else 1 << d["parts"].index("script")
+        need(mask >> len(d["parts"]) == 0, "mask")
+        d["prints"].append([b.num("H") if mask >> i & 1 else p for i, p in enumerate(before)])
+    if hashed:
+        d["rows"].append([b.num("Q") for _ in d["parts"]])
+        d["prints"] += [[h & 0xffff for h in d["rows"][-1]]] if n else []
+    d["open"] = bool(hashed) and (start or n == 60)
+    d["hashed"] = bool(hashed)
+
+
+def moment(b, d):
+    frame, kind, name = b.num("I"), b.num("B"), b.text(31)
+    before = d["moments"][-1][0] if d["moments"] else 0
+    need(d["format"] > 2 and d["rows"] and before <= frame <= len(d["pads"]) and kind < len(KINDS), "moment")
+    d["moments"].append((frame, KINDS[kind], name))
+
+
+def end(b, d):
+    frames, fault = b.num("I"), b.num("I")
+    need(frames == len(d["pads"]) and fault <= 4, "end")
+    need(d["rows"] and d["hashed"] if not fault else not d["hashed"] if frames else not d["rows"], "end and track")
+    d["end"] = fault
+
+
+def read(data):
+    need(data[:4] == b"CDEM" and len(data) >= 8, "not a demo")
+    form, = struct.unpack("<I", data[4:8])
+    need(form in (2, 3), "format")
+    d, at, crc = None, 8, 0
+    while len(data) - at >= 8 and not (d and d["end"] is not None):
+        kind, n = data[at:at + 4], struct.unpack("<I", data[at + 4:at + 8])[0]
+        need(kind[1:] == b"\0\0\0" and n <= MOST.get(kind[:1], -1), "kind or size")
+        if len(data) - at < 12 + n:
+            break  # cut short
+        crc = zlib.crc32(data[at:at + 8 + n], crc)
+        need(struct.unpack("<I", data[at + 8 + n:at + 12 + n])[0] == crc, "CRC")
+        b, letter = Bytes(data[at + 8:at + 8 + n]), kind[:1]
+        need((d is None) == (letter == b"H"), "header")
+        if letter == b"H":
+            d = header(b, form)
+        elif letter == b"F":
+            d["flags"] |= b.num("I")
+            need(d["flags"] < 8, "flags")
+        else:
+            {b"S": second, b"M": moment, b"E": end}[letter](b, d)
+        need(b.at == n, "size")
+        at += 12 + n
+    need(d, "cut short in its header")
+    need(d["end"] is None or at == len(data), "bytes after its end")
+    return d
+
+
+def lines(d):
+    for key in "format core game rom id lua seed difficulty mark lives invincible flags".split():
+        yield "%s %s" % (key, "%016x" % d[key] if key in ("game", "rom") else d[key])
+    yield "dip " + " ".join(map(str, d["dip"]))
+    yield "registers " + " ".join("%s=%d" % r for r in d["registers"])
+    yield "nvram %d %08x" % (len(d["nvram"]), zlib.crc32(d["nvram"]))
+    for i, row in enumerate(d["rows"]):
+        yield "row %d " % min(60 * i, len(d["pads"])) + " ".join("%s=%016x" % r for r in zip(d["parts"], row))
+    for f, pads in enumerate(d["pads"]):
+        yield "pads %d %04x %04x" % (f + 1, *pads)
+    for f, prints in enumerate(d["prints"]):
+        yield "prints %d " % (f + 1) + " ".join("%s=%04x" % p for p in zip(d["parts"], prints))
+    for m in d["moments"]:
+        yield "moment %d %s %s" % m
+    yield "cut short" if d["end"] is None else "end %d fault %d" % (len(d["pads"]), d["end"])
+
+
+if __name__ == "__main__":
+    try:
+        print("\n".join(lines(read(open(sys.argv[1], "rb").read()))))
+    except Bad as why:
+        print("%s: %s" % (sys.argv[1], why), file=sys.stderr)
+        sys.exit(2)

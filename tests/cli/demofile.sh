@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# demofile.sh - docs/demos.md is true: a reader made from it alone reads every demo, agrees with what Curtain computes,
+# and refuses what Curtain refuses; the demo taken apart on the page is the one in the repository.
+#
+#     tests/cli/demofile.sh --page    puts the dump on the page anew
+. "$(dirname "$0")/../check.sh"
+program=$OUT/curtain-null
+
+# The page with the dump as it should be.
+page() { # PAGE DEMO
+    python3 - "$1" "$2" <<'END'
+import re, subprocess, sys
+text = open(sys.argv[1], encoding="utf-8").read()
+dump = subprocess.run([sys.executable, "tests/cli/demo_dump.py", sys.argv[2]], capture_output=True, text=True, check=True).stdout
+dump = re.sub(r" +$", "", dump, flags=re.M)
+print(re.sub(r"(<!-- demo_dump.py [^\n]*\n```\n).*?(```\n<!-- end -->)", lambda m: m[1] + dump + m[2], text, flags=re.S), end="")
+END
+}
+if [ "${1:-}" = --page ]; then
+    page docs/demos.md tests/demos/frozen-tiny.demo >"$scratch/page" && cp "$scratch/page" docs/demos.md
+    exit
+fi
+current() { page "$1" "${2:-tests/demos/frozen-tiny.demo}" | diff "$1" -; }
+check 'the demo taken apart on the page' current docs/demos.md
+check 'has been taken apart' grep -q '^0000  43 44 45 4d ' docs/demos.md
+sed 's/player 1: 11/player 1: 10/' docs/demos.md >"$scratch/demos.md"
+refuse 'planted: a byte that is not so' 'player 1: 11' current "$scratch/demos.md"
+
+# What the reader finds against what Curtain computes: rows and prints are the hashes of every frame, the pads are what
+# the board's input held (opposites held at once are neither), and the header is what verify says.
+agrees() { # ROM DEMO
+    "$program" hash "$1" --demo "$2" --parts 2>/dev/null >"$scratch/parts" || return 1
+    "$program" hash "$1" --demo "$2" --trace input 2>/dev/null >"$scratch/input" || return 1
+    "$program" verify "$1" "$2" -v >"$scratch/verify" || { cat "$scratch/verify" && return 1; }
+    python3 - "$2" "$scratch" <<'END'
+import re, sys
+sys.path.insert(0, "tests/cli")
+from demo_read import read
+d, at = read(open(sys.argv[1], "rb").read()), sys.argv[2]
+said = open(at + "/verify").read()
+hashes = []
+for line in open(at + "/parts"):
+    frame, whole, *parts = line.split()
+    assert [p.split("=")[0] for p in parts] == d["parts"] and int(frame) == len(hashes)
+    hashes.append([int(p.split("=")[1], 16) for p in parts])
+assert len(hashes) == len(d["pads"]) + 1, "frames"
+for i, row in enumerate(d["rows"]):
+    assert row == hashes[min(60 * i, len(d["pads"]))], "row %d" % i
+script = d["parts"].index("script")
+for f, prints in enumerate(d["prints"]):
+    for i, p in enumerate(prints):
+        assert p == hashes[f + 1][i] & 0xffff or (d["format"] == 2 and i != script), "print of frame %d" % (f + 1)
+assert len(d["prints"]) == len(d["pads"])
+held, resets = {}, set()
+for line in open(at + "/input"):
+    m = re.match(r"(\d+) input ([01]) - held=([0-9a-f]{4})", line)
+    if m:
+        held[int(m[1]), int(m[2])] = int(m[3], 16)
+for f, pads in enumerate(d["pads"]):
+    for p, v in enumerate(pads):
+        for both in (3, 12):
+            v &= ~both if v & both == both else -1
+        if held.get((f + 1, p), 0) != v:
+            assert (f + 1, 0) not in held and (f + 1, 1) not in held, "pads of frame %d" % (f + 1)
+            resets.add(f + 1)
+assert len(resets) <= 3, "frames whose pads the board forgot, as board.reset does: %s" % sorted(resets)
+for want in ("holds, %d frames" % len(d["pads"]), "format %(format)d, core version %(core)d, Lua %(lua)s, game %(game)016x, ROM %(rom)016x" % d,
+             "seed %(seed)d, difficulty %(difficulty)d, from %(mark)s" % d if d["mark"] else "seed %(seed)d, difficulty %(difficulty)d, from power-on" % d,
+             "%d parts, %d rows, %d moments" % (len(d["parts"]), len(d["rows"]), len(d["moments"]))):
+    assert want in said, want
+assert d["end"] == 0
+END
+}
+for demo in roms/*/demos/*.demo; do check "the page's reader agrees about $demo" agrees "${demo%/demos/*}" "$demo"; done
+for demo in tests/demos/*.demo; do check "the page's reader agrees about $demo" agrees tests/demos/frozen.rom "$demo"; done
+"$program" hash roms/glasstide --stage queen/held --difficulty hard --seed 18446744073709551615 --frames 130 --every 1000 --record "$scratch/fresh.demo" >/dev/null
+check "the page's reader agrees about a practice start" agrees roms/glasstide "$scratch/fresh.demo"
+
+# repaired FROM TO BYTE VALUE: one byte changed, the checksums made good.
+repaired() {
+    python3 - "$@" <<'END'
+import struct, sys, zlib
+data, pos, crc = bytearray(open(sys.argv[1], "rb").read()), 8, 0
+data[int(sys.argv[3], 0)] = int(sys.argv[4], 0)
+while pos < len(data):
+    n = struct.unpack_from("<I", data, pos + 4)[0]
+    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
+    struct.pack_into("<I", data, pos + 8 + n, crc)
+    pos += 12 + n
+open(sys.argv[2], "wb").write(data)
+END
+}
+repaired tests/demos/frozen-tiny.demo "$scratch/other.demo" 0x1f7 0x10 # the first byte of a pad on the page
+refuse 'planted: another pad' 'frame 2: ' agrees tests/demos/frozen.rom "$scratch/other.demo"
+
+# Changed bytes, checksums made good: both refuse, or neither does.
+cat >"$scratch/lies.py" <<'END'
+import random, re, struct, subprocess, sys, zlib
+sys.path.insert(0, "tests/cli")
+from demo_read import read, Bad
+program, demo, rom, at = sys.argv[1:]
+good = open(demo, "rb").read()
+refusals = re.compile("damaged|not a demo|demo format|cut short in its header|bytes after its end|longer than|larger than")
+
+def repair(data):
+    pos, crc = 8, 0
+    while len(data) - pos >= 12:
+        n = struct.unpack_from("<I", data, pos + 4)[0]
+        if n > len(data) - pos - 12:
+            break
+        crc = zlib.crc32(data[pos:pos + 8 + n], crc)
+        struct.pack_into("<I", data, pos + 8 + n, crc)
+        pos += 12 + n
+
+random.seed(len(good))
+refused = 0
+for i in range(300):
+    data = bytearray(good)
+    for _ in range(random.choice((1, 1, 1, 2, 3))):
+        data[random.choice((random.randrange(len(data)), random.randrange(min(len(data), 700))))] = random.choice((0, 1, 2, 59, 60, 61, 127, 128, 255, random.randrange(256)))
+    repair(data)
+    open(at, "wb").write(data)
+    try:
+        read(bytes(data))
+        mine = ""
+    except Bad as why:
+        mine = str(why) or "refused"
+    run = subprocess.run([program, "hash", rom, "--demo", at, "--frames", "0"], capture_output=True, text=True)
+    theirs = run.stderr if run.returncode == 2 and refusals.search(run.stderr) else ""
+    if bool(mine) != bool(theirs):
+        sys.exit("change %d: the page says \"%s\", Curtain \"%s\"" % (i, mine, run.stderr.strip()))
+    refused += bool(mine)
+if not 60 < refused < 300:
+    sys.exit("%d of 300 were refused" % refused)
+END
+for demo in tests/demos/*.demo; do
+    check "300 changes to $demo are refused by both or neither" python3 "$scratch/lies.py" "$program" "$demo" tests/demos/frozen.rom "$scratch/lie.demo"
+done
+done_testing

@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# desync.sh - from "it does not hold" to the value that differs, with the program alone: changed demos of the built-in
+# game's whole run, a changed script; tracks and traces of two builds, and what is no such file.
+# tests/machine/test_desync.c does the first with boards side by side, 200 times; test_trace.c plants bits.
+. "$(dirname "$0")/../tap.sh"
+rom=$repo/roms/glasstide
+"$curtain" pack "$rom" -o game.rom
+cp "$rom/demos/run.demo" .
+"$curtain" verify game.rom --restamp run.demo >/dev/null
+
+# ---- flipped bits of a whole run ----
+
+# The change of a demo: its byte, its frame, and whether its checksums are made good.
+cat >change.py <<'END'
+import random, struct, sys, zlib
+data = bytearray(open("run.demo", "rb").read())
+seed, out, good = int(sys.argv[1]), sys.argv[2], sys.argv[3] == "repaired"
+random.seed(seed)
+seconds, at = [], 8
+while at < len(data):
+    if data[at:at + 1] == b"S" and data[at + 12]:
+        seconds.append(at + 8)
+    at += 12 + struct.unpack_from("<I", data, at + 4)[0]
+s = random.choice(seconds)
+first, runs = struct.unpack_from("<I", data, s)[0], data[s + 5]
+k, player, button = random.randrange(runs), random.randrange(2), random.randrange(10)
+frame = first + 1 + sum(struct.unpack_from("<H", data, s + 8 + 6 * i)[0] for i in range(k))
+data[s + 8 + 6 * k + 2 + 2 * player + button // 8] ^= 1 << button % 8
+pos, crc = 8, 0
+while good and pos < len(data):
+    n = struct.unpack_from("<I", data, pos + 4)[0]
+    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
+    struct.pack_into("<I", data, pos + 8 + n, crc)
+    pos += 12 + n
+open(out, "wb").write(data)
+print(frame)
+END
+wrong='' # a held button that is pressed as well makes no difference only where its opposite is held: nowhere in this run
+for i in $(seq 12); do
+    frame=$(python3 change.py "$i" changed.demo repaired)
+    got=$("$curtain" verify game.rom changed.demo) && wrong+="$i: $got"$'\n'
+    [[ $got == "changed.demo: frame $frame: "*input*" differ"* ]] || wrong+="$i: frame $frame: $got"$'\n'
+    # The same, side by side: the tracks of both, up to that frame.
+    "$curtain" hash game.rom --demo run.demo --parts --frames "$frame" >a.track 2>/dev/null
+    "$curtain" hash game.rom --demo changed.demo --parts --frames "$frame" >b.track 2>/dev/null
+    parts=$("$curtain" verify --bisect a.track b.track | sed -n 's/^  \([a-z_]*\): .*/\1/p' | xargs | sed 's/ /, /g')
+    [[ $got == "changed.demo: frame $frame: $parts differ"* ]] || wrong+="$i: frame $frame: $got, side by side $parts"$'\n'
+done
+same '12 flipped buttons of a whole run: frame and parts' '' "$wrong"
+wrong=''
+for i in $(seq 12); do
+    python3 change.py "$i" changed.demo spoilt >/dev/null
+    got=$("$curtain" verify game.rom changed.demo 2>&1)
+    [[ "$? $got" =~ ^'2 curtain: changed.demo: the record at byte '[0-9]+' is damaged (CRC)'$ ]] || wrong+="$i: $got"$'\n'
+done
+same 'the same without the repair: one sentence, and 2' '' "$wrong"
+
+# ---- a changed script byte ----
+
+mkdir changed && cp -r "$rom" changed/glasstide
+sed -i '0,/stage.at(\([0-9]*\)0)/s//stage.at(\11)/' changed/glasstide/stages/one.lua
+same 'a script has one other byte' 1 "$(cmp -l "$rom/stages/one.lua" changed/glasstide/stages/one.lua | wc -l)"
+line=$("$curtain" verify changed/glasstide run.demo)
+frame=$(sed -n 's/.*: frame \([0-9]*\): .*script.* (recorded on another build)$/\1/p' <<<"$line")
+holds "it is found: $line" [ -n "$frame" ]
+"$curtain" hash game.rom --demo run.demo --parts >a.track 2>/dev/null
+"$curtain" hash changed/glasstide --demo run.demo --parts --frames $((frame + 200)) 2>/dev/null | head -n $((frame + 150)) >b.track
+head -n $((frame + 150)) a.track >a2.track
+"$curtain" verify --bisect a2.track b.track >out
+same 'tracks of both builds say the same frame' "1 frame $frame is the first that differs" "$? $(head -1 out)"
+command=$(sed -n 's/^for columns and slots.*: hash ROM --demo DEMO //p' out)
+"$curtain" hash game.rom --demo run.demo $command >a.trace 2>/dev/null
+"$curtain" hash changed/glasstide --demo run.demo $command >b.trace 2>/dev/null
+"$curtain" verify --bisect a.trace b.trace >out
+code=$?
+same 'and their traces, by the command it prints' "1 frame $frame is the first that differs" "$code $(head -1 out)"
+holds 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
+
+# ---- bisect ----
+
+bisect() { # NAME CODE LINES A B
+    local got code
+    got=$("$curtain" verify --bisect "$4" "$5" 2>&1)
+    code=$?
+    same "$1" "$2 $3" "$code $got"
+}
+"$curtain" hash game.rom --demo run.demo --frames 200 >whole 2>/dev/null
+"$curtain" hash game.rom --demo run.demo --frames 200 --parts >parts 2>/dev/null
+"$curtain" hash game.rom --demo run.demo --frames 198:200 --trace input,player,pal >trace 2>/dev/null
+bisect 'equal tracks' 0 'whole and whole are equal: 201 frames, 0 to 200' whole whole
+bisect 'equal tracks of parts' 0 'parts and parts are equal: 201 frames, 0 to 200' parts parts
+bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 198 to 200' trace trace
+"$curtain" verify --bisect parts - <parts >out
+same 'standard input' '0 parts and standard input are equal: 201 frames, 0 to 200' "$? $(cat out)"
+sed '101s/ ./ g/' whole >bad
+bisect 'no hash' 2 'curtain: bad:101: not a line of "hash" or "hash --trace"' whole bad
+sed '101s/ [0-9a-f]\{4\}/ 0000/' whole >other
+hash=$(sed -n '101s/^100 //p' whole)
+bisect 'a track without parts' 1 "frame 100 is the first that differs
+  $hash in whole, 0000${hash:4} in other; for the parts: hash --parts" whole other
+sed '51s/ pal=[0-9a-f]*/ pal=0123456789abcdef/; 51s/ input=[0-9a-f]*//; 60s/bullets/bulets/' parts >other
+pal=$(sed -n '51s/.* pal=\([0-9a-f]*\).*/\1/p' parts) input=$(sed -n '51s/.* input=\([0-9a-f]*\).*/\1/p' parts)
+bisect 'several parts, one of them missing' 1 "frame 50 is the first that differs
+  input: $input in parts, missing in other
+  pal: $pal in parts, 0123456789abcdef in other
+for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace input,pal --frames 49:50" parts other
+head -n 100 whole >short
+bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' whole short
+bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' short whole
+"$curtain" hash game.rom --demo run.demo --frames 198:199 --trace input,player,pal >short 2>/dev/null
+bisect 'a shorter trace' 2 'curtain: short ends in frame 199, trace goes on; as far as they go they are equal' trace short
+sed 1d whole >other
+bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: not of the same frames' whole other
+"$curtain" hash game.rom --demo run.demo --frames 198:200 --trace input,pal >other 2>/dev/null
+line=$(grep -nm1 ' player ' trace | cut -d: -f1)
+bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: not traces of the same parts" trace other
+bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole trace
+: >empty
+bisect 'an empty file' 2 'curtain: empty: empty' whole empty
+bisect 'no file' 2 'curtain: none: No such file or directory' whole none
+head -c 100 whole >cut
+bisect 'a line cut short' 2 "curtain: cut:$(($(head -c 100 whole | wc -l) + 1)): the line is cut short" cut whole
+sed '7p' whole >other
+bisect 'a line twice' 2 'curtain: other:8: out of order' whole other
+line=$(grep -nm1 ' pal [0-9]' trace | cut -d: -f1)
+sed "${line}{h;d};$((line + 1)){G}" trace >other
+bisect 'slots out of order' 2 "curtain: other:$((line + 1)): out of order" other other
+printf '\0\n' >binary
+bisect 'bytes' 2 'curtain: binary:1: the line is cut short' whole binary
+cp "$repo/README.md" page
+bisect 'a page' 2 'curtain: page:1: not a line of "hash" or "hash --trace"' page whole
+sed '2s/ held=/ held /' trace >other
+bisect 'a column without its value' 2 'curtain: other:2: not a line of "hash" or "hash --trace"' trace other
+sed '2s/ [a-z]*=.*//' trace >other
+bisect 'a slot without columns' 2 'curtain: other:2: not a line of "hash" or "hash --trace"' trace other
+sed '2s/held=/hold=/' trace >other
+bisect 'a column of another name' 1 "frame 198 is the first that differs
+  input 0 held: $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in trace, 0 in other
+  input 0 hold: 0 in trace, $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in other" trace other
+python3 - >many <<'END'
+import re
+for line in open("trace"):
+    print(re.sub(r"rgb=[0-9a-f]{8}", "rgb=77777777", line), end="")
+END
+"$curtain" verify --bisect trace many >out
+code=$?
+same 'many differences are counted' "1 42 1 $(($(grep -c '^198 pal .*rgb=' trace) - 40))" "$code $(wc -l <out) $(grep -c '^frame 198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
+
+# Files of any size: a megabyte of trace or a hundred, the memory is the same.
+"$curtain" hash game.rom --demo run.demo --frames 1000:1100 --trace all >little 2>/dev/null
+"$curtain" hash game.rom --demo run.demo --frames 1000:2900 --trace all >large 2>/dev/null
+peak() {
+    python3 - "$curtain" "$1" <<'END'
+import resource, subprocess, sys
+code = subprocess.call([sys.argv[1], "verify", "--bisect", sys.argv[2], sys.argv[2]], stdout=subprocess.DEVNULL)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss if code == 0 else "fails")
+END
+}
+a=$(peak little) b=$(peak large)
+holds "memory: $a KiB for $(($(stat -c %s little) >> 20)) MiB, $b KiB for $(($(stat -c %s large) >> 20)) MiB" [ "$b" -le $((a + 512)) ]
+finish

@@ -1,0 +1,348 @@
+/*
+ * test_trace.c - board_trace, trace.h and bisect.h: the trace is all of the hash; and one bit planted anywhere in it is
+ * named by frame, part, slot and column, with both values.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
+#include <unistd.h>
+#include "../../src/cab/bisect.h"
+#include "../../src/cab/cli.h"
+#include "../../src/cab/trace.h"
+#include "rig.h"
+
+static char dir[256], out[8192];
+
+static const char *file(const char *name)
+{
+    static char path[4][300];
+    static int i;
+
+    i = (i + 1) % 4;
+    snprintf(path[i], sizeof path[i], "%s/%s", dir, name);
+    return path[i];
+}
+
+static int setup(void **state)
+{
+    const char *tmp = getenv("TMPDIR");
+
+    (void)state;
+    snprintf(dir, sizeof dir, "%s/Trace-XXXXXX", tmp != NULL ? tmp : "/tmp");
+    return mkdtemp(dir) == NULL ? -1 : 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    remove(file("a"));
+    remove(file("b"));
+    remove(file("out"));
+    return rmdir(dir);
+}
+
+/* A board in the middle of a game, by the game's own demo. */
+static void play(struct rig *r, const struct rig_game *g, const char *demo_name, uint32_t frames)
+{
+    static struct demo d;
+    uint16_t pads[PADS];
+
+    assert_true(rig_demo(g, demo_name, &d));
+    rig_power(r, g, &d.start);
+    for (uint32_t f = 0; f < frames; f++) {
+        demo_pads(&d, f, pads);
+        rig_tick(r, pads);
+    }
+    demo_free(&d);
+}
+
+/* ---- the trace is what is hashed ---- */
+
+struct folded {
+    uint64_t h;
+    int64_t slot;
+    uint64_t values;
+};
+
+static void fold(void *context, const struct slots_value *v)
+{
+    struct folded *f = context;
+
+    if (v->slot != f->slot && v->gen)
+        f->h = hash_fold(f->h, (uint64_t)v->gen << 32 | (uint64_t)v->slot);
+    f->slot = v->slot;
+    f->h = hash_fold(f->h, v->value);
+    f->values++;
+    assert_true(v->i < v->n && (v->width == 8 || v->value >> 8 * v->width == 0));
+}
+
+static void test_all_of_the_hash(void **state)
+{
+    static const struct {
+        const char *game, *demo;
+        uint32_t frames;
+    } rows[] = { { "glasstide", "run", 900 }, { "torture", "torture", 300 }, { "testcard", "card", 100 } };
+
+    (void)state;
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        struct rig_game g;
+        struct rig r;
+        rig_folder(&g, rows[k].game);
+        play(&r, &g, rows[k].demo, rows[k].frames);
+        for (int i = 0; i < PARTS; i++) {
+            struct folded f = { .h = HASH_START, .slot = NO_SLOT };
+            board_trace(r.b, i, fold, &f);
+            if (f.h != board_part_hash(r.b, i))
+                fail_msg("%s: the trace of %s is not what is hashed", rows[k].game, board_part(r.b, i));
+            assert_true(f.values >= 2);
+        }
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+}
+
+/* ---- bisect ---- */
+
+static void print_trace(const char *name, const char *mode, const struct board *b, uint32_t parts_wanted)
+{
+    FILE *f = fopen(file(name), mode);
+
+    assert_non_null(f);
+    trace_frame(f, b, parts_wanted);
+    assert_int_equal(fclose(f), 0);
+}
+
+/* bisect_run of two files; what it prints is in out. */
+static int bisect(const char *a, const char *b)
+{
+    char first[300], second[300];
+    char *words[] = { first, second };
+    struct args args = { .command = COMMAND_VERIFY, .words = words, .n_words = 2, .bisect = true };
+
+    snprintf(first, sizeof first, "%s", file(a));
+    snprintf(second, sizeof second, "%s", file(b));
+    fflush(stdout);
+    int was = dup(STDOUT_FILENO);
+    assert_non_null(freopen(file("out"), "w", stdout));
+    int code = bisect_run(&args);
+    fflush(stdout);
+    dup2(was, STDOUT_FILENO);
+    close(was);
+    FILE *f = fopen(file("out"), "r");
+    out[fread(out, 1, sizeof out - 1, f)] = 0;
+    fclose(f);
+    return code;
+}
+
+/* A value as traces have it. */
+static void spell(char *to, size_t size, uint64_t v, int width)
+{
+    int n = snprintf(to, size, "%0*llx", width * 2, (unsigned long long)v);
+    long long decimal = width == 1 ? (int8_t)v : width == 2 ? (int16_t)v : (int32_t)v;
+
+    if (width < 8 && v > 9)
+        snprintf(to + n, size - (size_t)n, "(%lld)", decimal);
+}
+
+/* The one difference there may be. */
+static void named(uint32_t frame, const char *part, int64_t slot, const struct column *c, int i, uint64_t was,
+                  uint64_t is)
+{
+    char want[1024], at[64] = "", index[32] = "", a[64], b[64];
+
+    if (slot >= 0)
+        snprintf(at, sizeof at, " %lld", (long long)slot);
+    if (c->n > 1)
+        snprintf(index, sizeof index, "[%d]", i);
+    spell(a, sizeof a, was, c->width);
+    spell(b, sizeof b, is, c->width);
+    snprintf(want, sizeof want, "frame %u is the first that differs\n  %s%s %s%s: %s in %s, %s in %s\n",
+             (unsigned)frame, part, at, c->name, index, a, file("a"), b, file("b"));
+    assert_string_equal(out, want);
+}
+
+static uint64_t load(const uint8_t *p, int width)
+{
+    uint64_t v8;
+    uint32_t v4;
+    uint16_t v2;
+
+    if (width == 1)
+        return *p;
+    if (width == 2)
+        return memcpy(&v2, p, 2), v2;
+    if (width == 4)
+        return memcpy(&v4, p, 4), v4;
+    return memcpy(&v8, p, 8), v8;
+}
+
+static void store(uint8_t *p, int width, uint64_t v)
+{
+    uint8_t v1 = (uint8_t)v;
+    uint16_t v2 = (uint16_t)v;
+    uint32_t v4 = (uint32_t)v;
+
+    memcpy(p,
+           width == 1   ? (void *)&v1
+           : width == 2 ? (void *)&v2
+           : width == 4 ? (void *)&v4
+                        : (void *)&v,
+           (size_t)width);
+}
+
+/* Flips a bit of the value at p for as long as the second of two traces is printed. */
+static void plant(struct rig *r, int part, int64_t slot, const struct column *c, int i, uint8_t *p, struct rng *rng)
+{
+    uint64_t was = load(p, c->width), is = was ^ 1ull << rng_below(rng, c->width * 8);
+    uint32_t only = 1u << part;
+
+    store(p, c->width, is);
+    print_trace("b", "w", r->b, only);
+    store(p, c->width, was);
+    assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+    if (slot >= 0 && parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
+        char start[64];
+        snprintf(start, sizeof start, "\n  %s %lld %s", board_part(r->b, part), (long long)slot, c->name);
+        assert_non_null(strstr(out, start));
+        return;
+    }
+    named(board_frame(r->b), board_part(r->b, part), slot, c, i, was, is);
+}
+
+/* A live slot, any of them. */
+static int64_t some_slot(const struct slots *s, struct rng *rng)
+{
+    uint32_t end = s->used ? s->top : s->live, i;
+
+    if (s->live == 0)
+        return NO_SLOT;
+    do
+        i = slots_next(s, (uint32_t)rng_below(rng, end));
+    while (i >= end);
+    return i;
+}
+
+/* Plants a bit in every register and column of a part, in slots by chance; returns how many. */
+static int plant_part(struct rig *r, int part, struct rng *rng)
+{
+    uint8_t *self = (uint8_t *)r->b + parts[part].at;
+    const struct chip *chip = parts[part].chip;
+    int planted = 0;
+
+    print_trace("a", "w", r->b, 1u << part);
+    assert_int_equal(bisect("a", "a"), EXIT_DONE);
+    for (int k = 0; k < chip->count; k++) {
+        const struct column *c = &chip->columns[k];
+        int64_t slot = c->reg ? NO_SLOT : some_slot((struct slots *)self, rng);
+        int i = (int)rng_below(rng, c->n);
+        uint8_t *column = self + c->at;
+        if (c->kind != COL_GAME || (!c->reg && slot < 0) || column == (uint8_t *)&r->b->core.frame)
+            continue; /* the frame is what lines are compared by */
+        if (!c->reg)
+            memcpy(&column, self + c->at, sizeof column);
+        plant(r, part, slot, c, i, column + ((size_t)(slot < 0 ? 0 : slot) * c->n + (size_t)i) * c->width, rng);
+        planted++;
+    }
+    return planted;
+}
+
+static void test_planted(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+    int planted = 0;
+
+    (void)state;
+    rig_folder(&g, "glasstide");
+    rng_seed(&rng, 5);
+    for (uint32_t frame = 700; frame <= 2000; frame += 650) {
+        play(&r, &g, "run", frame);
+        for (int part = 0; part < PARTS; part++)
+            planted += plant_part(&r, part, &rng);
+        rig_free(&r);
+    }
+    assert_true(planted > 300);
+    rig_game_free(&g);
+}
+
+/* A bit that is planted while the game runs on: the frame is the first of many that differ. */
+static void test_first_frame(void **state)
+{
+    static const char text[] =
+        "bullet.def(\"orb\", { sprite = \"dot\", hit = \"none\" })\n"
+        "for i = 1, 20 do bullet.fire { kind = \"orb\", x = 20, y = 10 * i, speed = 0.5, dir = 0 } end";
+    const uint16_t none[PADS] = { 0 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, text);
+    for (uint32_t at = 1; at <= 60; at += 59) {
+        uint32_t x = 0;
+        remove(file("a"));
+        remove(file("b"));
+        for (int with = 0; with < 2; with++) {
+            rig_power(&r, &g, NULL);
+            for (uint32_t f = 0; f <= 90; f++) {
+                if (with && f == at) {
+                    x = (uint32_t)r.b->bullets.x[13];
+                    r.b->bullets.x[13] ^= 1 << 4;
+                }
+                print_trace(with ? "b" : "a", "a", r.b, UINT32_MAX);
+                rig_tick(&r, none);
+            }
+            rig_free(&r);
+        }
+        assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+        named(at, "bullets", 13, &(struct column){ .name = "x", .width = 4, .n = 1 }, 0, x, x ^ 1 << 4);
+    }
+    rig_game_free(&g);
+}
+
+/* One that is alive in one trace only, and a slot with another tenant. */
+static void test_who_lives(void **state)
+{
+    static const char text[] = "bullet.def(\"orb\", { sprite = \"dot\", hit = \"none\" })\n"
+                               "for i = 1, 20 do bullet.fire { kind = \"orb\", x = 20, y = 10 * i, speed = 0 } end";
+    struct rig_game g;
+    struct rig r;
+    char want[1024];
+
+    (void)state;
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 5);
+    print_trace("a", "w", r.b, UINT32_MAX);
+    r.b->bullets.s.gen[4] = 9;
+    print_trace("b", "w", r.b, UINT32_MAX);
+    assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+    snprintf(want, sizeof want, "frame 5 is the first that differs\n  bullets 4 generation: 1 in %s, 9 in %s\n",
+             file("a"), file("b"));
+    assert_string_equal(out, want);
+    r.b->bullets.s.gen[4] = 1;
+    for (uint32_t slot = 0; slot < 20; slot += 19) {
+        r.b->bullets.s.used[0] ^= 1ull << slot;
+        print_trace("b", "w", r.b, UINT32_MAX);
+        r.b->bullets.s.used[0] ^= 1ull << slot;
+        assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+        snprintf(want, sizeof want,
+                 "frame 5 is the first that differs\n  bullets %u is alive in %s only (generation 1)\n", (unsigned)slot,
+                 file("a"));
+        assert_string_equal(out, want);
+        assert_int_equal(bisect("b", "a"), EXIT_DIFFERS);
+        assert_string_equal(out, want);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_of_the_hash),
+        cmocka_unit_test(test_planted),
+        cmocka_unit_test(test_first_frame),
+        cmocka_unit_test(test_who_lives),
+    };
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
