@@ -1,6 +1,9 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
 CC      ?= cc
+# For another machine: a compiler of this one, for what a build runs itself, and what runs that machine's programs here.
+BUILD_CC ?= $(CC)
+RUN     ?=
 CONFIG  ?= release
 OPT     ?= -O2
 OUT     := build/$(CONFIG)
@@ -78,7 +81,7 @@ $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
+	$(Q)$(BUILD_CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
 
 $(OUT)/gen/std.c: $(STD_LUA) $(OUT)/embed
 	@mkdir -p $(@D)
@@ -101,7 +104,7 @@ $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"

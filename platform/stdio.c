@@ -8,7 +8,10 @@
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__)
 #define _XOPEN_SOURCE 700
-#define POSIX         1
+#ifndef _FILE_OFFSET_BITS
+#define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir refuse what lies far out on a large disk */
+#endif
+#define POSIX 1
 #endif
 
 #include <errno.h>

@@ -7,11 +7,13 @@
 
 #include <inttypes.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/hash.h"
+#include "../base/heap.h"
 #include "../board/board.h"
 #include "../board/cart.h"
 #include "../board/script.h"
@@ -37,6 +39,15 @@ static bool fail(char *err, size_t size, const char *format, ...)
     vsnprintf(err, size, format, args);
     va_end(args);
     return false;
+}
+
+/* Room for Lua to think in, aligned as its heap asks: malloc of a 32-bit host may give 8 bytes. NULL: out of memory.
+ * *block is what to free. */
+static void *work_open(size_t size, void **block)
+{
+    *block = malloc(size + HEAP_ALIGN - 1);
+    uintptr_t at = ((uintptr_t)*block + HEAP_ALIGN - 1) & ~(uintptr_t)(HEAP_ALIGN - 1);
+    return *block ? (void *)at : NULL;
 }
 
 /* ---- the folder ---- */
@@ -274,11 +285,11 @@ static bool read_manifest(struct packer *p)
         return false;
     drop_mark(text, &size);
     folder_name(p->dir, folder);
-    void *work = malloc(MANIFEST_WORK);
+    void *block, *work = work_open(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
                              : fail(p->err, p->err_size, "out of memory");
-    free(work);
+    free(block);
     free(text);
     return good;
 }
@@ -426,10 +437,10 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     drop_mark(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
-    void *work = malloc(SCRIPT_WORK);
+    void *block, *work = work_open(SCRIPT_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, SCRIPT_WORK, p->err, p->err_size)
                              : fail(p->err, p->err_size, "out of memory");
-    free(work);
+    free(block);
     if (!good) {
         free(text);
         return false;
