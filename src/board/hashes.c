@@ -25,6 +25,16 @@ void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
         out[i] = board_part_hash(b, i);
 }
 
+uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
+{
+    uint64_t h = HASH_START;
+
+    for (int i = 0; i < PARTS; i++)
+        if (!parts[i].chip->apart)
+            h = hash_fold(h, hashes[i]);
+    return h;
+}
+
 uint64_t board_hash(const struct board *b)
 {
     uint64_t h = HASH_START;

@@ -263,9 +263,9 @@ static void print_hash(const struct board *b, bool parts)
 {
     uint64_t hashes[MAX_PARTS];
 
-    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash(b));
     if (parts)
         board_hashes(b, hashes);
+    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)(parts ? board_hash_of(hashes) : board_hash(b)));
     for (int i = 0; parts && i < board_parts(b); i++)
         printf(" %s=%016llx", board_part(b, i), (unsigned long long)hashes[i]);
     putchar('\n');
