@@ -39,7 +39,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: all null play install deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove
+.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -52,6 +52,7 @@ help:
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
+	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make bench    measure docs/speed.md anew              make install PREFIX=...   make deps   make format   make clean"
 
@@ -271,6 +272,11 @@ $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 prove: deps-test
 	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
+
+# ---- other machines; docs/determinism.md. ARGS="s390x armhf" tries these builds only ----
+
+cross: deps-play-cross
+	@tools/cross/run.sh $(ARGS)
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')
