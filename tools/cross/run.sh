@@ -179,7 +179,7 @@ table() {
 }
 
 changes() { # files that are not as committed, but for the page
-    git status --porcelain | grep -v " $page\$"
+    { git status --porcelain 2>/dev/null || echo "   there is no git repository here"; } | grep -v " $page\$"
 }
 
 contents() {
@@ -207,7 +207,7 @@ for name in $chosen; do
     what=$(missing "$name")
     [ -z "$what" ] || { echo "tools/cross/run.sh: $name: $what" >&2; exit 3; }
 done
-before=$(changes; git rev-parse HEAD)
+before=$(changes; git rev-parse HEAD 2>/dev/null)
 mkdir -p "$cross/include"
 ln -sfn /usr/include/stb "$cross/include/stb"
 echo '#define DEB_HOST_MULTIARCH "none"' >"$cross/include/lua5.4-deb-multiarch.h" # Debian's build makes this
@@ -225,7 +225,7 @@ done
 tools/cross/unsorted.sh "$cross/$reference" "$cross/$reference/keys.demo" | tee "$cross/unsorted.said"
 [ "${PIPESTATUS[0]}" = 0 ] || exit 1
 [ $# = 0 ] || exit 0
-if [ -n "$(changes)" ] || [ "$before" != "$(changes; git rev-parse HEAD)" ]; then
+if [ -n "$(changes)" ] || [ "$before" != "$(changes; git rev-parse HEAD 2>/dev/null)" ]; then
     echo "$page is as it was, for these are not as committed:"
     changes
     table
