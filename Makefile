@@ -1,6 +1,9 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
 CC      ?= cc
+# For another machine: a compiler of this one, for what a build runs itself, and what runs that machine's programs here.
+BUILD_CC ?= $(CC)
+RUN     ?=
 CONFIG  ?= release
 OPT     ?= -O2
 OUT     := build/$(CONFIG)
@@ -36,7 +39,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: all null play install deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove
+.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -49,6 +52,7 @@ help:
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
+	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make bench    measure docs/speed.md anew              make install PREFIX=...   make deps   make format   make clean"
 
@@ -78,7 +82,7 @@ $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
+	$(Q)$(BUILD_CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
 
 $(OUT)/gen/std.c: $(STD_LUA) $(OUT)/embed
 	@mkdir -p $(@D)
@@ -101,7 +105,7 @@ $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"
@@ -268,6 +272,11 @@ $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 prove: deps-test
 	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
+
+# ---- other machines; docs/determinism.md. ARGS="s390x armhf" tries these builds only ----
+
+cross: deps-play-cross
+	@tools/cross/run.sh $(ARGS)
 
 format:
 	clang-format -i $$(git ls-files '*.c' '*.h')

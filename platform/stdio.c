@@ -6,9 +6,15 @@
  * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and
  * append together).
  */
-#if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__)
+#if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define _XOPEN_SOURCE 700
-#define POSIX         1
+#ifndef _FILE_OFFSET_BITS
+#define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir refuse what lies far out on a large disk */
+#endif
+#define POSIX 1
+#ifndef __wasi__ /* which has POSIX's files alone */
+#define PROCESSES 1
+#endif
 #endif
 
 #include <errno.h>
@@ -20,11 +26,13 @@
 #ifdef POSIX
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+#ifdef PROCESSES
 #include <pthread.h>
 #include <signal.h>
-#include <sys/stat.h>
 #include <sys/time.h>
-#include <unistd.h>
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -94,7 +102,7 @@ DEFAULT void plat_log(const char *line)
 /* ---- alarm ---- */
 
 #ifndef PLAT_OWN_ALARM
-#ifdef POSIX
+#ifdef PROCESSES
 /* SIGALRM is sent to the process and may land on any thread (SDL has some), so the handler passes it on to the one that
  * armed. */
 static pthread_t alarm_thread;
@@ -209,11 +217,6 @@ static bool is_folder(FILE *f)
     return fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode);
 }
 
-static long process(void)
-{
-    return (long)getpid();
-}
-
 static bool replace(const char *from, const char *to)
 {
     return rename(from, to) == 0;
@@ -242,11 +245,6 @@ static bool is_folder(FILE *f)
     return false;
 }
 
-static long process(void)
-{
-    return 0;
-}
-
 /* ISO C lets rename refuse a name that is taken. */
 static bool replace(const char *from, const char *to)
 {
@@ -256,6 +254,16 @@ static bool replace(const char *from, const char *to)
     return rename(from, to) == 0;
 }
 #endif
+
+/* Tells apart the temporary files of programs that save at the same time. */
+static long process(void)
+{
+#ifdef PROCESSES
+    return (long)getpid();
+#else
+    return 0;
+#endif
+}
 
 /* ---- files ---- */
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [play] [test] [fuzz] [bench]     without arguments: all of it
+#     tools/deps.sh [play] [test] [fuzz] [bench] [cross]     without arguments: all but cross
 set -eu
 [ $# -gt 0 ] || set -- play test fuzz bench
 
@@ -50,8 +50,28 @@ for what; do
         have objcopy || need binutils
         have xz || need xz-utils
         ;;
+    cross)
+        have aarch64-linux-gnu-gcc || need gcc-aarch64-linux-gnu
+        have arm-linux-gnueabihf-gcc || need gcc-arm-linux-gnueabihf
+        have i686-linux-gnu-gcc || need gcc-i686-linux-gnu
+        have s390x-linux-gnu-gcc || need gcc-s390x-linux-gnu
+        [ -e /usr/aarch64-linux-gnu/include/stdio.h ] || need libc6-dev-arm64-cross
+        [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] || need libc6-dev-armhf-cross
+        [ -e /usr/i686-linux-gnu/include/stdio.h ] || need libc6-dev-i386-cross
+        [ -e /usr/s390x-linux-gnu/include/stdio.h ] || need libc6-dev-s390x-cross
+        have qemu-s390x-static || need qemu-user-static
+        have clang || need clang
+        have wasm-ld || need lld
+        header wasm32-wasi/stdio.h || need wasi-libc
+        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 || need libclang-rt-14-dev-wasm32
+        have node || need nodejs
+        have dpkg-source || need dpkg-dev
+        have xz || need xz-utils
+        have file || need file
+        have git || need git
+        ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz, bench" >&2
+        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz, bench, cross" >&2
         exit 2
         ;;
     esac

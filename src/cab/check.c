@@ -67,11 +67,11 @@ static void check_entry(struct check *c)
 static void check_manifest(struct check *c)
 {
     char folder[64], err[512] = "rom.lua: out of memory";
-    void *work = malloc(MANIFEST_WORK);
+    void *block, *work = tree_work(MANIFEST_WORK, &block);
     size_t size;
 
     if (!check_load(c, "rom.lua", TREE_SCRIPT, &c->rom_text, &size)) {
-        free(work);
+        free(block);
         return;
     }
     tree_drop_mark(c->rom_text, &size);
@@ -85,7 +85,7 @@ static void check_manifest(struct check *c)
         check_rom_sentence(c, err);
         c->broken = true;
     }
-    free(work);
+    free(block);
 }
 
 /* ---- the folder ---- */

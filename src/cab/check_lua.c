@@ -34,7 +34,7 @@ static void scan(struct check *c, const struct check_script *s, size_t size)
 
 static void compile(struct check *c, const struct check_script *s, size_t size)
 {
-    void *work = malloc(TREE_WORK);
+    void *block, *work = tree_work(TREE_WORK, &block);
     char chunk[TREE_PATH], err[512] = "out of memory";
 
     snprintf(chunk, sizeof chunk, "@%s", s->path);
@@ -42,7 +42,7 @@ static void compile(struct check *c, const struct check_script *s, size_t size)
         findings_add_sentence(&c->found, s->path, err);
         c->broken = true;
     }
-    free(work);
+    free(block);
 }
 
 static bool ends_with(const char *s, const char *tail)

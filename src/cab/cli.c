@@ -4,6 +4,7 @@
  */
 #include "cli.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -201,11 +202,19 @@ static int help(const struct args *a)
     return stdout_done(EXIT_DONE);
 }
 
+static const char *byte_order(void)
+{
+    const uint16_t one = 1;
+
+    return *(const uint8_t *)&one ? "little" : "big";
+}
+
 static int version(void)
 {
     printf("curtain core version %d\n", CORE_VERSION);
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
+    printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
     puts(LUA_RELEASE);
     return stdout_done(EXIT_DONE);
 }

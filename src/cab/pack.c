@@ -7,11 +7,13 @@
 
 #include <inttypes.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/hash.h"
+#include "../base/heap.h"
 #include "../board/board.h"
 #include "../board/cart.h"
 #include "../board/script.h"
@@ -132,11 +134,11 @@ static bool read_manifest(struct packer *p)
         return false;
     tree_drop_mark(text, &size);
     tree_id(p->dir, folder);
-    void *work = malloc(MANIFEST_WORK);
+    void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
                              : fail(p->err, p->err_size, "out of memory");
-    free(work);
+    free(block);
     free(text);
     return good;
 }
@@ -283,10 +285,10 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     tree_drop_mark(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
-    void *work = malloc(TREE_WORK);
+    void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
                              : fail(p->err, p->err_size, "out of memory");
-    free(work);
+    free(block);
     if (!good) {
         free(text);
         return false;

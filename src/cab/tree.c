@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../base/heap.h"
 
 enum {
     MAX_FILES = 1 << 16, /* in a folder and all below it */
@@ -161,4 +162,11 @@ bool tree_has(const struct tree *files, const char *path)
         if (strcmp(files->name[i], path) == 0)
             return true;
     return false;
+}
+
+void *tree_work(size_t size, void **block)
+{
+    *block = malloc(size + HEAP_ALIGN - 1);
+    uintptr_t at = ((uintptr_t)*block + HEAP_ALIGN - 1) & ~(uintptr_t)(HEAP_ALIGN - 1);
+    return *block ? (void *)at : NULL;
 }

@@ -43,6 +43,10 @@ bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, s
 /* Takes the byte order mark off that some editors start a text with, and Lua does not know. */
 void tree_drop_mark(uint8_t *data, size_t *size);
 
+/* Room for Lua to think in, aligned as its heap asks (malloc of a 32-bit host may give 8 bytes); *block is what to free.
+ * NULL: out of memory. */
+void *tree_work(size_t size, void **block);
+
 /* The last part of a path; "" for one like "." that is no name. */
 void tree_id(const char *dir, char out[64]);
 

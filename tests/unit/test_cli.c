@@ -503,6 +503,7 @@ static void test_rom_commands(void **state)
     runs("--version", EXIT_DONE);
     says(out, "curtain core version ");
     says(out, "\nLua 5.4.");
+    says(out, "-endian\n");
     runs("help play", EXIT_DONE);
     says(out, "p1.fire");
     runs("help lua bullet.fire", EXIT_DONE);
