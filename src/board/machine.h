@@ -33,6 +33,7 @@ struct core {
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
     uint32_t over;           /* 1: game over was told */
+    uint64_t drawn;          /* numbers taken from the stream since it began */
 };
 
 /* What scripts do, as a running digest: two runs whose scripts act differently differ here in that frame. */
@@ -54,6 +55,15 @@ struct hand {
     void *lap_context;
 };
 
+/* What was declared under a name. */
+enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAMES };
+
+/* Names by index, in the Lua heap: api_names.c. */
+struct names {
+    const char **at; /* `room` of them, NULL: none */
+    uint32_t n, room;
+};
+
 struct board {
     struct cart cart;
     struct board_start start;
@@ -64,6 +74,7 @@ struct board {
     struct sprite *pictures; /* of the ROM, by index */
     struct hand *hand;
     struct vm vm;
+    struct names names[NAMES];
     struct events events;
     struct board_counts counts;
 

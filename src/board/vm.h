@@ -53,6 +53,9 @@ struct board *vm_board(lua_State *L);
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
+/* Where the nearest caller outside @std stands, or the nearest at all: "FILE:LINE: ", or "". Changes nothing of L. */
+void vm_where(lua_State *L, char *place, size_t size);
+
 /* Puts "FILE:LINE: " before the message on top of the stack if it has none. */
 void vm_place(lua_State *L);
 
