@@ -181,6 +181,11 @@ static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
     return false;
 }
 
+bool tasks_frozen(const struct board *b, uint32_t slot)
+{
+    return b->core.frozen && !owned_by(b, slot, b->core.frozen);
+}
+
 /* A task's error becomes the board's fault; the run is over. */
 static void fail(struct board *b, lua_State *L, lua_State *co, int status)
 {
@@ -239,7 +244,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         close_task(b, L, i);
         return true;
     }
-    if (t->flags[i] & TASK_SCOPE || (b->core.frozen && !owned_by(b, i, b->core.frozen)))
+    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i))
         return false;
     if (t->wait[i] > 0 && --t->wait[i] > 0)
         return false;

@@ -59,6 +59,9 @@ void tasks_stop(struct board *b, uint32_t slot);
 bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
+/* Does it get no turn, because the game is paused and it is not of the pause? */
+bool tasks_frozen(const struct board *b, uint32_t slot);
+
 /* The owner for things the running script starts. */
 int64_t tasks_owner(const struct board *b);
 
