@@ -51,6 +51,7 @@ struct hand {
     char log[4096];
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
     bool deep;               /* it was in many nested calls */
+    const char *line;        /* that board_eval runs */
     board_lap *lap;          /* of board_watch; may be NULL */
     void *lap_context;
 };

@@ -113,10 +113,12 @@ void vm_charge(lua_State *L, uint64_t work)
     if (vm->interrupted) /* hooks do not run inside C functions */
         vm_fault(L, FAULT_INTERRUPTED, "interrupted");
     vm->work += work;
-    if (vm->work <= WORK_LIMIT)
+    if (vm->work <= (vm->limit ? vm->limit : WORK_LIMIT))
         return;
     if (vm->counting)
         lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
+    if (vm->limit)
+        vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one line", (int)vm->limit);
     vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
 }
 
@@ -325,7 +327,7 @@ static void log_text(struct board *b, const char *s, size_t n)
     h->log_size += n;
 }
 
-static int l_print(lua_State *L)
+int vm_print(lua_State *L)
 {
     struct board *b = vm_board(L);
     int n = lua_gettop(L);
@@ -412,7 +414,7 @@ static int open_libraries(lua_State *L)
     }
     lualib_open(L);
     lua_register(L, "require", l_require);
-    lua_register(L, "print", l_print);
+    lua_register(L, "print", vm_print);
     lua_newtable(L);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
     return 0;
