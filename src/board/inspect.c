@@ -85,15 +85,23 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
 {
     struct inspect_body body;
 
-    EACH_LIVE (i, &b->bullets.s)
-        body = flying_body(b, INSPECT_BULLET, i), each(context, &body);
-    EACH_LIVE (i, &b->shots.s)
-        body = flying_body(b, INSPECT_SHOT, i), each(context, &body);
-    EACH_LIVE (i, &b->enemies.s)
-        body = enemy_body(b, i), each(context, &body);
-    for (uint32_t i = 0; i < PADS; i++)
+    EACH_LIVE (i, &b->enemies.s) {
+        body = enemy_body(b, i);
+        each(context, &body);
+    }
+    EACH_LIVE (i, &b->shots.s) {
+        body = flying_body(b, INSPECT_SHOT, i);
+        each(context, &body);
+    }
+    EACH_LIVE (i, &b->bullets.s) {
+        body = flying_body(b, INSPECT_BULLET, i);
+        each(context, &body);
+    }
+    for (uint32_t i = 0; i < PADS; i++) {
+        body = player_body(b, i);
         if (b->player.in[i])
-            body = player_body(b, i), each(context, &body);
+            each(context, &body);
+    }
 }
 
 /* ---- gauges ---- */

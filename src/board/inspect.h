@@ -27,7 +27,7 @@ struct inspect_body {
                       is dying, a player that is safe */
 };
 
-/* Calls each for all bodies, in the order bullets, shots, enemies, players; each by slot. */
+/* Calls each for all bodies, in the order enemies, shots, bullets, players; each by slot. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
 /* The field on the screen, px. */

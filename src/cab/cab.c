@@ -17,9 +17,11 @@
 #include "../base/hash.h"
 #include "ask.h"
 #include "config.h"
+#include "console.h"
 #include "folder.h"
 #include "guard.h"
 #include "message.h"
+#include "overlay.h"
 #include "png.h"
 #include "session.h"
 #include "speaker.h"
@@ -72,7 +74,10 @@ static struct cab {
     int waited;     /* frames since the last tick */
     int bar;        /* frames the bar of time is still shown */
     bool mouse;     /* its button was held at the last poll */
+    int mouse_x, mouse_y;
     struct ask ask;
+    struct overlay overlay;
+    struct console console;
     struct folder folder;
     int since_look;
     char notice[DEMO_PATH + 64];
@@ -477,16 +482,17 @@ static void picture_show(struct picture *p)
     char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4];
 
     words(text, sizeof text);
-    if (!text[0] && !bar_shown()) {
+    if (!text[0] && !bar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
     struct ink ink = picture_copy(p);
-    if (text[0])
-        message_draw(&ink, 0, text);
+    int y0 = text[0] ? message_draw(&ink, 0, text) : 0, y1 = console_draw(&cab.console, &ink);
+    overlay_draw(&cab.overlay, &ink, y0, bar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
+                 cab.attracting ? cab.shown.board : live(), cab.mouse_x, cab.mouse_y);
     if (cab.session.way != SESSION_THERE)
         progress_draw(&ink);
-    if (bar_shown())
+    if (bar_shown() && !cab.console.open)
         timebar_draw(&ink, &cab.session);
     plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
 }
@@ -586,16 +592,36 @@ static bool ask(const struct plat_input *in)
     return true;
 }
 
+/* While the console is open it has all keys. Scores are saved before a line can touch them. */
+static void console_keys(const struct plat_input *in, struct keys_read *k)
+{
+    bool stands = !fault() && !cab.attracting && cab.session.way == SESSION_THERE;
+    if (k->pressed & 1 << CAB_CONSOLE)
+        save_nvram();
+    console_poll(&cab.console, in, k, stands ? live() : NULL, !cab.session.demo);
+    if (console_kept(&cab.console))
+        wrote(session_touch(&cab.session));
+    if (cab.want.text == cab.console.open)
+        return;
+    cab.want.text = cab.console.open;
+    if (!plat_open(&cab.want))
+        cab.quit = true;
+}
+
 static void poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab.mouse_x = in.mouse_x;
+    cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
     if (ask(&in)) {
         memset(k, 0, sizeof *k);
         return;
     }
     keys_read(&cab.config.keys, &in, k);
+    console_keys(&in, k);
+    overlay_keys(&cab.overlay, k->pressed);
     for (int i = 0; i < PADS; i++)
         cab.pads[i] |= k->pads[i];
     cabinet_keys(k);
@@ -681,6 +707,7 @@ static void finish(void)
     if (cab.attracting)
         attract_end();
     picture_close(&cab.picture);
+    console_close(&cab.console);
     free(cab.nvram);
     plat_close();
 }
@@ -695,8 +722,11 @@ static bool frame(void)
     poll(&k);
     look_for_changes();
     int n = frames_due(now);
+    overlay_begin(&cab.overlay, cab.attracting ? &cab.shown : &cab.session.now->guard);
     if (cab.session.way != SESSION_THERE)
         work(now);
+    else if (cab.console.open)
+        memset(cab.pads, 0, sizeof cab.pads);
     else
         run(n, &k, now);
     cab.bar -= cab.bar > 0;
@@ -705,8 +735,12 @@ static bool frame(void)
         cab.since_save = 0;
         save_nvram();
     }
+    overlay_lap(&cab.overlay, SPLIT_CABINET);
     picture_draw(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_DRAW);
     picture_show(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_SHOW);
+    overlay_end(&cab.overlay);
     if (cab.quit)
         finish();
     return !cab.quit;

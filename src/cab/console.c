@@ -243,22 +243,29 @@ bool console_kept(struct console *c)
 
 /* ---- picture ---- */
 
-static int rows_of(const struct console_said *s, int columns)
+static int rows_of(const char *text, int columns)
 {
-    int n = ink_width(s->text) / INK_CELL_W;
-    return n <= columns ? 1 : (n + columns - 1) / columns;
+    int rows = 0;
+    do {
+        text += ink_fit(text, columns);
+        rows++;
+    } while (*text);
+    return rows;
 }
 
+/* From the newest upwards, as far as there is room. */
 static void draw_said(const struct console *c, const struct ink *ink, int y0, int y1, int columns)
 {
     int oldest = c->told > CONSOLE_SAID ? c->told - CONSOLE_SAID : 0, y = y1;
     for (int i = c->told - 1; i >= oldest && y > y0; i--) {
         const struct console_said *s = &c->said[i % CONSOLE_SAID];
-        int rows = rows_of(s, columns), length = (int)strlen(s->text);
-        y -= rows * INK_CELL_H;
-        for (int r = 0; r < rows && r * columns < length; r++)
-            if (y + r * INK_CELL_H >= y0)
-                ink_bytes(ink, 2, y + r * INK_CELL_H, s->colour, s->text + r * columns, columns);
+        const char *text = s->text;
+        int row = y -= rows_of(text, columns) * INK_CELL_H;
+        for (int n; *text; text += n, row += INK_CELL_H) {
+            n = ink_fit(text, columns);
+            if (row >= y0)
+                ink_bytes(ink, 2, row, s->colour, text, n);
+        }
     }
 }
 

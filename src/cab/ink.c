@@ -139,6 +139,19 @@ int ink_width(const char *text)
     return w;
 }
 
+int ink_fit(const char *text, int most)
+{
+    int n = 0, used = 0, blank = 0;
+    for (; text[n] && text[n] != '\n'; n++) {
+        used += columns((unsigned char)text[n]);
+        if (used > most)
+            return blank > most / 2 ? blank : n ? n : 1;
+        if (text[n] == ' ')
+            blank = n + 1;
+    }
+    return n;
+}
+
 /* ---- shapes ---- */
 
 void ink_rect(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)

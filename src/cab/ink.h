@@ -39,6 +39,10 @@ int ink_bytes(const struct ink *ink, int x, int y, enum ink_colour c, const char
 /* Pixels from a line's start to where the next character would stand: INK_CELL_W a character. */
 int ink_width(const char *text);
 
+/* How many bytes of text stand on one line of so many columns: to a \n, or broken, after a blank if there is one in the
+ * second half. At least one, unless the line is empty. */
+int ink_fit(const char *text, int columns);
+
 /* All are clipped to the picture; any values. A rectangle is filled, a frame its outline one pixel wide (inside it); w
  * or h below 1 draws nothing. A line has both its ends. A circle is the rim of the pixels less than
  * r + 1/2 from (x, y): r 0 is that pixel, r below 0 or above INK_REACH nothing. */

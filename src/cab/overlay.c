@@ -1,8 +1,8 @@
 /*
  * overlay.c - see overlay.h.
  *
- * A panel is a sheet of text lines, each of one colour, some with a bar behind. Panels stand in columns from the top
- * left; the one about the mouse's thing stands beside it, where no other panel is.
+ * A panel is a sheet of text lines, each of one colour, some with a bar behind. Panels stand side by side from the top
+ * left on; the one about the mouse's thing stands beside it, where no other panel is.
  */
 #include "overlay.h"
 
@@ -151,7 +151,7 @@ static void draw_bar(const struct ink *ink, int x, int y, int usec)
 {
     int w = usec >= FRAME_USEC ? BAR : usec * BAR / FRAME_USEC;
     ink_rect(ink, x, y + 4, BAR, 1, INK_GREY);
-    ink_rect(ink, x, y, w ? w : 1, 5, w >= BAR ? INK_RED : w > BAR / 2 ? INK_YELLOW : INK_GREEN);
+    ink_rect(ink, x, y, usec && !w ? 1 : w, 5, w >= BAR ? INK_RED : w > BAR / 2 ? INK_YELLOW : INK_GREEN);
 }
 
 static void draw_sheet(const struct ink *ink, const struct sheet *s, int x, int y, int lines)
@@ -173,8 +173,8 @@ struct place {
 };
 
 struct layout {
-    int y0, y1, w;    /* of the picture, what is free for panels */
-    int x, y, column; /* the next one's place; how wide its column is so far */
+    int y0, y1, w;   /* of the picture, what is free for panels */
+    int x, y, shelf; /* the next one's place; how high its row of panels is so far */
     struct place taken[PANELS];
     int n;
 };
@@ -185,15 +185,15 @@ static void take(struct layout *l, int x, int y, int w, int h)
         l->taken[l->n++] = (struct place){ x, y, w, h };
 }
 
-/* Under the one before; at the top of the next column when it does not fit there and the picture is wide enough; else
- * as many lines of it as there is room for. */
+/* Beside the one before when the picture is wide enough, else under the row of those; as many lines of it as there is
+ * room for. */
 static void put(struct layout *l, const struct ink *ink, const struct sheet *s)
 {
     int lines = s->lines, w = sheet_w(s);
-    if (l->y + sheet_h(lines) > l->y1 && l->y > l->y0 && l->x + l->column + GAP + w <= l->w) {
-        l->x += l->column + GAP;
-        l->y = l->y0;
-        l->column = 0;
+    if (l->x > 0 && l->x + w > l->w) {
+        l->x = 0;
+        l->y += l->shelf + GAP;
+        l->shelf = 0;
     }
     while (lines > 0 && l->y + sheet_h(lines) > l->y1)
         lines--;
@@ -201,8 +201,8 @@ static void put(struct layout *l, const struct ink *ink, const struct sheet *s)
         return;
     draw_sheet(ink, s, l->x, l->y, lines);
     take(l, l->x, l->y, w, sheet_h(lines));
-    l->y += sheet_h(lines) + GAP;
-    l->column = w > l->column ? w : l->column;
+    l->x += w + GAP;
+    l->shelf = sheet_h(lines) > l->shelf ? sheet_h(lines) : l->shelf;
 }
 
 static bool overlaps(const struct layout *l, int x, int y, int w, int h)
@@ -268,6 +268,19 @@ static enum ink_colour colour_of(const struct inspect_body *s)
     }
 }
 
+/* A dark rim round each, so that it stands out from whatever it lies on. */
+static void draw_shade(void *context, const struct inspect_body *s)
+{
+    enum { WIDER = 1 << 16 };
+    struct inspect_body around = *s;
+    around.a += WIDER;
+    around.b += WIDER;
+    around.shape = s->shape == INSPECT_NONE ? INSPECT_BOX : s->shape;
+    draw_shape(context, &around, INK_PAPER);
+    if (s->graze)
+        ink_ring(context, s->x, s->y, s->graze + WIDER, INK_PAPER);
+}
+
 static void draw_body(void *context, const struct inspect_body *s)
 {
     const struct ink *ink = context;
@@ -277,11 +290,13 @@ static void draw_body(void *context, const struct inspect_body *s)
 }
 
 /* As the things themselves, shapes are seen on the field alone. */
-static void draw_shapes(const struct ink *ink, const struct board *b)
+static void draw_shapes(const struct ink *ink, int y0, int y1, const struct board *b)
 {
     struct inspect_area f = inspect_field(b);
     struct ink on_field = *ink;
-    fb_clip(ink->fb, f.x, f.y, f.w, f.h);
+    int top = f.y > y0 ? f.y : y0, bottom = f.y + f.h < y1 ? f.y + f.h : y1;
+    fb_clip(ink->fb, f.x, top, f.w, bottom - top);
+    inspect_bodies(b, draw_shade, &on_field);
     inspect_bodies(b, draw_body, &on_field);
     fb_clip_all(ink->fb);
 }
@@ -291,7 +306,7 @@ static void draw_shapes(const struct ink *ink, const struct board *b)
 static void gauge_line(struct sheet *s, const char *name, uint32_t live, uint32_t top, uint32_t cap, uint32_t refused)
 {
     enum ink_colour c = refused ? INK_RED : (uint64_t)live * 10 > (uint64_t)cap * 9 ? INK_YELLOW : INK_WHITE;
-    add(s, live ? c : INK_GREY, "%-12s %5u %5u %5u %5u", name, (unsigned)live, (unsigned)top, (unsigned)cap,
+    add(s, live ? c : INK_GREY, "%-12s %5u %5u %5u %7u", name, (unsigned)live, (unsigned)top, (unsigned)cap,
         (unsigned)refused);
 }
 
@@ -301,7 +316,7 @@ static void put_gauges(struct layout *l, const struct ink *ink, const struct boa
     struct inspect_gauge g[MAX_PARTS];
     size_t used, size;
     int n = inspect_gauges(b, g);
-    add(&s, INK_CYAN, "%-12s %5s %5s %5s %5s", "part", "live", "top", "cap", "refus");
+    add(&s, INK_CYAN, "%-12s %5s %5s %5s %7s", "part", "live", "top", "cap", "refused");
     for (int i = 0; i < n; i++)
         if (!g[i].fixed)
             gauge_line(&s, g[i].name, g[i].live, g[i].top, g[i].cap, g[i].refused);
@@ -453,7 +468,7 @@ void overlay_draw(const struct overlay *o, const struct ink *ink, int y0, int y1
 {
     struct layout l = { .y0 = y0, .y1 = y1, .w = ink->fb->w, .y = y0 };
     if (o->on[OVERLAY_SHAPES])
-        draw_shapes(ink, b);
+        draw_shapes(ink, y0, y1, b);
     if (o->on[OVERLAY_GAUGES])
         put_gauges(&l, ink, b);
     if (o->on[OVERLAY_SPLIT])

@@ -88,16 +88,16 @@ static void shapes_are_those_of_the_tests(void **state)
     inspect_bodies(t->r.b, add, &l);
     assert_int_equal(l.n, 8);
     /* a task that is started in its turn comes after those of before: fires() has slot 3 */
-    const struct inspect_body *brick = &l.body[0], *mist = &l.body[1], *still = &l.body[2], *rice = &l.body[3];
+    const struct inspect_body *brick = &l.body[3], *mist = &l.body[4], *still = &l.body[5], *rice = &l.body[6];
     assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->spent);
     assert_true(brick->a == PX(6) && brick->b == PX(3) && brick->x == PX(76) && brick->y == PX(98));
     assert_true(mist->shape == INSPECT_NONE && mist->a == 0);
     assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->spent);
     assert_true(rice->x == PX(116.25) && rice->y == PX(58.5) && rice->slot == 3);
-    assert_true(l.body[4].kind == INSPECT_SHOT && l.body[4].a == PX(3) && l.body[4].x == PX(46));
-    assert_true(l.body[5].kind == INSPECT_ENEMY && l.body[5].shape == INSPECT_BOX && l.body[5].a == PX(20));
-    assert_true(l.body[6].kind == INSPECT_ENEMY && l.body[6].shape == INSPECT_CIRCLE && l.body[6].spent);
-    assert_false(l.body[5].spent);
+    assert_true(l.body[2].kind == INSPECT_SHOT && l.body[2].a == PX(3) && l.body[2].x == PX(46));
+    assert_true(l.body[0].kind == INSPECT_ENEMY && l.body[0].shape == INSPECT_BOX && l.body[0].a == PX(20));
+    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].spent);
+    assert_false(l.body[0].spent);
     assert_true(l.body[7].kind == INSPECT_PLAYER && l.body[7].a == PX(2) && l.body[7].graze == PX(16));
     struct inspect_area f = inspect_field(t->r.b);
     assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.m.field_w && f.h == t->g.cart.m.field_h);
