@@ -452,11 +452,24 @@ static bool on_panel(const struct layout *l, int x, int y)
     return overlaps(l, x, y, 1, 1);
 }
 
+/* Where the mouse points: ports hide their own pointer in fullscreen. */
+static void draw_pointer(const struct ink *ink, int x, int y)
+{
+    enum { NEAR = 4, FAR = 6 };
+    ink_line(ink, x - FAR, y, x - NEAR, y, INK_WHITE);
+    ink_line(ink, x + NEAR, y, x + FAR, y, INK_WHITE);
+    ink_line(ink, x, y - FAR, x, y - NEAR, INK_WHITE);
+    ink_line(ink, x, y + NEAR, x, y + FAR, INK_WHITE);
+}
+
 static void put_thing(struct layout *l, const struct ink *ink, const struct board *b, int x, int y)
 {
     struct sheet s = { .lines = 0 };
     struct inspect_thing t;
-    if (x < 0 || on_panel(l, x, y) || !inspect_at(b, x, y, MOUSE, &t))
+    if (x < 0 || y < l->y0 || y >= l->y1 || on_panel(l, x, y))
+        return;
+    draw_pointer(ink, x, y);
+    if (!inspect_at(b, x, y, MOUSE, &t))
         return;
     draw_shape(ink, &t.body, INK_WHITE);
     describe(&s, b, &t);
