@@ -570,7 +570,7 @@ static void mouse(const struct plat_input *in)
     bool held = in->mouse & 1, pressed = held && !cab.mouse;
 
     cab.mouse = held;
-    if (cab.attracting || !(cab.session.demo || bar_shown()) ||
+    if (cab.attracting || cab.console.open || !(cab.session.demo || bar_shown()) ||
         !timebar_at(&cab.session, cab.picture.fb.w, cab.picture.fb.h, in->mouse_x, in->mouse_y, &frame))
         return;
     cab.bar = cab.bar ? cab.bar : 1;

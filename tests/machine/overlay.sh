@@ -124,4 +124,13 @@ same 'but to it, and on as before' "$(tail -1 direct)" "$(tail -1 out)"
 { keys 20; keys 1 $BACKQUOTE; keys 1; line 'keep 1'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) ./player play g --demo straight.demo <script >out 2>err
 holds 'in a playback nothing can be kept' says 'nothing can be kept'
+
+# ---- the manual ----
+
+sed -n '/^### Looking inside/,/^## /s/^    //p' "$repo/docs/manual.md" >session
+{ keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done; keys 1; } >script
+mapfile -t want < <(cut -c1-50 session)
+KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
+same 'the manual has lines to try' 6 "$(grep -c '^> ' session)"
+holds 'what the manual shows is what comes' says "${want[@]}" 'kept: the demo is touched'
 finish
