@@ -4,15 +4,17 @@
 #include <string.h>
 #include "api_parts.h"
 
-static const char names_key[NAMES] = { 0 }; /* registry: name -> index */
-static const char back_key[NAMES] = { 0 };  /* registry: the block of struct names; the strings are the keys above */
+static const char names_key[NAME_LISTS] = { 0 }; /* registry: name -> index */
+static const char back_key[NAME_LISTS] = {
+    0
+}; /* registry: the block of struct names; the strings are the keys above */
 
 void api_open_names(lua_State *L)
 {
     struct board *b = vm_board(L);
 
     memset(b->names, 0, sizeof b->names);
-    for (int i = 0; i < NAMES; i++) {
+    for (int i = 0; i < NAME_LISTS; i++) {
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
     }
@@ -64,7 +66,7 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
 
 void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
-    static const char *const nouns[NAMES] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
+    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
 
     if (names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);

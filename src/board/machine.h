@@ -57,7 +57,7 @@ struct hand {
 };
 
 /* What was declared under a name. */
-enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAMES };
+enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
 
 /* Names by index, in the Lua heap: api_names.c. */
 struct names {
@@ -75,7 +75,7 @@ struct board {
     struct sprite *pictures; /* of the ROM, by index */
     struct hand *hand;
     struct vm vm;
-    struct names names[NAMES];
+    struct names names[NAME_LISTS];
     struct events events;
     struct board_counts counts;
 
