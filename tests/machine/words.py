@@ -42,8 +42,8 @@ def seen(pixels, w, h, rows):
 
 def main():
     data = open(sys.argv[1], "rb").read()
-    head, rest = data.split(b"\n", 1)
-    w, h = (int(n) for n in head.split()[1:3])
+    head = re.match(rb"P6\s+(?:#.*\n)*(\d+)\s+(\d+)\s+255\s", data)
+    w, h, rest = int(head.group(1)), int(head.group(2)), data[head.end():]
     pixels = ["0" if rest[3 * i:3 * i + 3] == PAPER else "1" for i in range(w * h)]
     glyphs = font()
     for text in sys.argv[2:]:
