@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""pictures.py - frames side by side on one PNG, every pixel a square of the same whole size: pictures.py SCALE OUT IN..."""
+"""pictures.py - frames (PNG or PPM) side by side on one PNG, every pixel a square of the same whole size: pictures.py SCALE
+OUT IN..."""
 import os
 import sys
 
@@ -10,8 +11,16 @@ import png  # noqa: E402
 GAP, GREY = 8, 0x28
 
 
+def read(name):
+    if not name.endswith(".ppm"):
+        return png.read(name)
+    head, rest = open(name, "rb").read().split(b"\n", 1)
+    w, h = (int(n) for n in head.split()[1:3])
+    return w, h, [rest[3 * w * y:3 * w * (y + 1)] for y in range(h)]
+
+
 def main(scale, out, names):
-    pictures = [png.read(name) for name in names]
+    pictures = [read(name) for name in names]
     high = max(h for _, h, _ in pictures) * scale
     lines = [bytearray() for _ in range(high)]
     for i, (w, h, rows) in enumerate(pictures):

@@ -41,9 +41,6 @@ enum api_type {
     A_ALIGN,
 };
 
-/* What was declared under a name. */
-enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAMES };
-
 /* Under a motion's name when there was no room for its program: a bullet that names it flies straight. */
 enum { NO_MOTION = 0x7fffffff };
 
@@ -133,6 +130,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
 void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index);
 int names_find(lua_State *L, enum api_names what, const char *name);
 void names_push(lua_State *L, enum api_names what, int index);
+
+/* The name of an index, the last of several; NULL: it has none. Good until the next tick. */
+const char *names_at(const struct board *b, enum api_names what, int index);
 
 /* Pushes the nearest of the declared names to a misspelt one, or nil. */
 void names_near(lua_State *L, enum api_names what, const char *name);

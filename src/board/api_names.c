@@ -4,15 +4,19 @@
 #include <string.h>
 #include "api_parts.h"
 
-static const char names_key[NAMES] = { 0 }, back_key[NAMES] = { 0 }; /* registry: name -> index, index -> name */
+static const char names_key[NAME_LISTS] = { 0 }; /* registry: name -> index */
+static const char back_key[NAME_LISTS] = {
+    0
+}; /* registry: the block of struct names; the strings are the keys above */
 
 void api_open_names(lua_State *L)
 {
-    for (int i = 0; i < NAMES; i++) {
+    struct board *b = vm_board(L);
+
+    memset(b->names, 0, sizeof b->names);
+    for (int i = 0; i < NAME_LISTS; i++) {
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
-        lua_newtable(L);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &back_key[i]);
     }
 }
 
@@ -40,19 +44,41 @@ int words_apart(const char *a, const char *b)
     return d[n][m] <= 1 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7) ? d[n][m] : 99;
 }
 
+/* Room for n names; it doubles. */
+static void make_room(lua_State *L, enum api_names what, uint32_t n)
+{
+    struct names *t = &vm_board(L)->names[what];
+    uint32_t room = t->room ? t->room : 16;
+
+    while (room < n)
+        room *= 2;
+    if (room > t->room) {
+        const char **at = lua_newuserdatauv(L, room * sizeof *at, 0);
+        memset(at, 0, room * sizeof *at);
+        if (t->room)
+            memcpy(at, t->at, t->room * sizeof *at);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &back_key[what]);
+        t->at = at;
+        t->room = room;
+    }
+    t->n = n > t->n ? n : t->n;
+}
+
 void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
-    static const char *const nouns[NAMES] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
+    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
 
     if (names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);
+    if (index != NO_MOTION)
+        make_room(L, what, (uint32_t)index + 1);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    name = lua_pushstring(L, name);
     lua_pushinteger(L, index);
-    lua_setfield(L, -2, name);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[what]);
-    lua_pushstring(L, name);
-    lua_rawseti(L, -2, index);
-    lua_pop(L, 2);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+    if (index != NO_MOTION)
+        vm_board(L)->names[what].at[index] = name;
 }
 
 int names_find(lua_State *L, enum api_names what, const char *name)
@@ -65,9 +91,19 @@ int names_find(lua_State *L, enum api_names what, const char *name)
 
 void names_push(lua_State *L, enum api_names what, int index)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[what]);
-    lua_rawgeti(L, -1, index);
-    lua_remove(L, -2);
+    const char *name = names_at(vm_board(L), what, index);
+
+    if (name)
+        lua_pushstring(L, name);
+    else
+        lua_pushnil(L);
+}
+
+const char *names_at(const struct board *b, enum api_names what, int index)
+{
+    const struct names *t = &b->names[what];
+
+    return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
 }
 
 void words_consider(const char *word, const char *candidate, int *best, const char **found)
@@ -108,9 +144,8 @@ uint16_t api_tag(lua_State *L, const char *entry, int at)
     int i = names_find(L, N_TAG, tag);
     if (i != NO_SLOT)
         return (uint16_t)i;
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &back_key[N_TAG]);
-    i = (int)lua_rawlen(L, -1) + 1;
-    lua_pop(L, 1);
+    i = (int)vm_board(L)->names[N_TAG].n;
+    i = i ? i : 1; /* 0: no tag */
     if (i > 4095)
         api_error(L, entry, "tag: \"%s\" is one tag too many: a run has at most 4095 different ones", tag);
     names_declare(L, N_TAG, entry, tag, i);

@@ -13,6 +13,7 @@ static uint64_t draw(struct board *b, uint64_t below)
     memcpy(r.s, b->core.random, sizeof r.s);
     uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
     memcpy(b->core.random, r.s, sizeof r.s);
+    b->core.drawn++;
     return v;
 }
 

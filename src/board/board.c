@@ -10,8 +10,15 @@
 #include "hit.h"
 
 static const struct column core_columns[] = {
-    REGISTER(core, frame),  REGISTER(core, clock), REGISTER(core, difficulty), REGISTERS(core, random),
-    REGISTER(core, frozen), REGISTER(core, notes), REGISTERS(core, extended),  REGISTER(core, over),
+    REGISTER(core, frame),
+    REGISTER(core, clock),
+    REGISTER(core, difficulty),
+    REGISTERS(core, random),
+    REGISTER(core, frozen),
+    REGISTER(core, notes),
+    REGISTERS(core, extended),
+    REGISTER(core, over),
+    DERIVED_REGISTER(core, drawn, "how far random has gone from the seed"),
 };
 static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
 

@@ -33,6 +33,7 @@ struct core {
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
     uint32_t over;           /* 1: game over was told */
+    uint64_t drawn;          /* numbers taken from the stream since it began */
 };
 
 /* What scripts do, as a running digest: two runs whose scripts act differently differ here in that frame. */
@@ -50,8 +51,18 @@ struct hand {
     char log[4096];
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
     bool deep;               /* it was in many nested calls */
+    const char *line;        /* that board_eval runs */
     board_lap *lap;          /* of board_watch; may be NULL */
     void *lap_context;
+};
+
+/* What was declared under a name. */
+enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
+
+/* Names by index, in the Lua heap: api_names.c. */
+struct names {
+    const char **at; /* `room` of them, NULL: none */
+    uint32_t n, room;
 };
 
 struct board {
@@ -64,6 +75,7 @@ struct board {
     struct sprite *pictures; /* of the ROM, by index */
     struct hand *hand;
     struct vm vm;
+    struct names names[NAME_LISTS];
     struct events events;
     struct board_counts counts;
 

@@ -12,6 +12,7 @@ static const struct column columns[] = {
     COLUMN(tasks, wait),
     COLUMN(tasks, flags),
     COLUMN(tasks, born),
+    DERIVED(tasks, thread, "the thread in the registry"),
     DERIVED(tasks, next, "the live slots by serial"),
     DERIVED(tasks, prev, "the live slots by serial"),
     DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
@@ -93,6 +94,7 @@ static int32_t take(struct board *b, int64_t owner, uint8_t flags)
     t->wait[i] = 0;
     t->flags[i] = flags;
     t->born[i] = b->core.clock;
+    t->thread[i] = NULL;
     link_last(t, (uint32_t)i);
     script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
@@ -125,6 +127,7 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     if (!lua_checkstack(co, n + 1))
         vm_fault(L, FAULT_SCRIPT, "too many arguments");
     lua_xmove(L, co, n + 1);
+    b->tasks.thread[i] = co;
     return board_handle(b, H_TASK, i);
 }
 
@@ -179,13 +182,9 @@ static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
     return false;
 }
 
-static lua_State *thread_of(lua_State *L, uint32_t i)
+bool tasks_frozen(const struct board *b, uint32_t slot)
 {
-    push_threads(L);
-    lua_rawgeti(L, -1, (lua_Integer)i + 1);
-    lua_State *co = lua_tothread(L, -1);
-    lua_pop(L, 2);
-    return co;
+    return b->core.frozen && !owned_by(b, slot, b->core.frozen);
 }
 
 /* A task's error becomes the board's fault; the run is over. */
@@ -201,7 +200,7 @@ static void fail(struct board *b, lua_State *L, lua_State *co, int status)
 /* Closes a task's to-be-closed variables. */
 static void close_task(struct board *b, lua_State *L, uint32_t i)
 {
-    lua_State *co = thread_of(L, i);
+    lua_State *co = b->tasks.thread[i];
 
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
@@ -217,7 +216,7 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
 static bool resume(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
-    lua_State *co = thread_of(L, i);
+    lua_State *co = t->thread[i];
     int results, n = t->flags[i] & TASK_BEGUN ? 0 : lua_gettop(co) - 1;
 
     t->flags[i] |= TASK_BEGUN;
@@ -247,7 +246,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         close_task(b, L, i);
         return true;
     }
-    if (t->flags[i] & TASK_SCOPE || (b->core.frozen && !owned_by(b, i, b->core.frozen)))
+    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i))
         return false;
     if (t->wait[i] > 0 && --t->wait[i] > 0)
         return false;

@@ -2,8 +2,8 @@
  * tasks.h - coroutines with owners: what scripts do over time.
  * floor: board    used by: board/
  *
- * Tasks get their turns in the order they were started. A task's thread lives in the Lua registry; what the board needs
- * to know of it are columns here. A scope is a task without a body: it only owns others.
+ * Tasks get their turns in the order they were started. A task's thread is kept alive by the Lua registry; what the board
+ * needs to know of it are columns here. A scope is a task without a body: it only owns others.
  */
 #ifndef BOARD_TASKS_H
 #define BOARD_TASKS_H
@@ -35,6 +35,7 @@ struct tasks {
     int64_t *wait;    /* turns to let pass */
     uint8_t *flags;
     uint32_t *born;
+    lua_State **thread;    /* NULL: a scope */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
     uint32_t serials; /* given out so far */
@@ -61,6 +62,9 @@ void tasks_stop(struct board *b, uint32_t slot);
 /* Is this owner (0: the board) still there, it and all it is owned by? */
 bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
+
+/* Does it get no turn, because the game is paused and it is not of the pause? */
+bool tasks_frozen(const struct board *b, uint32_t slot);
 
 /* The owner for things the running script starts. */
 int64_t tasks_owner(const struct board *b);

@@ -14,9 +14,8 @@
 #include "machine.h"
 #include "script.h"
 
-/* Where the nearest caller outside @std stands, or the nearest at all: "FILE:LINE: ", or "". Allocates nothing. Level 0
- * is a C function, or in a hook the function that was interrupted. */
-static void find_place(lua_State *L, char *place, size_t size)
+/* Level 0 is a C function, or in a hook the function that was interrupted. */
+void vm_where(lua_State *L, char *place, size_t size)
 {
     lua_Debug ar;
 
@@ -44,7 +43,7 @@ static void note_shortage(struct board *b)
     b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
-    find_place(b->vm.running, h->shortage, sizeof h->shortage);
+    vm_where(b->vm.running, h->shortage, sizeof h->shortage);
     h->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
@@ -83,7 +82,7 @@ void vm_place(lua_State *L)
 
     if (lua_type(L, -1) != LUA_TSTRING || has_place(lua_tostring(L, -1)))
         return;
-    find_place(L, place, sizeof place);
+    vm_where(L, place, sizeof place);
     lua_pushstring(L, place);
     lua_insert(L, -2);
     lua_concat(L, 2);
@@ -96,7 +95,7 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
 
     vm_board(L)->vm.kind = kind;
     lua_checkstack(L, 4);
-    find_place(L, place, sizeof place);
+    vm_where(L, place, sizeof place);
     lua_pushstring(L, place);
     va_start(args, format);
     lua_pushvfstring(L, format, args);
@@ -114,10 +113,12 @@ void vm_charge(lua_State *L, uint64_t work)
     if (vm->interrupted) /* hooks do not run inside C functions */
         vm_fault(L, FAULT_INTERRUPTED, "interrupted");
     vm->work += work;
-    if (vm->work <= WORK_LIMIT)
+    if (vm->work <= (vm->limit ? vm->limit : WORK_LIMIT))
         return;
     if (vm->counting)
         lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
+    if (vm->limit)
+        vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one line", (int)vm->limit);
     vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
 }
 
@@ -193,7 +194,7 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
     else
         snprintf(odd, sizeof odd, "error: the value raised is a %s, not text", lua_typename(from, type));
     if (!has_place(message))
-        find_place(from, place, sizeof place);
+        vm_where(from, place, sizeof place);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
     snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
              f->kind == FAULT_STACK ? " (calls nested too deeply: an endless recursion?)" : "");
@@ -326,7 +327,7 @@ static void log_text(struct board *b, const char *s, size_t n)
     h->log_size += n;
 }
 
-static int l_print(lua_State *L)
+int vm_print(lua_State *L)
 {
     struct board *b = vm_board(L);
     int n = lua_gettop(L);
@@ -413,7 +414,7 @@ static int open_libraries(lua_State *L)
     }
     lualib_open(L);
     lua_register(L, "require", l_require);
-    lua_register(L, "print", l_print);
+    lua_register(L, "print", vm_print);
     lua_newtable(L);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
     return 0;

@@ -33,6 +33,7 @@ struct vm {
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
     uint64_t work;  /* of this tick */
+    uint64_t limit; /* of work in a line of board_eval; 0: a tick's, WORK_LIMIT */
     uint64_t swept; /* heap_work when the collector last had its turn */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
@@ -53,10 +54,13 @@ struct board *vm_board(lua_State *L);
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
+/* Where the nearest caller outside @std stands, or the nearest at all: "FILE:LINE: ", or "". Changes nothing of L. */
+void vm_where(lua_State *L, char *place, size_t size);
+
 /* Puts "FILE:LINE: " before the message on top of the stack if it has none. */
 void vm_place(lua_State *L);
 
-/* Adds work (1: about one VM instruction) to this tick's sum and raises FAULT_LOOP over WORK_LIMIT. */
+/* Adds work (1: about one VM instruction) to this tick's sum and raises FAULT_LOOP over the limit. */
 void vm_charge(lua_State *L, uint64_t work);
 
 /* Puts the counting hook on a thread that gets its turn, when counting. */
@@ -70,6 +74,9 @@ void vm_trace(struct board *b, lua_State *L, lua_State *from);
 
 /* One step of the collector; between frames only. */
 int vm_collect(lua_State *L);
+
+/* print: writes its arguments, the whole stack, into the frame's log. */
+int vm_print(lua_State *L);
 
 /* Loads script "stages/one" or "@std/pattern" and leaves its function on the stack; a fault when it cannot. */
 void vm_load(lua_State *L, const char *name);

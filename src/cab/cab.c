@@ -17,9 +17,11 @@
 #include "../base/hash.h"
 #include "ask.h"
 #include "config.h"
+#include "console.h"
 #include "folder.h"
 #include "guard.h"
 #include "message.h"
+#include "overlay.h"
 #include "png.h"
 #include "practice.h"
 #include "session.h"
@@ -76,7 +78,10 @@ static struct cab {
     int waited;     /* frames since the last tick */
     int bar;        /* frames the bar of time is still shown */
     bool mouse;     /* its button was held at the last poll */
+    int mouse_x, mouse_y;
     struct ask ask;
+    struct overlay overlay;
+    struct console console;
     struct folder folder;
     int since_look;
     char notice[DEMO_PATH + 64];
@@ -528,8 +533,10 @@ static void practice_keys(const struct keys_read *k)
         retry();
     else if (cab.practice.open)
         cab.practice.open = false;
-    else
+    else {
         practice_open(&cab.practice, cab.slow);
+        cab.practice.hitbox = cab.overlay.on[OVERLAY_SHAPES];
+    }
 }
 
 /* The open menu has player 1's pad, and the board stands still. */
@@ -543,6 +550,7 @@ static void menu(const struct keys_read *k)
     if (cab.practice.slow != cab.slow)
         assisted();
     cab.slow = cab.practice.slow;
+    cab.overlay.on[OVERLAY_SHAPES] = cab.practice.hitbox;
     if (choice != PRACTICE_START)
         return;
     practice_chosen(&cab.practice, &start);
@@ -620,16 +628,17 @@ static void picture_show(struct picture *p)
         return;
     }
     words(text, sizeof text);
-    if (!text[0] && !bar_shown()) {
+    if (!text[0] && !bar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
     struct ink ink = picture_copy(p);
-    if (text[0])
-        message_draw(&ink, 0, text);
+    int y0 = text[0] ? message_draw(&ink, 0, text) : 0, y1 = console_draw(&cab.console, &ink);
+    overlay_draw(&cab.overlay, &ink, y0, bar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
+                 cab.attracting ? cab.shown.board : live(), cab.mouse_x, cab.mouse_y);
     if (cab.session.way != SESSION_THERE)
         progress_draw(&ink);
-    if (bar_shown())
+    if (bar_shown() && !cab.console.open)
         timebar_draw(&ink, &cab.session);
     plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
 }
@@ -706,7 +715,7 @@ static void mouse(const struct plat_input *in)
     bool held = in->mouse & 1, pressed = held && !cab.mouse;
 
     cab.mouse = held;
-    if (cab.attracting || !(cab.session.demo || bar_shown()) ||
+    if (cab.attracting || cab.console.open || !(cab.session.demo || bar_shown()) ||
         !timebar_at(&cab.session, cab.picture.fb.w, cab.picture.fb.h, in->mouse_x, in->mouse_y, &frame))
         return;
     cab.bar = cab.bar ? cab.bar : 1;
@@ -737,16 +746,35 @@ static void take_pads(const struct keys_read *k)
     }
 }
 
+/* While the console is open it has all keys. Scores are saved before a line can touch them. */
+static void console_keys(const struct plat_input *in, struct keys_read *k)
+{
+    bool stands = !fault() && !cab.attracting && !cab.practice.open && cab.session.way == SESSION_THERE;
+    if (k->pressed & 1 << CAB_CONSOLE)
+        save_nvram();
+    console_poll(&cab.console, in, k, stands ? live() : NULL, !cab.session.demo);
+    if (console_kept(&cab.console))
+        wrote(session_touch(&cab.session));
+    if (cab.want.text == cab.console.open)
+        return;
+    cab.want.text = cab.console.open;
+    cab.quit = !open_window() || cab.quit;
+}
+
 static void poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab.mouse_x = in.mouse_x;
+    cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
     if (ask(&in)) {
         memset(k, 0, sizeof *k);
         return;
     }
     keys_read(&cab.config.keys, &in, k);
+    console_keys(&in, k);
+    overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);
     cabinet_keys(k);
     practice_keys(k);
@@ -835,6 +863,7 @@ static void finish(void)
     if (cab.attracting)
         attract_end();
     picture_close(&cab.picture);
+    console_close(&cab.console);
     free(cab.nvram);
     plat_close();
 }
@@ -849,10 +878,13 @@ static bool frame(void)
     poll(&k);
     look_for_changes();
     int n = frames_due(now);
+    overlay_begin(&cab.overlay, cab.attracting ? &cab.shown : &cab.session.now->guard);
     if (cab.practice.open)
         menu(&k);
     else if (cab.session.way != SESSION_THERE)
         work(now);
+    else if (cab.console.open)
+        memset(cab.pads, 0, sizeof cab.pads);
     else
         run(n, &k, now);
     cab.bar -= cab.bar > 0;
@@ -862,8 +894,12 @@ static bool frame(void)
         save_nvram();
         records_save(&cab.practice.records);
     }
+    overlay_lap(&cab.overlay, SPLIT_CABINET);
     picture_draw(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_DRAW);
     picture_show(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_SHOW);
+    overlay_end(&cab.overlay);
     if (cab.quit)
         finish();
     return !cab.quit;

@@ -117,6 +117,8 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS])
         count(g, 0);
     if (!g->counting && !watch(g))
         count(g, GUARD_COUNTS);
+    if (g->before)
+        g->before(g->context);
     const struct board_out *out = board_tick(g->board, pads);
     unwatch(g);
     return out->fault && out->fault->kind == FAULT_INTERRUPTED ? run_again(g, frame) : out;

@@ -32,6 +32,8 @@ struct guard {
     int counts; /* frames left to count */
     int ms;     /* GUARD_MS; tests lower it */
     uint32_t interrupts;
+    void (*before)(void *context); /* called before each tick; NULL: nobody asks */
+    void *context;
 };
 
 /* Takes RAM and powers a board in it. False and one sentence for a ROM that cannot run or too little memory; a script

@@ -139,6 +139,19 @@ int ink_width(const char *text)
     return w;
 }
 
+int ink_fit(const char *text, int most)
+{
+    int n = 0, used = 0, blank = 0;
+    for (; text[n] && text[n] != '\n'; n++) {
+        used += columns((unsigned char)text[n]);
+        if (used > most)
+            return blank > most / 2 ? blank : n ? n : 1;
+        if (text[n] == ' ')
+            blank = n + 1;
+    }
+    return n;
+}
+
 /* ---- shapes ---- */
 
 void ink_rect(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)
@@ -156,47 +169,112 @@ void ink_line(const struct ink *ink, int x0, int y0, int x1, int y1, enum ink_co
     fb_line(ink->fb, x0, y0, x1, y1, ink->colour[c]);
 }
 
-static void dot(const struct ink *ink, int64_t x, int64_t y, enum ink_colour c)
+/* The greatest whole number whose square is not above n >= 0. */
+static int64_t root(int64_t n)
 {
-    const struct fb *fb = ink->fb;
-    if (x >= fb->x0 && x < fb->x1 && y >= fb->y0 && y < fb->y1)
-        fb->pix[y * fb->pitch + x] = ink->colour[c];
-}
-
-/* How far a row, dy above or below the middle, of a disc of radius r reaches to one side; -1: not at all. */
-static int64_t reach(int64_t r, int64_t dy)
-{
-    int64_t x = 0, step = 1, square = r * r + r - (r > 0) - dy * dy;
-    if (square < 0)
-        return -1;
-    while (step <= r / 2)
+    int64_t x = 0, step = 1;
+    while (step * step <= n / 4)
         step *= 2;
     for (; step > 0; step /= 2)
-        if (x + step <= r && (x + step) * (x + step) <= square)
+        if ((x + step) * (x + step) <= n)
             x += step;
     return x;
 }
 
-/* To both sides of the middle, from x0 to x1 pixels away. */
-static void arcs(const struct ink *ink, int64_t x, int y, int64_t x0, int64_t x1, enum ink_colour c)
+enum { UNIT = 256 }; /* of a disc: parts of a pixel */
+
+/* The pixels whose middles are at most `square`'s root from (x, y). */
+struct disc {
+    int64_t x, y, square;
+};
+
+static int64_t floor_units(int64_t v)
 {
-    const struct fb *fb = ink->fb;
-    int64_t seen = x - fb->x0 > fb->x1 - x ? x - fb->x0 : fb->x1 - x;
-    for (int64_t d = x0; d <= x1 && d <= seen; d++) {
-        dot(ink, x - d, y, c);
-        dot(ink, x + d, y, c);
-    }
+    return v >= 0 ? v / UNIT : -((UNIT - 1 - v) / UNIT);
 }
 
-/* Row by row, of those the picture has: from where the next row outwards ends to where this one does. */
-void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c)
+/* A row's pixels x0 to x1, x0 > x1 when it has none: both beyond any picture then. */
+static void span(const struct disc *d, int64_t row, int64_t *x0, int64_t *x1)
+{
+    int64_t dy = row * UNIT + UNIT / 2 - d->y, left = d->square - dy * dy, half = left < 0 ? 0 : root(left);
+    *x0 = left < 0 ? INT32_MAX : -floor_units(half + UNIT / 2 - d->x);
+    *x1 = left < 0 ? INT32_MIN : floor_units(d->x + half - UNIT / 2);
+}
+
+static void row_of_dots(const struct ink *ink, int64_t row, int64_t x0, int64_t x1, enum ink_colour c)
 {
     const struct fb *fb = ink->fb;
-    int64_t from = (int64_t)y - r, to = (int64_t)y + r;
+    x0 = x0 < fb->x0 ? fb->x0 : x0;
+    x1 = x1 >= fb->x1 ? fb->x1 - 1 : x1;
+    if (x0 <= x1)
+        fb_rect(ink->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, ink->colour[c]);
+}
+
+/* Of a row all that the next one, away from the middle, does not have, and its ends. */
+static void rim(const struct ink *ink, const struct disc *d, int64_t row, enum ink_colour c)
+{
+    int64_t x0, x1, next0, next1;
+    span(d, row, &x0, &x1);
+    if (x0 > x1)
+        return;
+    span(d, row * UNIT + UNIT / 2 < d->y ? row - 1 : row + 1, &next0, &next1);
+    row_of_dots(ink, row, x0, next0 > next1 || next0 <= x0 ? x0 : next0 - 1, c);
+    row_of_dots(ink, row, next0 > next1 || next1 >= x1 ? x1 : next1 + 1, x1, c);
+    if (next0 > next1)
+        row_of_dots(ink, row, x0, x1, c);
+}
+
+/* reach: pixels that no row of it is further from the middle. */
+static void disc_rim(const struct ink *ink, const struct disc *d, int64_t reach, enum ink_colour c)
+{
+    const struct fb *fb = ink->fb;
+    int64_t from = floor_units(d->y) - reach, to = floor_units(d->y) + reach;
     from = from < fb->y0 ? fb->y0 : from;
     to = to >= fb->y1 ? fb->y1 - 1 : to;
-    for (int64_t row = from; r >= 0 && row <= to; row++) {
-        int64_t dy = row < y ? y - row : row - y, beyond = reach(r, dy + 1), end = reach(r, dy);
-        arcs(ink, x, (int)row, beyond < end ? beyond + 1 : end, end, c);
-    }
+    for (int64_t row = from; row <= to; row++)
+        rim(ink, d, row, c);
+}
+
+void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c)
+{
+    int64_t n = r;
+    struct disc d = { (int64_t)x * UNIT + UNIT / 2, (int64_t)y * UNIT + UNIT / 2, (n * n + n - (n > 0)) * UNIT * UNIT };
+    if (r >= 0 && r <= INK_REACH)
+        disc_rim(ink, &d, r, c);
+}
+
+/* ---- shapes of the board ---- */
+
+enum { FX = 65536, FX_UNIT = FX / UNIT };
+
+/* The pixel of (x, y), for what is too small to hold any pixel's middle. */
+static void speck(const struct ink *ink, int64_t x, int64_t y, enum ink_colour c)
+{
+    row_of_dots(ink, y >> 16, x >> 16, x >> 16, c);
+}
+
+void ink_ring(const struct ink *ink, int32_t x, int32_t y, int32_t r, enum ink_colour c)
+{
+    int64_t units = r / FX_UNIT;
+    struct disc d = { x / FX_UNIT, y / FX_UNIT, units * units };
+    if (r < FX)
+        speck(ink, x, y, c);
+    if (r > 0)
+        disc_rim(ink, &d, units / UNIT + 1, c);
+}
+
+/* The first pixel whose middle is at or after v. */
+static int64_t first_at(int64_t v)
+{
+    return (v - FX / 2 + FX - 1) >> 16;
+}
+
+void ink_box(const struct ink *ink, int32_t x, int32_t y, int32_t a, int32_t b, enum ink_colour c)
+{
+    int64_t x0 = first_at((int64_t)x - a), x1 = first_at((int64_t)x + a + 1);
+    int64_t y0 = first_at((int64_t)y - b), y1 = first_at((int64_t)y + b + 1);
+    if (x0 < x1 && y0 < y1)
+        ink_frame(ink, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
+    else
+        speck(ink, x, y, c);
 }

@@ -13,7 +13,11 @@
 
 enum ink_colour { INK_PAPER, INK_WHITE, INK_GREY, INK_RED, INK_GREEN, INK_YELLOW, INK_CYAN, INK_MAGENTA, INKS };
 
-enum { INK_CELL_W = 4, INK_CELL_H = 7 }; /* px a character, the gaps included */
+enum {
+    INK_CELL_W = 4, /* px a character, the gaps included */
+    INK_CELL_H = 7,
+    INK_REACH = 1 << 22 /* px, the largest radius */
+};
 
 struct ink {
     struct fb *fb;
@@ -35,12 +39,21 @@ int ink_bytes(const struct ink *ink, int x, int y, enum ink_colour c, const char
 /* Pixels from a line's start to where the next character would stand: INK_CELL_W a character. */
 int ink_width(const char *text);
 
+/* How many bytes of text stand on one line of so many columns: to a \n, or broken, after a blank if there is one in the
+ * second half. At least one, unless the line is empty. */
+int ink_fit(const char *text, int columns);
+
 /* All are clipped to the picture; any values. A rectangle is filled, a frame its outline one pixel wide (inside it); w
  * or h below 1 draws nothing. A line has both its ends. A circle is the rim of the pixels less than
- * r + 1/2 from (x, y): r 0 is that pixel, r below 0 nothing. */
+ * r + 1/2 from (x, y): r 0 is that pixel, r below 0 or above INK_REACH nothing. */
 void ink_rect(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c);
 void ink_frame(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c);
 void ink_line(const struct ink *ink, int x0, int y0, int x1, int y1, enum ink_colour c);
 void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c);
+
+/* Shapes in Q15.16 px, where pixel n reaches from n to n + 1: the outlines of the pixels whose middles are in a circle of
+ * radius r, or at most a and b from (x, y); of one that holds none, the pixel of (x, y). Of a small circle that too. */
+void ink_ring(const struct ink *ink, int32_t x, int32_t y, int32_t r, enum ink_colour c);
+void ink_box(const struct ink *ink, int32_t x, int32_t y, int32_t a, int32_t b, enum ink_colour c);
 
 #endif

@@ -55,6 +55,11 @@ static const struct action {
     { "screenshot", "f12", "a PNG into the current folder" },
     { "fullscreen", "f11 alt+enter", "fullscreen, window" },
     { "quit", "escape", "leave" },
+    { "shapes", "h", "hit shapes and graze rings, over the picture" },
+    { "gauges", "g", "how full every part is, and Lua's memory" },
+    { "split", "v", "where the time of a frame goes" },
+    { "tasks", "n", "tasks and their lines, random numbers drawn" },
+    { "console", "backquote", "a line of Lua; the board stands still" },
 };
 
 /* Keys by HID usage, from 4 on; letters, digits and F keys are worked out. */

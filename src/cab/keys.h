@@ -36,6 +36,11 @@ enum cab_key {
     CAB_SCREENSHOT,
     CAB_FULLSCREEN,
     CAB_QUIT,
+    CAB_SHAPES, /* the overlay's panels, in their order */
+    CAB_GAUGES,
+    CAB_SPLIT,
+    CAB_TASKS,
+    CAB_CONSOLE,
     CAB_KEYS
 };
 

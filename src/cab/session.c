@@ -219,6 +219,18 @@ bool session_take_over(struct session *s, const char *record)
     return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
 }
 
+bool session_touch(struct session *s)
+{
+    struct demo_writer *w = &s->now->writer;
+    uint32_t frame = board_frame(session_board(s));
+    bool good = frame >= w->demo.frames || demo_rewind(w, frame);
+
+    session_stop(s);
+    rewind_drop(&s->now->guard.past, frame);
+    guard_mark(&s->now->guard);
+    return wrote(s, demo_flag(w, DEMO_TOUCHED) && good);
+}
+
 const struct demo_moment *session_moments(const struct session *s, uint32_t *n)
 {
     const struct demo *d = s->demo && s->demo->moments ? s->demo : &s->now->writer.demo;

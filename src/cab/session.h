@@ -92,6 +92,10 @@ int session_progress(const struct session *s);
  * (NULL: in memory). False: it is not a playback, or the file cannot be written (s->err). */
 bool session_take_over(struct session *s, const char *record);
 
+/* Somebody changed the board from outside, between two ticks of a live run: its past is not its own any more, what was
+ * recorded after the present is forgotten, and the recording is DEMO_TOUCHED. False: it could not be written (s->err). */
+bool session_touch(struct session *s);
+
 /* The moments of the run that are known, and how many: in a playback the demo's. */
 const struct demo_moment *session_moments(const struct session *s, uint32_t *n);
 

@@ -1,7 +1,7 @@
 /*
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
- * n, in decimal, and @X,Y for the mouse there with its left button held; at its end the port asks to quit. Time passes
- * only when waited for. Of every picture shown, a line: a hash of it without its first 8 rows, where the cabinet writes
+ * n, in decimal, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed
+ * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8 rows, where the cabinet writes
  * its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with
  * KEYS_PPM=N picture N is written to picture.ppm.
  * floor: tests    used by: tests/machine/rewind.sh
@@ -14,10 +14,11 @@
 #include "../../platform/platform.h"
 
 static uint64_t now = 1000000;
+static bool text; /* is wanted */
 
 bool plat_open(const struct plat_want *want)
 {
-    (void)want;
+    text = want->text;
     return true;
 }
 
@@ -27,15 +28,22 @@ void plat_close(void)
 
 void plat_poll(struct plat_input *in)
 {
-    char line[256];
+    char line[256], *typed;
 
     memset(in, 0, sizeof *in);
     in->focus = true;
     in->quit = fgets(line, sizeof line, stdin) == NULL;
     in->mouse_x = in->mouse_y = -1;
+    if (!in->quit && (typed = strchr(line, '\'')) != NULL) {
+        *typed++ = 0;
+        typed[strcspn(typed, "\n")] = 0;
+        snprintf(in->text, sizeof in->text, "%s", text ? typed : "");
+    }
     for (char *word = strtok(line, " \n"); !in->quit && word; word = strtok(NULL, " \n")) {
         if (word[0] == '@') {
             in->mouse = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
+        } else if (word[0] == '~') {
+            sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
         } else {
             unsigned long usage = strtoul(word, NULL, 10);
             in->keys[usage >> 3 & 31] |= (uint8_t)(1u << (usage & 7));

@@ -4,6 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
+#include "../../src/board/eval.h"
 #include "../../src/cab/folder.h"
 #include "../../src/cab/session.h"
 #include "rig.h"
@@ -248,6 +249,36 @@ static void takes_over(void **state)
     assert_int_equal(d.flags, DEMO_BRANCHED);
     assert_memory_equal(d.pads, demo.pads, 450 * sizeof d.pads[0]);
     demo_free(&d);
+}
+
+/* A board that was changed from outside has no past, and its recording says so; from there on it is a run like any. */
+static void touched(void **state)
+{
+    char out[EVAL_TEXT];
+    uint64_t changed, later;
+    struct session s;
+
+    (void)state;
+    open_session(&s, false, NULL);
+    play_to(&s, 1500);
+    session_goto(&s, 1300);
+    at(&s, 1300);
+    assert_true(board_eval(session_board(&s), "score.add(10)", out, sizeof out));
+    changed = board_hash(session_board(&s));
+    assert_true(changed != plain[1300]);
+    assert_true(session_touch(&s));
+    assert_true(s.now->writer.demo.frames == 1300 && s.now->writer.demo.flags & DEMO_TOUCHED);
+    assert_true(session_first(&s) == 1300 && session_last(&s) == 1300);
+    session_goto(&s, 100);
+    assert_true(s.way == SESSION_THERE && board_hash(session_board(&s)) == changed);
+    play_to(&s, 1600);
+    later = board_hash(session_board(&s));
+    session_goto(&s, 100);
+    assert_true(board_frame(session_board(&s)) == 1300 && board_hash(session_board(&s)) == changed);
+    session_goto(&s, 1600);
+    get_there(&s);
+    assert_true(board_hash(session_board(&s)) == later && session_first(&s) == 1300);
+    assert_true(session_close(&s));
 }
 
 static void starts_anew(void **state)
@@ -510,7 +541,7 @@ int main(void)
         cmocka_unit_test(takes_over),    cmocka_unit_test(starts_anew),
         cmocka_unit_test(reloads),       cmocka_unit_test(bad_edits),
         cmocka_unit_test(mends_a_fault), cmocka_unit_test(reloads_a_playback),
-        cmocka_unit_test(watches),
+        cmocka_unit_test(touched),       cmocka_unit_test(watches),
     };
     return cmocka_run_group_tests(tests, open_game, close_game);
 }

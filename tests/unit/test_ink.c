@@ -200,6 +200,59 @@ static void circles_are_rims_of_discs(void **state)
     check_circle(b, 1000000, 20, 1000000 - 30);
 }
 
+/* Is the middle of pixel (px, py) in a circle? In units of half a Q15.16 pixel unit. */
+static bool in_ring(int64_t px, int64_t py, int64_t x, int64_t y, int64_t r)
+{
+    int64_t dx = (2 * px + 1) * 32768 - x, dy = (2 * py + 1) * 32768 - y;
+
+    return dx * dx + dy * dy <= r * r;
+}
+
+/* In multiples of 1/256 px, which is as exact as it draws. */
+static void rings_are_rims_of_what_is_inside(void **state)
+{
+    struct bed *b = *state;
+
+    for (int n = 0; n < 600; n++) {
+        int64_t x = ((int64_t)rng_below(&b->r, 100) - 20) * 65536 + (int64_t)rng_below(&b->r, 256) * 256;
+        int64_t y = ((int64_t)rng_below(&b->r, 90) - 20) * 65536 + (int64_t)rng_below(&b->r, 256) * 256;
+        int64_t r = (int64_t)rng_below(&b->r, n % 2 ? 65536 * 3 : 65536 * 60) / 256 * 256;
+        fb_fill(&b->fb, 0);
+        ink_open(&b->ink, &b->fb, b->rgb);
+        ink_ring(&b->ink, (int32_t)x, (int32_t)y, (int32_t)r, INK_GREEN);
+        for (int i = 0; i < W * H; i++) {
+            int64_t px = i % W, py = i / W, sx = px * 65536 + 32768 < x ? -1 : 1, sy = py * 65536 + 32768 < y ? -1 : 1;
+            bool want = in_ring(px, py, x, y, r) && (!in_ring(px + sx, py, x, y, r) || !in_ring(px, py + sy, x, y, r));
+            want |= r < 65536 && x >> 16 == px && y >> 16 == py;
+            assert_int_equal(ink_at(b, (int)px, (int)py) == INK_GREEN, want);
+        }
+    }
+}
+
+static void boxes_frame_what_is_inside(void **state)
+{
+    struct bed *b = *state;
+
+    for (int n = 0; n < 600; n++) {
+        int64_t x = (int64_t)rng_below(&b->r, 100 << 16) - (20 << 16),
+                y = (int64_t)rng_below(&b->r, 90 << 16) - (20 << 16);
+        int64_t w = (int64_t)rng_below(&b->r, n % 2 ? 4 << 16 : 50 << 16), h = (int64_t)rng_below(&b->r, 20 << 16);
+        bool any = false;
+        fb_fill(&b->fb, 0);
+        ink_open(&b->ink, &b->fb, b->rgb);
+        ink_box(&b->ink, (int32_t)x, (int32_t)y, (int32_t)w, (int32_t)h, INK_GREEN);
+#define IN(px, py) (llabs((px)*65536 + 32768 - x) <= w && llabs((py)*65536 + 32768 - y) <= h)
+        for (int64_t i = -50 * 200; i < 200 * 200; i++)
+            any |= IN(i % 200 - 50, i / 200);
+        for (int i = 0; i < W * H; i++) {
+            int64_t px = i % W, py = i / W;
+            bool inner = IN(px - 1, py) && IN(px + 1, py) && IN(px, py - 1) && IN(px, py + 1);
+            bool want = any ? IN(px, py) && !inner : x >> 16 == px && y >> 16 == py;
+            assert_int_equal(ink_at(b, (int)px, (int)py) == INK_GREEN, want);
+        }
+    }
+}
+
 /* Whatever the numbers, drawing ends and stays inside. */
 static void extremes_are_clipped(void **state)
 {
@@ -211,6 +264,8 @@ static void extremes_are_clipped(void **state)
     for (int i = 0; i < N * N * N; i++) {
         int x = v[i % N], y = v[i / N % N], r = v[i / N / N];
         ink_circle(&b->ink, x, y, r, INK_RED);
+        ink_ring(&b->ink, x, y, r, INK_RED);
+        ink_box(&b->ink, x, y, r, x, INK_RED);
         ink_line(&b->ink, x, y, r, x, INK_RED);
         ink_rect(&b->ink, x, y, r, y, INK_RED);
         ink_frame(&b->ink, x, y, r, y, INK_RED);
@@ -253,6 +308,8 @@ int main(void)
         TEST(letters_can_be_told_apart),
         TEST(widths),
         TEST(circles_are_rims_of_discs),
+        TEST(rings_are_rims_of_what_is_inside),
+        TEST(boxes_frame_what_is_inside),
         TEST(extremes_are_clipped),
         TEST(any_words),
     };

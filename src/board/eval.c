@@ -1,0 +1,164 @@
+/*
+ * eval.c - see eval.h.
+ *
+ * The line is compiled behind "return " first, which makes an expression's values results; what does not compile so is
+ * statements, whose errors are then the ones to tell.
+ */
+#include "eval.h"
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+#include "api.h"
+#include "api_parts.h"
+#include "events_run.h"
+#include "lualib.h"
+#include "script.h"
+
+static const char chunk[] = "=console", place[] = "console:1: ";
+
+static void compile(lua_State *L, const char *line)
+{
+    const char *what, *text = lua_pushfstring(L, "return %s", line);
+    int at;
+
+    if (!script_scan(line, strlen(line), &at, &what)) {
+        lua_pushstring(L, what);
+        lua_error(L);
+    }
+    int status = luaL_loadbufferx(L, text, strlen(text), chunk, "t");
+    if (status == LUA_ERRSYNTAX) {
+        lua_pop(L, 1);
+        status = luaL_loadbufferx(L, line, strlen(line), chunk, "t");
+    }
+    lua_remove(L, -2);
+    if (status != LUA_OK)
+        lua_error(L);
+}
+
+/* ---- values as words ---- */
+
+/* Pushes "bullet 12", or "no bullet" for what is gone. */
+static void push_thing(lua_State *L, int64_t h)
+{
+    const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
+
+    if (board_alive(vm_board(L), h))
+        lua_pushfstring(L, "%s %d", name, (int)handle_slot(h) + (handle_kind(h) == H_PLAYER));
+    else
+        lua_pushfstring(L, "no %s", name);
+}
+
+/* Pushes the words for the value at idx. */
+static void push_words(lua_State *L, int idx)
+{
+    if (lua_isinteger(L, idx) && handle_is(lua_tointeger(L, idx)))
+        push_thing(L, lua_tointeger(L, idx));
+    else
+        lualib_tolstring(L, idx, NULL);
+}
+
+enum { ENTRIES = 24 /* of a table that are shown */ };
+
+/* Appends the entry whose key and value are on top to the text below them; the key stays. */
+static void append_entry(lua_State *L, lua_Integer n)
+{
+    int key = lua_gettop(L) - 1, text = key - 1;
+    bool listed = lua_isinteger(L, key) && lua_tointeger(L, key) == n;
+
+    vm_charge(L, WORK_CALL);
+    lua_pushvalue(L, text);
+    lua_pushstring(L, n > 1 ? ", " : " ");
+    push_words(L, key);
+    lua_pushstring(L, " = ");
+    push_words(L, key + 1);
+    if (listed) {
+        lua_replace(L, -3);
+        lua_pop(L, 1);
+    }
+    lua_concat(L, listed ? 3 : 5);
+    lua_replace(L, text);
+    lua_pop(L, 1);
+}
+
+/* Pushes "{ 1, 2, x = 3 }" for the table at idx. */
+static void push_table(lua_State *L, int idx)
+{
+    lua_Integer n = 1;
+
+    lua_pushliteral(L, "{");
+    lua_pushnil(L);
+    for (; lua_next(L, idx); n++) {
+        if (n > ENTRIES) {
+            lua_pop(L, 2);
+            lua_pushliteral(L, ", ...");
+            lua_concat(L, 2);
+            break;
+        }
+        append_entry(L, n);
+    }
+    lua_pushliteral(L, " }");
+    lua_concat(L, 2);
+}
+
+static bool is_plain_table(lua_State *L, int idx)
+{
+    return lua_istable(L, idx) && luaL_getmetafield(L, idx, "__tostring") == LUA_TNIL &&
+           luaL_getmetafield(L, idx, "__name") == LUA_TNIL;
+}
+
+static void put_words(lua_State *L, int idx)
+{
+    int top = lua_gettop(L);
+    bool plain = is_plain_table(L, idx);
+
+    lua_settop(L, top);
+    if (plain)
+        push_table(L, idx);
+    else
+        push_words(L, idx);
+    lua_replace(L, idx);
+}
+
+/* ---- running ---- */
+
+static int run_line(lua_State *L)
+{
+    lua_settop(L, 0);
+    compile(L, vm_board(L)->hand->line);
+    lua_call(L, 0, LUA_MULTRET);
+    int n = lua_gettop(L);
+    luaL_checkstack(L, 16, NULL);
+    for (int i = 1; i <= n; i++)
+        put_words(L, i);
+    return n ? vm_print(L) : 0;
+}
+
+/* A line's own place says nothing. */
+static const char *without_place(const char *message)
+{
+    return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
+}
+
+bool board_eval(struct board *b, const char *line, char *out, size_t size)
+{
+    struct hand *h = b->hand;
+    struct board_out was = h->out;
+    bool counting = b->vm.counting;
+
+    assert(h->fault.kind == FAULT_NONE);
+    h->line = line;
+    h->log_size = 0;
+    b->vm.work = 0;
+    b->vm.limit = EVAL_LIMIT;
+    b->vm.interrupted = 0;
+    board_count(b, true);
+    bool fine = vm_call(b, run_line) && vm_call(b, events_run);
+    snprintf(out, size, "%.*s", fine ? (int)h->log_size : -1, fine ? h->log : without_place(h->fault.message));
+    b->vm.limit = 0;
+    board_count(b, counting);
+    h->line = NULL;
+    h->log_size = 0;
+    h->out = was;
+    h->out.log_size = 0;
+    return fine;
+}

@@ -1,0 +1,331 @@
+/*
+ * inspect.c - see inspect.h.
+ */
+#include "inspect.h"
+#include <string.h>
+#include "api.h"
+#include "machine.h"
+
+static int32_t to_screen(fx v, int corner)
+{
+    return v + corner * 65536;
+}
+
+struct inspect_area inspect_field(const struct board *b)
+{
+    const struct manifest *m = &b->cart.m;
+
+    return (struct inspect_area){ m->field_x, m->field_y, m->field_w, m->field_h };
+}
+
+/* ---- bodies ---- */
+
+static struct inspect_body body_at(const struct board *b, enum inspect_kind kind, uint32_t slot, fx x, fx y)
+{
+    return (struct inspect_body){
+        .kind = kind, .slot = slot, .x = to_screen(x, b->cart.m.field_x), .y = to_screen(y, b->cart.m.field_y)
+    };
+}
+
+static void set_shape(struct inspect_body *body, uint8_t shape, fx a, fx b)
+{
+    static const enum inspect_shape shapes[] = {
+        [SHAPE_NONE] = INSPECT_NONE, [SHAPE_CIRCLE] = INSPECT_CIRCLE, [SHAPE_BOX] = INSPECT_BOX
+    };
+
+    body->shape = shapes[shape];
+    body->a = shape == SHAPE_NONE ? 0 : a;
+    body->b = shape == SHAPE_BOX ? b : 0;
+}
+
+static bool can_be_grazed(const struct board *b, uint32_t i)
+{
+    if (!(b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_GRAZE))
+        return false;
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p] && !(b->bullets.flags[i] >> p & BULLET_GRAZED))
+            return true;
+    return false;
+}
+
+static struct inspect_body flying_body(const struct board *b, enum inspect_kind kind, uint32_t i)
+{
+    const struct bullets *s = kind == INSPECT_BULLET ? &b->bullets : &b->shots;
+    const struct bullet_kinds *k = kind == INSPECT_BULLET ? &b->bullet_kinds : &b->shot_kinds;
+    struct inspect_body body = body_at(b, kind, i, s->x[i], s->y[i]);
+
+    set_shape(&body, k->shape[s->kind[i]], k->a[s->kind[i]], k->b[s->kind[i]]);
+    body.spent = kind == INSPECT_BULLET && !can_be_grazed(b, i);
+    return body;
+}
+
+static struct inspect_body enemy_body(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    struct inspect_body body = body_at(b, INSPECT_ENEMY, i, e->x[i], e->y[i]);
+
+    set_shape(&body, k->shape[e->kind[i]], k->a[e->kind[i]], k->b[e->kind[i]]);
+    body.spent = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
+    return body;
+}
+
+static struct inspect_body player_body(const struct board *b, uint32_t i)
+{
+    const struct player *p = &b->player;
+    struct inspect_body body = body_at(b, INSPECT_PLAYER, i, p->x[i], p->y[i]);
+
+    set_shape(&body, SHAPE_CIRCLE, b->player_kinds.radius[p->kind[i]], 0);
+    body.graze = b->player_kinds.graze[p->kind[i]];
+    body.spent = p->safe[i] > 0;
+    return body;
+}
+
+void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context)
+{
+    struct inspect_body body;
+
+    EACH_LIVE (i, &b->enemies.s) {
+        body = enemy_body(b, i);
+        each(context, &body);
+    }
+    EACH_LIVE (i, &b->shots.s) {
+        body = flying_body(b, INSPECT_SHOT, i);
+        each(context, &body);
+    }
+    EACH_LIVE (i, &b->bullets.s) {
+        body = flying_body(b, INSPECT_BULLET, i);
+        each(context, &body);
+    }
+    for (uint32_t i = 0; i < PADS; i++) {
+        body = player_body(b, i);
+        if (b->player.in[i])
+            each(context, &body);
+    }
+}
+
+/* ---- gauges ---- */
+
+static const struct slots *part_slots(const struct board *b, int i)
+{
+    return (const struct slots *)((const char *)b + parts[i].at);
+}
+
+int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS])
+{
+    const void *fixed[] = { &b->input, &b->player, &b->fix, &b->pal, &b->nvram };
+
+    for (int i = 0; i < PARTS; i++) {
+        const struct slots *s = part_slots(b, i);
+        bool list = !s->used;
+        out[i] = (struct inspect_gauge){
+            parts[i].chip->name, s->live,    list ? s->live : s->top, list ? s->live : s->high, s->cap,
+            s->refused,          s->cap == 0
+        };
+        for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
+            out[i].fixed |= fixed[k] == (const void *)s;
+    }
+    return PARTS;
+}
+
+void inspect_memory(const struct board *b, size_t *used, size_t *size)
+{
+    *used = heap_used(b->vm.heap);
+    *size = (size_t)b->cart.m.lua_kib * 1024;
+}
+
+uint64_t inspect_drawn(const struct board *b)
+{
+    return b->core.drawn;
+}
+
+/* ---- tasks ---- */
+
+/* Where its thread waits; a task whose first turn is to come is nowhere yet. */
+static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
+{
+    at[0] = 0;
+    if (!b->tasks.thread[i] || !(b->tasks.flags[i] & TASK_BEGUN))
+        return;
+    vm_where(b->tasks.thread[i], at, INSPECT_PLACE);
+    size_t n = strlen(at);
+    if (n >= 2) /* ": " */
+        at[n - 2] = 0;
+}
+
+static void find_owner(const struct board *b, int64_t owner, struct inspect_task *out)
+{
+    static const enum inspect_owner owners[HANDLES] = {
+        [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT,     [H_ENEMY] = OWNER_ENEMY,
+        [H_PLAYER] = OWNER_PLAYER, [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK
+    };
+    uint32_t slot = handle_slot(owner);
+
+    if (!owner)
+        return;
+    out->owner = owners[handle_kind(owner)];
+    out->owner_number = slot;
+    if (out->owner == OWNER_PLAYER)
+        out->owner_number++;
+    if (out->owner == OWNER_TASK)
+        out->owner_number = slots_has(&b->tasks.s, slot, handle_gen(owner)) ? b->tasks.serial[slot] : 0;
+}
+
+static void describe_task(const struct board *b, uint32_t i, struct inspect_task *out)
+{
+    const struct tasks *t = &b->tasks;
+
+    *out = (struct inspect_task){ .serial = t->serial[i],
+                                  .age = b->core.clock - t->born[i],
+                                  .wait = t->wait[i] > 1 ? t->wait[i] : 1,
+                                  .forever = t->wait[i] == LUA_MAXINTEGER,
+                                  .scope = t->flags[i] & TASK_SCOPE,
+                                  .begun = t->flags[i] & TASK_BEGUN,
+                                  .stopped = t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i]),
+                                  .frozen = tasks_frozen(b, i) };
+    find_owner(b, t->owner[i], out);
+    find_line(b, i, out->at);
+}
+
+uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_task *out, uint32_t n)
+{
+    const struct tasks *t = &b->tasks;
+    uint32_t k = 0;
+
+    for (uint32_t i = t->first; i != UINT32_MAX && k < first + n; i = t->next[i], k++)
+        if (k >= first)
+            describe_task(b, i, &out[k - first]);
+    return t->s.live;
+}
+
+bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *out)
+{
+    const struct tasks *t = &b->tasks;
+
+    for (uint32_t i = t->first; i != UINT32_MAX && t->serial[i] <= serial; i = t->next[i])
+        if (t->serial[i] == serial) {
+            describe_task(b, i, out);
+            return true;
+        }
+    return false;
+}
+
+/* ---- what is under a point ---- */
+
+static fx larger(fx a, fx b)
+{
+    return a > b ? a : b;
+}
+
+static int64_t size(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* How well a body fits the point asked for: the least wins, by field. */
+struct fit {
+    fx gap, size, far;
+};
+
+struct search {
+    fx x, y, within;
+    struct fit best;
+    struct inspect_body found;
+};
+
+static bool better(const struct fit *a, const struct fit *b)
+{
+    if (a->gap != b->gap)
+        return a->gap < b->gap;
+    if (a->size != b->size)
+        return a->size < b->size;
+    return a->far < b->far;
+}
+
+static void consider(void *context, const struct inspect_body *body)
+{
+    struct search *s = context;
+    fx w = body->a, h = body->shape == INSPECT_BOX ? body->b : body->a;
+    int64_t dx = size((int64_t)body->x - s->x), dy = size((int64_t)body->y - s->y);
+
+    if (dx > (int64_t)w + s->within || dy > (int64_t)h + s->within)
+        return;
+    fx far = fx_hypot((fx)dx, (fx)dy), gap = far - w;
+    if (body->shape == INSPECT_BOX)
+        gap = fx_hypot(larger((fx)dx - w, 0), larger((fx)dy - h, 0));
+    struct fit fit = { larger(gap, 0), larger(w, h), far };
+    if (fit.gap > s->within || (s->found.kind != INSPECT_NOTHING && !better(&fit, &s->best)))
+        return;
+    s->best = fit;
+    s->found = *body;
+}
+
+static void describe_motion(const struct board *b, const struct bullets *s, uint32_t i, struct inspect_thing *out)
+{
+    out->moves = s->motion[i] != 0;
+    if (!out->moves)
+        return;
+    out->program = s->motion[i] - 1u;
+    out->motion = names_at(b, N_MOTION, (int)out->program);
+    out->step = s->pc[i] + 1u;
+    out->steps = b->motions.length[out->program];
+    if (s->mute[i] & STEP_BEGUN)
+        out->left = s->end[i] - b->core.clock;
+}
+
+static void describe_flying(const struct board *b, struct inspect_thing *out)
+{
+    bool bullet = out->body.kind == INSPECT_BULLET;
+    const struct bullets *s = bullet ? &b->bullets : &b->shots;
+    uint32_t i = out->body.slot;
+
+    out->name = names_at(b, bullet ? N_BULLET : N_SHOT, s->kind[i]);
+    out->tag = s->tag[i] ? names_at(b, N_TAG, s->tag[i]) : NULL;
+    out->age = b->core.clock - s->born[i];
+    out->speed = s->speed[i];
+    out->dir = trig_to_degrees(s->dir[i]);
+    out->by = s->by[i];
+    out->player = s->player[i];
+    describe_motion(b, s, i, out);
+}
+
+static void describe_enemy(const struct board *b, struct inspect_thing *out)
+{
+    const struct enemies *e = &b->enemies;
+    uint32_t i = out->body.slot;
+
+    out->name = names_at(b, N_ENEMY, e->kind[i]);
+    out->tag = e->tag[i] ? names_at(b, N_TAG, e->tag[i]) : NULL;
+    out->age = b->core.clock - e->born[i];
+    out->by = e->by[i];
+    out->hp = e->hp[i];
+    out->safe = e->safe[i];
+}
+
+static void describe_player(const struct board *b, struct inspect_thing *out)
+{
+    const struct player *p = &b->player;
+    uint32_t i = out->body.slot;
+
+    out->name = names_at(b, N_PLAYER, p->kind[i]);
+    out->lives = p->lives[i];
+    out->safe = p->safe[i] > INT32_MAX ? -1 : (int32_t)p->safe[i];
+}
+
+bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out)
+{
+    struct search s = { .x = x * 65536 + 32768, .y = y * 65536 + 32768, .within = within * 65536 };
+
+    *out = (struct inspect_thing){ 0 };
+    inspect_bodies(b, consider, &s);
+    out->body = s.found;
+    out->x = to_screen(s.found.x, -b->cart.m.field_x);
+    out->y = to_screen(s.found.y, -b->cart.m.field_y);
+    if (s.found.kind == INSPECT_ENEMY)
+        describe_enemy(b, out);
+    else if (s.found.kind == INSPECT_PLAYER)
+        describe_player(b, out);
+    else if (s.found.kind != INSPECT_NOTHING)
+        describe_flying(b, out);
+    return s.found.kind != INSPECT_NOTHING;
+}

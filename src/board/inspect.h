@@ -1,0 +1,101 @@
+/*
+ * inspect.h - what goes on in a board, for those who look over its shoulder: hit shapes, gauges, tasks, and what is
+ * under a point.
+ * floor: board    used by: cab/ tests/
+ *
+ * Only between frames. Nothing here changes a byte of RAM: no Lua function that pushes anything is called. Texts that
+ * are handed out as pointers are good until the next tick or restore. Places on the screen are Q15.16 px, the field's
+ * corner added.
+ */
+#ifndef BOARD_INSPECT_H
+#define BOARD_INSPECT_H
+
+#include "board.h"
+
+enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER };
+enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX };
+
+/* A thing as the hit tests see it. */
+struct inspect_body {
+    enum inspect_kind kind;
+    uint32_t slot;
+    enum inspect_shape shape;
+    int32_t x, y;  /* its middle, on the screen */
+    int32_t a, b;  /* a circle: a is the radius; a box: half its width and height */
+    int32_t graze; /* radius of a player's graze ring; else 0 */
+    bool spent;    /* a bullet that no player in the game can graze (any more), an enemy whose touch is harmless or that
+                      is dying, a player that is safe */
+};
+
+/* Calls each for all bodies, in the order enemies, shots, bullets, players; each by slot. */
+void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
+
+/* The field on the screen, px. */
+struct inspect_area {
+    int x, y, w, h;
+};
+struct inspect_area inspect_field(const struct board *b);
+
+/* How full a part is. */
+struct inspect_gauge {
+    const char *name;
+    uint32_t live, top, high, cap; /* top: every live slot is below; high: slots ever used */
+    uint32_t refused;
+    bool fixed; /* always full, or nothing of many: not worth a look */
+};
+int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
+
+/* Lua's memory, bytes. */
+void inspect_memory(const struct board *b, size_t *used, size_t *size);
+
+/* Numbers drawn from the game's random stream since it began: at power-on, or with board.reset. */
+uint64_t inspect_drawn(const struct board *b);
+
+enum { INSPECT_PLACE = 80 };
+
+enum inspect_owner { OWNER_BOARD, OWNER_BULLET, OWNER_SHOT, OWNER_ENEMY, OWNER_PLAYER, OWNER_SPRITE, OWNER_TASK };
+
+struct inspect_task {
+    uint32_t serial;
+    uint32_t age; /* frames of game time */
+    int64_t wait; /* frames until its turn, at least 1: the next frame */
+    bool forever; /* it waits for ever */
+    bool scope;   /* it only owns others */
+    bool begun;   /* else its first turn is to come */
+    bool stopped; /* to be closed at its turn: it was stopped, or its owner is gone */
+    bool frozen;  /* gets no turns: the game is paused */
+    enum inspect_owner owner;
+    uint32_t owner_number;  /* of a task its serial, of a player 1 or 2, else its slot */
+    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line it waits in, the nearest outside @std; "": none */
+};
+
+/* Tasks by serial, up to n of them from number `first` on (0: the oldest). Returns how many there are in all. */
+uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_task *out, uint32_t n);
+
+/* The live task with that serial; false: it is over. */
+bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *out);
+
+struct inspect_thing {
+    struct inspect_body body;
+    const char *name;     /* of its kind */
+    const char *tag;      /* NULL: none */
+    uint32_t age;         /* frames of game time; of a player 0 */
+    int32_t x, y;         /* on the field, Q15.16 px */
+    int32_t speed;        /* Q15.16 px/frame; of bullets and shots, as dir */
+    double dir;           /* degrees */
+    bool moves;           /* a motion program drives it */
+    const char *motion;   /* its name; NULL: it has none */
+    uint32_t program;     /* its number */
+    uint32_t step, steps; /* the one it is in, from 1; steps + 1: past the last */
+    uint32_t left;        /* frames this step takes on, 0: it has not begun or takes no time */
+    uint32_t by;          /* serial of the task that fired or spawned it, 0: none */
+    int player;           /* of a shot: 1 or 2, 0: nobody's */
+    int32_t hp, safe;     /* of an enemy; safe: frames it takes no damage, -1 for ever; of a player too */
+    int32_t lives;        /* of a player */
+};
+
+/* The thing whose shape holds the screen pixel (x, y) or comes nearest to it, at most `within` px away; of several the
+ * smallest, then the one whose middle is nearest, then the first in the order of inspect_bodies. False: none. */
+bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out);
+
+#endif

@@ -1,0 +1,421 @@
+/*
+ * test_eval.c - lines of Lua between frames: what they say, what they change, and that a restored board is as it was.
+ */
+#include "rig.h"
+#include "../../src/board/eval.h"
+
+static const char scene[] =
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "enemy.def('fly', { sprite = 'dot', hp = 5, hit = { circle = 8 } })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "string.killed = 0\n"
+    "on.kill(function(e) string.killed = string.killed + 1 print('killed', string.killed) end)\n"
+    "task.go(function()\n"
+    "  string.sys.join(1, 'ship')\n"
+    "  enemy.spawn { kind = 'fly', x = 100, y = 50, tag = 'flies' }\n"
+    "  while true do bullet.fire { kind = 'dot', x = rng.int(10, 90), y = 9, speed = 1 } wait(5) end\n"
+    "end)\n";
+
+struct bed {
+    struct rig_game g;
+    struct rig r;
+    uint8_t *image, *again; /* of the board as it was, and as it is */
+    size_t size, room;
+    char out[EVAL_TEXT];
+};
+
+static int bed_open(void **state)
+{
+    struct bed *t = calloc(1, sizeof *t);
+
+    rig_with_sys(&t->g, NULL, scene);
+    rig_power(&t->r, &t->g, NULL);
+    rig_run(&t->r, 20);
+    *state = t;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *t = *state;
+
+    free(t->image);
+    free(t->again);
+    rig_free(&t->r);
+    rig_game_free(&t->g);
+    free(t);
+    return 0;
+}
+
+/* Snapshots have gaps, which nobody writes. */
+static void image(const struct bed *t, uint8_t *to)
+{
+    memset(to, 0, t->size);
+    board_save(t->r.b, to);
+}
+
+static void keep_image(struct bed *t)
+{
+    t->size = board_snapshot_size(t->r.b);
+    if (t->size > t->room) {
+        t->room = t->size + t->size / 4;
+        t->image = realloc(t->image, t->room);
+        t->again = realloc(t->again, t->room);
+    }
+    image(t, t->image);
+}
+
+static void check_image(struct bed *t, const char *line)
+{
+    if (board_snapshot_size(t->r.b) != t->size)
+        fail_msg("RAM is larger than it was before: %s", line);
+    image(t, t->again);
+    for (size_t i = 0; i < t->size; i++)
+        if (t->image[i] != t->again[i])
+            fail_msg("byte %zu of RAM is not what it was before: %s", i, line);
+}
+
+/* Runs a line and puts RAM back. */
+static bool run(struct bed *t, const char *line)
+{
+    uint64_t hash = board_hash(t->r.b);
+
+    keep_image(t);
+    bool fine = board_eval(t->r.b, line, t->out, sizeof t->out);
+    board_restore(t->r.b, t->image);
+    check_image(t, line);
+    assert_true(board_hash(t->r.b) == hash);
+    return fine;
+}
+
+static void says(struct bed *t, const char *line, const char *want)
+{
+    bool fine = run(t, line);
+
+    if (!fine || strcmp(t->out, want) != 0)
+        fail_msg("%s: %s\"%s\", not \"%s\"", line, fine ? "" : "failed: ", t->out, want);
+}
+
+static void fails(struct bed *t, const char *line, const char *part)
+{
+    bool fine = run(t, line);
+
+    if (fine || !strstr(t->out, part) || !t->out[0] || strchr(t->out, '\n'))
+        fail_msg("%s: %s\"%s\", not \"%s\"", line, fine ? "worked: " : "", t->out, part);
+}
+
+static void values_are_shown(void **state)
+{
+    struct bed *t = *state;
+
+    says(t, "1 + 1", "2\n");
+    says(t, "1, 'two', nil, 3.5, true", "1\ttwo\tnil\t3.5\ttrue\n");
+    says(t, "return 7", "7\n");
+    says(t, "local x = 3", "");
+    says(t, "", "");
+    says(t, "-- nothing", "");
+    says(t, "local s = 0 for i = 1, 10 do s = s + i end return s", "55\n");
+    says(t, "print('a', 1) print('b') return 'c'", "a\t1\nb\nc\n");
+    says(t, "player.get(1)", "player 1\n");
+    says(t, "player.get(2)", "no player\n");
+    says(t, "board.live('bullets')", "4\n");
+    says(t, "string.killed", "0\n");
+    says(t, "{ 10, 20, x = 'y' }", "{ 10, 20, x = y }\n");
+    says(t, "{}", "{ }\n");
+    says(t, "{ { 1 } }", "{ table }\n");
+    says(t, "{ [2] = player.get(1) }", "{ 2 = player 1 }\n");
+    says(t, "string.rep('x', 3):upper()", "XXX\n");
+}
+
+static void long_answers_are_cut(void **state)
+{
+    struct bed *t = *state;
+    char small[8];
+
+    assert_true(run(t, "string.rep('x', 100000)"));
+    assert_int_equal(strlen(t->out), 4096);
+    assert_true(run(t, "local a = {} for i = 1, 1000 do a[i] = i end return a"));
+    assert_non_null(strstr(t->out, "23, 24, ... }"));
+    keep_image(t);
+    assert_true(board_eval(t->r.b, "'abcdefghijkl'", small, sizeof small));
+    assert_string_equal(small, "abcdefg");
+}
+
+static void mistakes_are_told(void **state)
+{
+    struct bed *t = *state;
+
+    fails(t, "1 +", "unexpected symbol");
+    fails(t, "(", "unexpected symbol");
+    fails(t, "nothing_such", "undeclared global \"nothing_such\"");
+    fails(t, "nothing_such = 1", "there are no new globals");
+    fails(t, "2 ^ 3", "the operator ^ is not available");
+    fails(t, "setmetatable({}, { __gc = 1 })", "__gc is not available");
+    fails(t, "wait(1)", "only a task can wait");
+    fails(t, "error('mine')", "mine");
+    fails(t, "error({})", "not text");
+    fails(t, "bullet.def('more', { sprite = 'dot', hit = 'none' })", "load");
+    fails(t, "bullet.fire { kind = 'dto', x = 1, y = 2, speed = 1 }", "dot");
+    fails(t, "(nil).x", "index a nil value");
+    fails(t, "string.sys.join(9, 'ship')", "1, 2");
+    assert_true(strncmp(t->out, "console", 7) != 0);
+}
+
+static void what_does_not_end_is_ended(void **state)
+{
+    struct bed *t = *state;
+
+    fails(t, "while true do end", "endless loop: more than 10000000 instructions in one line");
+    fails(t, "repeat until pcall(error) == 1", "endless loop");
+    fails(t, "local function f() return f() end return f()", "endless loop");
+    fails(t, "local function f() return 1 + f() end return f()", "recursion");
+    fails(t, "local a = {} while true do a[#a + 1] = string.rep('x', 1000) .. #a end", "out of Lua memory");
+    fails(t, "string.rep('x', 1000000000)", "");
+    fails(t, "setmetatable({}, { __tostring = function() while true do end end })", "endless loop");
+    fails(t, "local x <close> = setmetatable({}, { __close = function() while true do end end }) while true do end",
+          "endless loop");
+    fails(
+        t,
+        "(((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((("
+        "((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((",
+        "");
+    says(t, "1", "1\n");
+}
+
+/* What is not restored stays, and the game goes on with it. */
+static void what_is_kept_stays(void **state)
+{
+    struct bed *t = *state;
+    int64_t bullets = board_live(t->r.b, "bullets"), tasks = board_live(t->r.b, "tasks");
+    uint64_t hash = board_hash(t->r.b);
+
+    assert_true(
+        board_eval(t->r.b, "bullet.fire { kind = 'dot', x = 50, y = 60, speed = 1, dir = 90 }", t->out, sizeof t->out));
+    assert_true(strncmp(t->out, "bullet ", 7) == 0);
+    assert_true(board_live(t->r.b, "bullets") == bullets + 1 && board_hash(t->r.b) != hash);
+    assert_int_equal(t->r.b->events.n, 0);
+    assert_true(board_eval(t->r.b, "task.go(function() wait(2) string.killed = 77 end)", t->out, sizeof t->out));
+    assert_true(board_live(t->r.b, "tasks") == tasks + 1);
+    rig_run(&t->r, 3);
+    says(t, "string.killed", "77\n");
+    assert_true(board_live(t->r.b, "tasks") == tasks);
+    rig_spoil(&t->r);
+    rig_run(&t->r, 100);
+}
+
+/* What a line raises is applied at once: no event waits between frames. */
+static void events_are_applied(void **state)
+{
+    struct bed *t = *state;
+
+    says(t, "enemy.each('flies', function(e) e:kill() end)", "killed\t1\n");
+    assert_true(board_eval(t->r.b, "enemy.each('flies', function(e) e:kill() end)", t->out, sizeof t->out));
+    assert_string_equal(t->out, "killed\t1\n");
+    assert_int_equal(t->r.b->events.n, 0);
+    assert_int_equal(board_live(t->r.b, "enemies"), 0);
+    says(t, "string.killed", "1\n");
+    rig_run(&t->r, 50);
+}
+
+/* A line cannot reach what a tick hands out, and the next tick knows nothing of it. */
+static void what_a_tick_hands_out_stays(void **state)
+{
+    struct bed *t = *state;
+
+    assert_true(board_eval(t->r.b, "print('x')", t->out, sizeof t->out));
+    assert_int_equal(board_last(t->r.b)->log_size, 0);
+    rig_run(&t->r, 1);
+    assert_int_equal(board_last(t->r.b)->log_size, 0);
+    assert_true(board_eval(t->r.b, "board.attract('no')", t->out, sizeof t->out));
+    assert_int_equal(board_last(t->r.b)->request, REQUEST_NONE);
+    assert_true(board_eval(t->r.b, "board.reset()", t->out, sizeof t->out));
+    rig_run(&t->r, 1);
+    assert_int_equal(board_live(t->r.b, "enemies"), 0);
+    rig_run(&t->r, 50);
+}
+
+/* Two boards, one of which is asked things all the time. */
+static void undone_lines_change_nothing(void **state)
+{
+    static const char *const lines[] = {
+        "rng.int(1, 9)",
+        "board.note(4)",
+        "task.go(function() wait(1) end)",
+        "enemy.each('flies', function(e) e:kill() end)",
+        "score.add(1, 1000)",
+        "while true do end",
+        "local t = {} for i = 1, 3000 do t[i] = { i } end",
+        "for i = 1, 300 do bullet.fire { kind = 'dot', x = i, y = 9, speed = 2 } end"
+    };
+    struct bed *t = *state;
+    struct rig other;
+
+    rig_power(&other, &t->g, NULL);
+    rig_run(&other, 20);
+    for (int f = 0; f < 80; f++) {
+        run(t, lines[f % 8]);
+        rig_run(&t->r, 1);
+        rig_run(&other, 1);
+        if (rig_differs(&t->r, &other))
+            fail_msg("after \"%s\" part %s differs", lines[f % 8], rig_differs(&t->r, &other));
+    }
+    rig_free(&other);
+}
+
+/* ---- any line ---- */
+
+static const char *const words[] = {
+    "return",
+    "local",
+    "x",
+    "=",
+    "(",
+    ")",
+    "{",
+    "}",
+    "1",
+    "'a'",
+    "nil",
+    "..",
+    "+",
+    "-",
+    "#",
+    "bullet",
+    "enemy",
+    "player",
+    ".",
+    ":",
+    "fire",
+    "each",
+    "get",
+    ",",
+    "function",
+    "end",
+    "if",
+    "then",
+    "while",
+    "do",
+    "true",
+    "for",
+    "in",
+    "pairs",
+    "print",
+    "error",
+    "pcall",
+    "task",
+    "go",
+    "rng",
+    "int",
+    "string",
+    "rep",
+    "on",
+    "kill",
+    "sys",
+    "~",
+    "//",
+    "%",
+    "[",
+    "]",
+    "tostring",
+    "setmetatable",
+    "load",
+    "\"",
+    "select",
+    "table",
+    "sort",
+    "wait",
+    "stage",
+    "board",
+    "reset",
+    "note",
+    "save",
+    "set",
+    "<close>",
+    "score",
+    "add",
+    "999999999",
+    "killed",
+    "==",
+    "or",
+    "and",
+    "not",
+    "goto",
+    "::",
+    ";",
+};
+
+static void garbage(struct rng *r, char *line, size_t size)
+{
+    size_t n = 0, most = rng_below(r, size - 16);
+
+    line[0] = 0;
+    while (n < most) {
+        const char *word = words[rng_below(r, sizeof words / sizeof *words)];
+        if (rng_below(r, 20) == 0)
+            line[n++] = (char)(1 + rng_below(r, 255));
+        else
+            n += (size_t)snprintf(line + n, size - n, "%s ", word);
+        line[n] = 0;
+    }
+}
+
+static void any_line_ends_and_is_undone(void **state)
+{
+    struct bed *t = *state;
+    struct rng r;
+    char line[120];
+    int fine = 0, n = rig_long() ? 100000 : 10000;
+
+    rng_seed(&r, 8);
+    keep_image(t);
+    for (int i = 0; i < n; i++) {
+        garbage(&r, line, i % 3 ? 24 : sizeof line);
+        fine += board_eval(t->r.b, line, t->out, sizeof t->out);
+        board_restore(t->r.b, t->image);
+        if (i % 16 == 0)
+            check_image(t, line);
+    }
+    check_image(t, "the last");
+    assert_true(fine > n / 100 && fine < n / 2);
+    rig_run(&t->r, 20);
+}
+
+/* Kept, one after the other, as long as they work. */
+static void kept_lines_leave_a_board_that_runs(void **state)
+{
+    struct bed *t = *state;
+    struct rng r;
+    char line[120];
+    const uint16_t none[PADS] = { 0 };
+
+    rng_seed(&r, 81);
+    for (int i = 0; i < 1500 && !rig_fault(&t->r); i++) {
+        garbage(&r, line, i % 3 ? 30 : sizeof line);
+        keep_image(t);
+        if (!board_eval(t->r.b, line, t->out, sizeof t->out))
+            board_restore(t->r.b, t->image);
+        assert_int_equal(t->r.b->events.n, 0);
+        if (i % 8 == 0)
+            rig_spoil(&t->r);
+        board_tick(t->r.b, none);
+    }
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
+    const struct CMUnitTest tests[] = {
+        TEST(values_are_shown),
+        TEST(long_answers_are_cut),
+        TEST(mistakes_are_told),
+        TEST(what_does_not_end_is_ended),
+        TEST(what_is_kept_stays),
+        TEST(events_are_applied),
+        TEST(what_a_tick_hands_out_stays),
+        TEST(undone_lines_change_nothing),
+        TEST(any_line_ends_and_is_undone),
+        TEST(kept_lines_leave_a_board_that_runs),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

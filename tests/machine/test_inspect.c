@@ -1,0 +1,382 @@
+/*
+ * test_inspect.c - what a board shows of itself: known values of a known scene, and RAM that stays as it was.
+ */
+#include "rig.h"
+#include "../../src/board/inspect.h"
+
+/* The lines the tasks wait in are asked for below. */
+static const char scene[] =
+    "bullet.def('rice', { sprite = 'dot', hit = { circle = 2.5 } })\n"
+    "bullet.def('brick', { sprite = 'dot', hit = { box = { 12, 6 } }, graze = false })\n"
+    "bullet.def('mist', { sprite = 'dot', hit = 'none' })\n"
+    "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "enemy.def('wall', { sprite = 'dot', hp = 70, hit = { box = { 40, 20 } } })\n"
+    "enemy.def('fly', { sprite = 'dot', hp = 5, hit = { circle = 8 }, touch = false })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, graze = 16, safe = 0 })\n"
+    "motion.def { name = 'swerve',\n"
+    "  { wait = 5 }, { turn = 3, over = 30 }, { wait = 10 } }\n"
+    "local function fires()\n"
+    "  bullet.fire { kind = 'rice', x = 100.25, y = 50, dir = 90, speed = 0.5, tag = 'first', motion = 'swerve' }\n"
+    "  shot.fire { kind = 'bolt', x = 30, y = 60, dir = 270, speed = 0, by = player.get(1) }\n"
+    "  wait(1000)\n" /* 13 */
+    "end\n"
+    "task.go(function()\n"
+    "  string.sys.join(1, 'ship')\n"
+    "  player.get(1).x, player.get(1).y = 120, 200\n"
+    "  local wall = enemy.spawn { kind = 'wall', x = 120, y = 40 }\n"
+    "  enemy.spawn { kind = 'fly', x = 180, y = 40 }\n"
+    "  bullet.fire { kind = 'brick', x = 60, y = 90, dir = 0, speed = 0 }\n"
+    "  bullet.fire { kind = 'mist', x = 150, y = 90, dir = 0, speed = 0 }\n"
+    "  bullet.fire { kind = 'rice', x = 125, y = 41, dir = 0, speed = 0 }\n"
+    "  task.own(wall, fires)\n"
+    "  task.scope()\n"
+    "  for i = 1, 1000000 do rng.int(1, 6) wait(3) end\n" /* 25 */
+    "end)\n"
+    "task.go(function() wait(forever) end)\n" /* 27 */;
+
+struct bed {
+    struct rig_game g;
+    struct rig r;
+};
+
+static int bed_open(void **state)
+{
+    struct bed *t = calloc(1, sizeof *t);
+    struct manifest m = rig_manifest();
+
+    m.field_x = 16;
+    m.field_y = 8;
+    m.field_w = m.screen_w - 32;
+    m.field_h = m.screen_h - 16;
+    rig_with_sys(&t->g, &m, scene);
+    rig_power(&t->r, &t->g, NULL);
+    *state = t;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *t = *state;
+
+    rig_free(&t->r);
+    rig_game_free(&t->g);
+    free(t);
+    return 0;
+}
+
+struct list {
+    struct inspect_body body[64];
+    int n;
+};
+
+static void add(void *context, const struct inspect_body *body)
+{
+    struct list *l = context;
+
+    assert_true(l->n < 64);
+    l->body[l->n++] = *body;
+}
+
+#define PX(v) ((int32_t)((v)*65536))
+
+static void shapes_are_those_of_the_tests(void **state)
+{
+    struct bed *t = *state;
+    struct list l = { 0 };
+
+    rig_run(&t->r, 1);
+    inspect_bodies(t->r.b, add, &l);
+    assert_int_equal(l.n, 8);
+    /* a task that is started in its turn comes after those of before: fires() has slot 3 */
+    const struct inspect_body *brick = &l.body[3], *mist = &l.body[4], *still = &l.body[5], *rice = &l.body[6];
+    assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->spent);
+    assert_true(brick->a == PX(6) && brick->b == PX(3) && brick->x == PX(76) && brick->y == PX(98));
+    assert_true(mist->shape == INSPECT_NONE && mist->a == 0);
+    assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->spent);
+    assert_true(rice->x == PX(116.25) && rice->y == PX(58.5) && rice->slot == 3);
+    assert_true(l.body[2].kind == INSPECT_SHOT && l.body[2].a == PX(3) && l.body[2].x == PX(46));
+    assert_true(l.body[0].kind == INSPECT_ENEMY && l.body[0].shape == INSPECT_BOX && l.body[0].a == PX(20));
+    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].spent);
+    assert_false(l.body[0].spent);
+    assert_true(l.body[7].kind == INSPECT_PLAYER && l.body[7].a == PX(2) && l.body[7].graze == PX(16));
+    struct inspect_area f = inspect_field(t->r.b);
+    assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.m.field_w && f.h == t->g.cart.m.field_h);
+}
+
+static const struct inspect_gauge *gauge(const struct inspect_gauge *g, int n, const char *name)
+{
+    for (int i = 0; i < n; i++)
+        if (!strcmp(g[i].name, name))
+            return &g[i];
+    fail_msg("no gauge %s", name);
+    return NULL;
+}
+
+static void gauges_show_how_full_it_is(void **state)
+{
+    struct bed *t = *state;
+    struct inspect_gauge g[MAX_PARTS];
+    size_t used, size;
+
+    rig_run(&t->r, 1);
+    int n = inspect_gauges(t->r.b, g);
+    assert_int_equal(n, board_parts(t->r.b));
+    const struct inspect_gauge *bullets = gauge(g, n, "bullets"), *kinds = gauge(g, n, "bullet_kinds");
+    assert_true(bullets->live == 4 && bullets->top == 64 && bullets->high == 64 && bullets->cap == 256);
+    assert_true(bullets->refused == 0 && !bullets->fixed);
+    assert_true(kinds->live == 3 && kinds->top == 3 && kinds->cap == 1024 && !kinds->fixed);
+    assert_true(gauge(g, n, "pal")->fixed && gauge(g, n, "script")->fixed && !gauge(g, n, "tasks")->fixed);
+    for (int i = 0; i < n; i++)
+        assert_true(g[i].live == board_live(t->r.b, g[i].name) && g[i].refused == board_refused(t->r.b, g[i].name));
+    inspect_memory(t->r.b, &used, &size);
+    assert_true(size == 1024 * 1024 && used > 20000 && used < size);
+}
+
+static void refused_are_counted(void **state)
+{
+    struct inspect_gauge g[MAX_PARTS];
+    struct rig_game game;
+    struct rig r;
+
+    (void)state;
+    rig_script(&game, NULL,
+               "bullet.def('b', { sprite = 'dot', hit = 'none' })\n"
+               "for i = 1, 300 do bullet.fire { kind = 'b', x = 9, y = 9, dir = 0, speed = 0 } end\n");
+    rig_power(&r, &game, NULL);
+    int n = inspect_gauges(r.b, g);
+    assert_true(gauge(g, n, "bullets")->live == 256 && gauge(g, n, "bullets")->refused == 44);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
+/* Every number a script takes counts, and going back takes them back. */
+static void numbers_drawn_are_counted(void **state)
+{
+    struct bed *t = *state;
+
+    assert_true(inspect_drawn(t->r.b) == 0);
+    rig_run(&t->r, 1);
+    assert_true(inspect_drawn(t->r.b) == 1);
+    rig_run(&t->r, 2);
+    assert_true(inspect_drawn(t->r.b) == 1);
+    rig_save(&t->r);
+    rig_run(&t->r, 4);
+    assert_true(inspect_drawn(t->r.b) == 3);
+    rig_restore(&t->r);
+    assert_true(inspect_drawn(t->r.b) == 1);
+}
+
+static void tasks_say_where_they_wait(void **state)
+{
+    struct bed *t = *state;
+    struct inspect_task k[8];
+
+    assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 2);
+    assert_true(!k[0].begun && k[0].at[0] == 0 && k[0].serial == 1 && k[0].wait == 1);
+    rig_run(&t->r, 1);
+    assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 4);
+    assert_string_equal(k[0].at, "main.lua:25");
+    assert_true(k[0].begun && k[0].wait == 3 && !k[0].forever && k[0].owner == OWNER_BOARD);
+    assert_string_equal(k[1].at, "main.lua:27");
+    assert_true(k[1].forever);
+    assert_string_equal(k[2].at, "main.lua:13");
+    assert_true(k[2].owner == OWNER_ENEMY && k[2].owner_number == 0 && k[2].wait == 1000 && k[2].age == 1);
+    assert_true(k[3].scope && k[3].at[0] == 0 && k[3].serial == 4 && k[3].owner == OWNER_BOARD);
+    rig_run(&t->r, 1);
+    assert_int_equal(inspect_tasks(t->r.b, 2, k, 1), 4);
+    assert_true(k[0].serial == 3 && k[0].wait == 999 && k[0].age == 2 && !k[0].stopped && !k[0].frozen);
+    assert_true(inspect_task(t->r.b, 4, k) && k[0].scope);
+    assert_false(inspect_task(t->r.b, 5, k));
+    assert_false(inspect_task(t->r.b, 0, k));
+}
+
+/* A pause freezes what is not of it. */
+static void frozen_and_stopped_tasks(void **state)
+{
+    struct inspect_task k[4];
+    struct rig_game game;
+    struct rig r;
+
+    (void)state;
+    rig_with_sys(&game, NULL,
+                 "local t = task.go(function() wait(forever) end)\n"
+                 "task.own(t, function() wait(forever) end)\n"
+                 "task.go(function() wait(2) string.sys.freeze(task.scope()) wait(1) end)\n"
+                 "on.kill(print)\n");
+    rig_power(&r, &game, NULL);
+    rig_run(&r, 3);
+    assert_true(inspect_tasks(r.b, 0, k, 4) >= 3);
+    assert_true(k[0].frozen && k[1].frozen && k[1].owner == OWNER_TASK && k[1].owner_number == k[0].serial);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
+static void what_is_under_a_point(void **state)
+{
+    struct bed *t = *state;
+    struct inspect_thing at;
+
+    rig_run(&t->r, 11); /* the rice turns: 6 frames went, of 30 */
+    assert_true(inspect_at(t->r.b, 116, 63, 6, &at));
+    assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 3);
+    assert_string_equal(at.name, "rice");
+    assert_string_equal(at.tag, "first");
+    assert_int_equal(at.age, 11);
+    assert_true(at.x == at.body.x - PX(16) && at.y == at.body.y - PX(8) && at.speed == PX(0.5));
+    assert_true(at.moves && at.step == 2 && at.steps == 3 && at.left == 30 - 6);
+    assert_true(at.dir > 107.9 && at.dir < 108.1);
+    assert_string_equal(at.motion, "swerve");
+    assert_int_equal(at.by, 3);
+
+    assert_true(inspect_at(t->r.b, 141, 49, 6, &at)); /* a bullet in front of a wall: the smaller of the two */
+    assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 2 && !at.tag && !at.moves && at.by == 1);
+    assert_true(inspect_at(t->r.b, 120, 50, 6, &at));
+    assert_true(at.body.kind == INSPECT_ENEMY && at.hp == 70 && at.safe == 0 && at.by == 1);
+    assert_string_equal(at.name, "wall");
+    assert_true(inspect_at(t->r.b, 46, 68, 0, &at));
+    assert_true(at.body.kind == INSPECT_SHOT && at.player == 1);
+    assert_string_equal(at.name, "bolt");
+    assert_true(inspect_at(t->r.b, 136, 208, 0, &at));
+    assert_true(at.body.kind == INSPECT_PLAYER);
+    assert_string_equal(at.name, "ship");
+    assert_true(inspect_at(t->r.b, 166 + 4, 98, 6, &at)); /* a mist has no shape: near it is enough */
+    assert_string_equal(at.name, "mist");
+    assert_false(inspect_at(t->r.b, 166 + 9, 98, 6, &at));
+    assert_false(inspect_at(t->r.b, 20, 280, 6, &at));
+}
+
+/* ---- nothing changes ---- */
+
+static void ask_everything(const struct board *b)
+{
+    struct inspect_gauge g[MAX_PARTS];
+    struct inspect_task tasks[64];
+    struct inspect_thing thing;
+    struct list *l = calloc(64, sizeof *l);
+    size_t used, size;
+
+    inspect_gauges(b, g);
+    inspect_memory(b, &used, &size);
+    inspect_drawn(b);
+    uint32_t n = inspect_tasks(b, 0, tasks, 64);
+    for (uint32_t i = 0; i < n && i < 64; i++)
+        inspect_task(b, tasks[i].serial, &tasks[0]);
+    for (int i = 0; i < 40; i++)
+        if (inspect_at(b, i * 53 % 240, i * 31 % 320, 8, &thing))
+            inspect_task(b, thing.by, &tasks[0]);
+    free(l);
+}
+
+static void count_one(void *context, const struct inspect_body *body)
+{
+    (void)body;
+    ++*(int *)context;
+}
+
+static void check_untouched(struct rig *r)
+{
+    int n = 0;
+
+    rig_save(r);
+    size_t size = board_snapshot_size(r->b);
+    uint8_t *before = malloc(size), *ram = malloc(r->ram_size);
+    memcpy(before, r->snapshot, size);
+    memcpy(ram, r->ram, r->ram_size);
+    ask_everything(r->b);
+    inspect_bodies(r->b, count_one, &n);
+    assert_memory_equal(ram, r->ram, r->ram_size); /* all of it: what a snapshot leaves out, too */
+    rig_save(r);
+    assert_int_equal(board_snapshot_size(r->b), size);
+    assert_memory_equal(before, r->snapshot, size);
+    free(before);
+    free(ram);
+}
+
+static void asking_changes_nothing(void **state)
+{
+    struct bed *t = *state;
+
+    for (int f = 0; f < 50; f++) {
+        check_untouched(&t->r);
+        rig_run(&t->r, 1);
+    }
+}
+
+/* The torture game has every kind of thing and task. Two boards, one of which is asked all the time. */
+static void a_board_that_is_asked_runs_on_alike(void **state)
+{
+    struct rig_game g;
+    struct rig a, b;
+    struct rng rng;
+    uint16_t pads[PADS] = { 0 };
+
+    (void)state;
+    rig_folder(&g, "torture");
+    rig_power(&a, &g, NULL);
+    rig_power(&b, &g, NULL);
+    rng_seed(&rng, 4);
+    for (int f = 0; f < 400; f++) {
+        rig_pads(&rng, pads);
+        rig_tick(&a, pads);
+        rig_tick(&b, pads);
+        if (f % 50 == 49)
+            check_untouched(&b);
+        else
+            ask_everything(b.b);
+        if (rig_differs(&a, &b))
+            fail_msg("frame %d: part %s differs", f, rig_differs(&a, &b));
+    }
+    rig_free(&a);
+    rig_free(&b);
+    rig_game_free(&g);
+}
+
+/* Names outlive growing lists, collections and snapshots. */
+static void names_stay(void **state)
+{
+    struct inspect_thing at;
+    struct rig_game game;
+    struct rig r;
+    char want[16];
+
+    (void)state;
+    rig_script(&game, NULL,
+               "bullet.def('b', { sprite = 'dot', hit = { circle = 1 } })\n"
+               "task.go(function() for i = 1, 100 do\n"
+               "  bullet.fire { kind = 'b', x = 2 * i, y = 9, dir = 0, speed = 0, tag = 't' .. i }\n"
+               "  local s = {} for k = 1, 200 do s[k] = 'x' .. i .. '.' .. k end\n"
+               "  wait(1) end end)\n");
+    rig_power(&r, &game, NULL);
+    for (int f = 0; f < 100; f++) {
+        rig_run(&r, 1);
+        if (f % 10 == 0)
+            rig_spoil(&r);
+    }
+    for (int i = 1; i <= 100; i++) {
+        snprintf(want, sizeof want, "t%d", i);
+        assert_true(inspect_at(r.b, 2 * i, 9, 0, &at));
+        assert_string_equal(at.tag, want);
+        assert_string_equal(at.name, "b");
+    }
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
+    const struct CMUnitTest tests[] = {
+        TEST(shapes_are_those_of_the_tests),
+        TEST(gauges_show_how_full_it_is),
+        cmocka_unit_test(refused_are_counted),
+        TEST(numbers_drawn_are_counted),
+        TEST(tasks_say_where_they_wait),
+        cmocka_unit_test(frozen_and_stopped_tasks),
+        TEST(what_is_under_a_point),
+        TEST(asking_changes_nothing),
+        cmocka_unit_test(a_board_that_is_asked_runs_on_alike),
+        cmocka_unit_test(names_stay),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
