@@ -7,7 +7,7 @@
 static const char names_key[NAME_LISTS] = { 0 }; /* registry: name -> index */
 static const char back_key[NAME_LISTS] = {
     0
-}; /* registry: the block of struct names; the strings are the keys above */
+}; /* registry: the block of struct name_list; the strings are the keys above */
 
 void api_open_names(lua_State *L)
 {
@@ -47,7 +47,7 @@ int words_apart(const char *a, const char *b)
 /* Room for n names; it doubles. */
 static void make_room(lua_State *L, enum api_names what, uint32_t n)
 {
-    struct names *t = &vm_board(L)->names[what];
+    struct name_list *t = &vm_board(L)->names[what];
     uint32_t room = t->room ? t->room : 16;
 
     while (room < n)
@@ -101,7 +101,7 @@ void names_push(lua_State *L, enum api_names what, int index)
 
 const char *names_at(const struct board *b, enum api_names what, int index)
 {
-    const struct names *t = &b->names[what];
+    const struct name_list *t = &b->names[what];
 
     return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
 }

@@ -77,7 +77,7 @@ static struct inspect_body player_body(const struct board *b, uint32_t i)
 
     set_shape(&body, SHAPE_CIRCLE, b->player_kinds.radius[p->kind[i]], 0);
     body.graze = b->player_kinds.graze[p->kind[i]];
-    body.spent = p->safe[i] > 0;
+    body.spent = p->safe[i] > 0 || b->start.practice.invincible;
     return body;
 }
 

@@ -60,7 +60,7 @@ struct hand {
 enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
 
 /* Names by index, in the Lua heap: api_names.c. */
-struct names {
+struct name_list {
     const char **at; /* `room` of them, NULL: none */
     uint32_t n, room;
 };
@@ -75,7 +75,7 @@ struct board {
     struct sprite *pictures; /* of the ROM, by index */
     struct hand *hand;
     struct vm vm;
-    struct names names[NAME_LISTS];
+    struct name_list names[NAME_LISTS];
     struct events events;
     struct board_counts counts;
 

@@ -753,8 +753,10 @@ static void console_keys(const struct plat_input *in, struct keys_read *k)
     if (k->pressed & 1 << CAB_CONSOLE)
         save_nvram();
     console_poll(&cab.console, in, k, stands ? live() : NULL, !cab.session.demo);
-    if (console_kept(&cab.console))
+    if (console_kept(&cab.console)) {
         wrote(session_touch(&cab.session));
+        practice_void(&cab.practice);
+    }
     if (cab.want.text == cab.console.open)
         return;
     cab.want.text = cab.console.open;

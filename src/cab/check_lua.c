@@ -339,13 +339,13 @@ static bool is_asked_for(const struct check *c, const char *name)
 }
 
 /* The names of one kind in rom.lua. */
-struct name_list {
+struct names {
     const char *what, *first; /* the first name; the next is `stride` bytes on */
     size_t stride;
     int n;
 };
 
-static void judge_name(struct check *c, const struct check_script *s, int line, struct name_list have, const char *name)
+static void judge_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
 {
     const char *near = NULL, *at = have.first;
     char meant[96];
@@ -364,19 +364,19 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
     findings_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);
 }
 
-static struct name_list sprites(const struct check *c)
+static struct names sprites(const struct check *c)
 {
-    return (struct name_list){ "sprite", c->art.sprites[0].name, sizeof c->art.sprites[0], c->art.n_sprites };
+    return (struct names){ "sprite", c->art.sprites[0].name, sizeof c->art.sprites[0], c->art.n_sprites };
 }
 
-static struct name_list blends(const struct check *c)
+static struct names blends(const struct check *c)
 {
-    return (struct name_list){ "blend", c->art.blends[0].name, sizeof c->art.blends[0], c->art.n_blends };
+    return (struct names){ "blend", c->art.blends[0].name, sizeof c->art.blends[0], c->art.n_blends };
 }
 
-static struct name_list palettes(const struct check *c)
+static struct names palettes(const struct check *c)
 {
-    return (struct name_list){ "palette", c->art.palettes[0].name, sizeof c->art.palettes[0], c->art.n_palettes };
+    return (struct names){ "palette", c->art.palettes[0].name, sizeof c->art.palettes[0], c->art.n_palettes };
 }
 
 static void judge_palette(struct check *c, const struct check_script *s, int line, const char *name)

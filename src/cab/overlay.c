@@ -52,7 +52,7 @@ void overlay_lap(struct overlay *o, int part)
 
 static void phase_over(void *context, enum board_phase phase)
 {
-    overlay_lap(context, phase);
+    overlay_lap(context, (int)phase);
 }
 
 static void before_tick(void *context)
