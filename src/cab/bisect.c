@@ -425,28 +425,9 @@ static bool compare_tracks(struct bisect *s)
 
 /* ---- files ---- */
 
-static bool open_side(struct bisect *s, struct side *f, const char *path)
+static bool compare(struct bisect *s)
 {
-    bool in = strcmp(path, "-") == 0;
-
-    f->path = in ? "standard input" : path;
-    f->text = malloc(LINE);
-    f->file = in ? stdin : fopen(path, "r");
-    if (!f->text)
-        return fail(s, "out of memory");
-    return f->file || fail(s, "%s: %s", path, strerror(errno));
-}
-
-static void close_side(struct side *f)
-{
-    if (f->file && f->file != stdin)
-        fclose(f->file);
-    free(f->text);
-}
-
-static bool compare(struct bisect *s, const struct args *a)
-{
-    if (!open_side(s, &s->a, a->words[0]) || !open_side(s, &s->b, a->words[1]) || !next_both(s))
+    if (!next_both(s))
         return false;
     if (s->a.trace != s->b.trace)
         return fail(s, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track", s->b.path,
@@ -463,23 +444,64 @@ static int report(const struct bisect *s)
     if (s->found == 0)
         printf("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
                (unsigned)s->first, (unsigned)s->frame);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
     return s->found ? EXIT_DIFFERS : EXIT_DONE;
+}
+
+int bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
+{
+    struct bisect *s = calloc(1, sizeof *s);
+    char *lines = malloc((size_t)LINE * 2);
+    int code = EXIT_HOST;
+
+    if (s && lines) {
+        s->a = (struct side){ .path = a_name, .file = a, .text = lines };
+        s->b = (struct side){ .path = b_name, .file = b, .text = lines + LINE };
+        code = compare(s) ? report(s) : EXIT_INPUT;
+    }
+    if (code == EXIT_HOST || code == EXIT_INPUT)
+        snprintf(err, err_size, "%s", code == EXIT_INPUT ? s->err : "out of memory");
+    free(lines);
+    free(s);
+    return code;
+}
+
+/* Opens a file; "-" is standard input, and called so. */
+static FILE *open_input(const char **path)
+{
+    if (strcmp(*path, "-") != 0)
+        return fopen(*path, "r");
+    *path = "standard input";
+    return stdin;
+}
+
+static int compare_paths(const char *a, const char *b, char *err, size_t err_size)
+{
+    FILE *first = open_input(&a), *second = first ? open_input(&b) : NULL;
+    int code = EXIT_INPUT;
+
+    if (second)
+        code = bisect_files(first, a, second, b, err, err_size);
+    else
+        snprintf(err, err_size, "%s: %s", first ? b : a, strerror(errno));
+    if (first && first != stdin)
+        fclose(first);
+    if (second && second != stdin)
+        fclose(second);
+    return code;
 }
 
 int bisect_run(const struct args *a)
 {
+    char err[2200];
+
     if (a->n_words != 2)
         return game_report(EXIT_INPUT, "verify --bisect: expected two files that hash printed");
     if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
         return game_report(EXIT_INPUT, "verify --bisect: only one of the two can be standard input");
-    struct bisect *s = calloc(1, sizeof *s);
-    if (!s)
-        return game_report(EXIT_HOST, "out of memory");
-    int code = compare(s, a) ? report(s) : game_report(EXIT_INPUT, "%s", s->err);
-    close_side(&s->a);
-    close_side(&s->b);
-    free(s);
+    int code = compare_paths(a->words[0], a->words[1], err, sizeof err);
+    if (code == EXIT_INPUT || code == EXIT_HOST)
+        return game_report(code, "%s", err);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return game_report(EXIT_HOST, "standard output cannot be written");
     return code;
 }

@@ -141,7 +141,8 @@ bool demo_end(struct demo_writer *w, const struct board *b);
 /* Gives everything back, recording or not; the file stays as it is. */
 void demo_drop(struct demo_writer *w);
 
-/* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence. */
+/* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence, also for one
+ * that does not have every part's prints: that has to be replayed first. */
 bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size);
 
 #endif

@@ -252,6 +252,10 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
     struct sink s = { 0 };
     uint32_t frames, told, crc;
 
+    if (d->printing != UINT32_MAX) {
+        snprintf(err, err_size, "%s: there are no prints of every part to write", path);
+        return false;
+    }
     write_rows(&s, d, &frames, &told, &crc);
     if (d->complete && d->frames > frames) { /* a fault has no row */
         write_second(&s, d, frames, d->frames - frames, NULL, &crc);

@@ -1,6 +1,6 @@
 /*
  * fuzz_demo.c - libFuzzer: any bytes as a demo. Odd inputs go in as they are; for even ones the records' CRCs are made
- * good first. What is read must hang together, and must not be much larger than the file.
+ * good first, and the format is 2 or 3, by the next bit. What is read must hang together, and must not be much larger than the file.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -10,11 +10,12 @@
 #include "../../src/base/hash.h"
 #include "../../src/cab/demo.h"
 
-static void repair(uint8_t *p, size_t n)
+static void repair(uint8_t *p, size_t n, uint32_t format)
 {
     uint32_t crc = 0;
 
-    memcpy(p, "CDEM\x02\0\0\0", 8);
+    memcpy(p, "CDEM", 4);
+    put32(p + 4, format);
     for (size_t at = 8; n - at >= 12; at += 12 + get32(p + at + 4)) {
         size_t size = get32(p + at + 4);
         if (size > n - at - 12)
@@ -41,7 +42,12 @@ static void check(const struct demo *d, size_t file_size)
     must(d->frames <= file_size && d->seconds <= file_size);
     must(d->printing != 0 && (d->printed == d->frames || d->printed + 1 == d->frames));
     must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
+    must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
+    for (int i = 0; i < d->start.practice.registers; i++)
+        must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
+    must((d->format == 3 && d->printing == UINT32_MAX) || (d->format == 2 && d->moments == 0));
     for (uint32_t f = 0; f <= d->frames; f++) {
+        must((demo_prints(d, f) != NULL) == (f > 0 && f <= d->printed));
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
         h += demo_differs(d, f, hashes);
@@ -72,7 +78,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (n > 0)
         memcpy(copy, data + 1, n);
     if (n >= 8 && data[0] % 2 == 0)
-        repair(copy, n);
+        repair(copy, n, 2 + (data[0] >> 1 & 1));
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else

@@ -268,6 +268,24 @@ static void test_seed(void **state)
     replay_close(&r);
 }
 
+/* A part that this build does not have differs from the start; one that the demo does not have is not asked for. */
+static void test_parts(void **state)
+{
+    static struct replay r;
+    struct verdict got;
+    char was[sizeof original.part[0]];
+
+    (void)state;
+    memcpy(was, original.part[3], sizeof was);
+    snprintf(original.part[3], sizeof was, "lasers");
+    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+    assert_true(got.kind == VERDICT_DIFFERS && got.frame == 0 && got.parts == 1u << 3 && got.missing == 1u << 3);
+    memcpy(original.part[3], was, sizeof was);
+    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+    assert_true(got.kind == VERDICT_HOLDS && got.missing == 0);
+    replay_close(&r);
+}
+
 /* ---- changed scripts ---- */
 
 /* The game with byte `at` of a script changed to c. */
@@ -350,6 +368,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_flips),
         cmocka_unit_test(test_seed),
+        cmocka_unit_test(test_parts),
         cmocka_unit_test(test_scripts),
     };
 

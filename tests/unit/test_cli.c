@@ -105,6 +105,16 @@ static void test_values(void **state)
     assert_int_equal(a.every, 60);
     assert_true(a.parts);
     assert_string_equal(a.demo, "d");
+    reads("hash game --trace input --trace=bullets,player --frames 5:9 --traceback");
+    assert_int_equal(a.n_traces, 2);
+    assert_string_equal(a.traces[1], "bullets,player");
+    assert_true(a.verbose);
+    reads("verify game - -0 --restamp");
+    assert_true(a.null && a.restamp && !a.bisect && a.n_words == 2);
+    assert_string_equal(a.words[1], "-");
+    reads("verify --bisect - b");
+    assert_true(a.bisect && !a.restamp);
+    assert_string_equal(a.words[0], "-");
     reads("render game --frames 1 -o out --sheet s.png --nearest -v");
     assert_string_equal(a.out, "out");
     assert_string_equal(a.sheet, "s.png");

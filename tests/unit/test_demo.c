@@ -16,6 +16,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
+#include "../../src/board/machine.h"
 #include "../../src/cab/demo.h"
 #include "../../src/cab/pack.h"
 
@@ -543,6 +544,207 @@ static void test_print_lies(void **state)
     demo_free(&w.demo);
 }
 
+/* Where the practice start's fields stand: behind its mark. */
+static size_t practice_at(void)
+{
+    size_t at = record_at(0) + 8 + 20;
+
+    at += 1 + (size_t)file[at]; /* game */
+    at += 1 + (size_t)file[at]; /* Lua */
+    at += 8 + 4 * MAX_DIPS + 4;
+    return at + 1 + file[at];
+}
+
+/* A practice start with everything in it; and what it may not say. */
+static void test_practice(void **state)
+{
+    struct board_start start = { .seed = 9, .difficulty = -1 };
+    struct practice *p = &start.practice;
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    struct board *b = power(&start);
+    snprintf(p->mark, sizeof p->mark, "%063d", 0);
+    p->lives = 99;
+    p->invincible = true;
+    p->registers = PRACTICE_REGISTERS;
+    for (int i = 0; i < PRACTICE_REGISTERS; i++) {
+        snprintf(p->reg[i].name, sizeof p->reg[i].name, "%0*d", 1 + 2 * i, i);
+        p->reg[i].value = i % 2 ? INT32_MIN + i : INT32_MAX - i;
+    }
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0) && demo_end(&w, b));
+    loads(&d);
+    same(&d, &w.demo);
+    assert_memory_equal(&d.start.practice, p, sizeof *p);
+    size_t n = file_bytes(), at = practice_at();
+    assert_int_equal(file[at], 99);
+    assert_int_equal(file[at + 5], PRACTICE_REGISTERS);
+    refused_with(n, at, 100, "damaged (header)");
+    refused_with(n, at + 3, 0x80, "damaged (header)");
+    refused_with(n, at + 4, 2, "damaged (header)");
+    refused_with(n, at + 5, PRACTICE_REGISTERS + 1, "damaged");
+    refused_with(n, at + 5, PRACTICE_REGISTERS - 1, "damaged");
+    refused_with(n, at + 7, 31, "damaged (header)"); /* a register's name */
+    refused_with(n, at + 6, 32, "damaged");
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* The kinds in turn, at every 7th frame; every 21st has two, with names of all lengths. */
+static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
+{
+    static const uint16_t none[PADS];
+    static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
+
+    for (uint32_t i = 0; i < n; i++) {
+        board_tick(b, none);
+        uint32_t f = board_frame(b);
+        if (f % 7 == 0)
+            board_mark(b, (enum board_mark_kind)(f / 7 % MARK_KINDS), name + f / 7 % sizeof name, "", "", 0);
+        if (f % 21 == 0)
+            board_mark(b, MARK_DEATH, "2", "", "", 0);
+        assert_true(demo_frame(w, b, none));
+    }
+}
+
+static void test_moments(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct board *b = power(&start);
+    struct demo d;
+
+    (void)state;
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    mark_frames(&w, b, 300);
+    assert_int_equal(w.demo.moments, 300 / 7 + 300 / 21);
+    loads(&d); /* not ended yet */
+    assert_int_equal(d.moments, w.demo.moments);
+    demo_free(&d);
+    mark_frames(&w, b, 43); /* the last frame has one */
+    assert_true(demo_end(&w, b));
+    loads(&d);
+    same(&d, &w.demo);
+    assert_int_equal(d.moments, 343 / 7 + 343 / 21);
+    assert_int_equal(d.moment[0].frame, 7);
+    assert_int_equal(d.moment[3].frame, 21);
+    assert_int_equal(strlen(d.moment[0].mark.name), sizeof d.moment[0].mark.name - 1); /* cut to fit */
+    demo_free(&d);
+    demo_free(&w.demo);
+    static const uint32_t back[] = { 0, 60, 63, 120, 126, 169 };
+    for (size_t i = 0; i < sizeof back / sizeof back[0]; i++) { /* going back forgets those that came after */
+        uint32_t to = back[i];
+        b = power(&start);
+        assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+        mark_frames(&w, b, 170);
+        b = power(&start);
+        for (uint32_t f = 0; f < to; f++)
+            board_tick(b, w.demo.pads[f]);
+        assert_true(demo_rewind(&w, to));
+        assert_int_equal(w.demo.moments, to / 7 + to / 21);
+        mark_frames(&w, b, 100);
+        assert_true(demo_end(&w, b));
+        loads(&d);
+        same(&d, &w.demo);
+        assert_int_equal(d.moments, (to + 100) / 7 + (to + 100) / 21);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+static void test_moment_lies(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct board *b = power(&start);
+    int at = 0;
+
+    (void)state;
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    mark_frames(&w, b, 100);
+    assert_true(demo_end(&w, b));
+    size_t n = file_bytes();
+    while (file[record_at(at)] != 'M')
+        at++;
+    assert_int_equal(file[record_at(at + 1)], 'M');
+    size_t first = record_at(at) + 8, second = record_at(at + 1) + 8;
+    refused_with(n, first, 15, "damaged (a moment)");  /* later than the next */
+    refused_with(n, second, 6, "damaged (a moment)");  /* earlier than the one before */
+    refused_with(n, second, 61, "damaged (a moment)"); /* before its frame is there */
+    refused_with(n, second + 4, MARK_KINDS, "damaged (a moment)");
+    refused_with(n, second + 5, 32, "damaged");
+    refused_with(n, second + 6, 31, "damaged (size)");
+    refused_with(n, record_at(1), 'M', "damaged"); /* before the first second */
+    file[4] = 2;
+    refused(n, "damaged");
+    demo_free(&w.demo);
+}
+
+/* A demo of format 2, written by the program of its time. */
+static void test_old_format(void **state)
+{
+    uint64_t hashes[MAX_PARTS];
+    struct demo d;
+
+    (void)state;
+    if (!demo_load(&d, "tests/demos/frozen-2.demo", err, sizeof err))
+        fail_msg("%s", err);
+    assert_int_equal(d.format, 2);
+    assert_true(d.complete && d.frames == 905 && d.printed == 905 && d.seconds == 17 && d.moments == 0);
+    assert_int_equal(d.printing, 1u << 0); /* script, the first */
+    assert_string_equal(d.part[0], "script");
+    assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.registers == 0);
+    for (uint32_t f = 0; f <= d.frames; f++) {
+        const uint64_t *row = demo_hashes(&d, f);
+        assert_int_equal(row != NULL, f % 60 == 0 || f == d.frames);
+        memset(hashes, 0, sizeof hashes);
+        hashes[0] = f ? demo_prints(&d, f)[0] : row[0];
+        assert_int_equal(demo_differs(&d, f, hashes), row ? (f ? 0xfffff : 0xffffe) : 0);
+        hashes[0] ^= 1;
+        assert_int_equal(demo_differs(&d, f, hashes) & 1, 1);
+    }
+    assert_false(demo_save(&d, path, err, sizeof err)); /* it says too little for the newest format */
+    assert_non_null(strstr(err, "no prints of every part"));
+    demo_free(&d);
+}
+
+/* demo_save writes what was read, byte for byte: whole, cut short, and with a fault. */
+static void test_save(void **state)
+{
+    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    static uint8_t was[MOST];
+    struct board_start start = { .seed = 4, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+    struct rng r;
+
+    (void)state;
+    for (int kind = 0; kind < 4; kind++) {
+        struct board *b = power(&start);
+        rng_seed(&r, (uint64_t)kind);
+        assert_true(demo_begin(&w, path, &cart, b, &start, DEMO_ASSISTED));
+        play(&w, b, &r, kind < 2 ? 100 : 119 + (uint32_t)kind);
+        mark_frames(&w, b, 30);
+        if (kind == 1 || kind == 3) {
+            board_tick(b, select);
+            assert_true(demo_frame(&w, b, select));
+        }
+        assert_true(kind == 2 || demo_end(&w, b));
+        size_t n = file_bytes();
+        memcpy(was, file, n);
+        loads(&d);
+        if (!demo_save(&d, path, err, sizeof err))
+            fail_msg("%s", err);
+        assert_int_equal(file_bytes(), n);
+        assert_memory_equal(file, was, n);
+        demo_free(&d);
+        free(w.copies);
+        demo_free(&w.demo);
+        w = (struct demo_writer){ .on = false };
+    }
+}
+
 /* An nvram that would unpack to more than there is room for, or to less than it says. */
 static void test_nvram_lies(void **state)
 {
@@ -788,7 +990,8 @@ int main(void)
         cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
         cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
         cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
-        cmocka_unit_test(test_print_lies),
+        cmocka_unit_test(test_print_lies),  cmocka_unit_test(test_practice),      cmocka_unit_test(test_moments),
+        cmocka_unit_test(test_moment_lies), cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -1,0 +1,51 @@
+/*
+ * fuzz_bisect.c - libFuzzer: any two texts as tracks or traces, divided by a NUL byte (without one: the same twice). The
+ * same twice never differs, and what differs does so the other way round.
+ */
+#define _POSIX_C_SOURCE 200809L /* fmemopen */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/bisect.h"
+#include "../../src/cab/cli.h"
+
+static int compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_t b_n)
+{
+    char err[2200] = "";
+    FILE *first = a_n ? fmemopen((void *)(uintptr_t)a, a_n, "r") : NULL;
+    FILE *second = b_n ? fmemopen((void *)(uintptr_t)b, b_n, "r") : NULL;
+    int code = EXIT_INPUT;
+
+    if (first && second) {
+        code = bisect_files(first, "a", second, "b", err, sizeof err);
+        if (code == EXIT_HOST || (code == EXIT_INPUT) != (err[0] != 0))
+            abort();
+    }
+    if (first)
+        fclose(first);
+    if (second)
+        fclose(second);
+    return code;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static FILE *quiet;
+    const uint8_t *nul = size ? memchr(data, 0, size) : NULL;
+    size_t n = nul ? (size_t)(nul - data) : size;
+
+    if (!quiet && (quiet = freopen("/dev/null", "w", stdout)) == NULL)
+        abort();
+    if (compare(data, n, data, n) == EXIT_DIFFERS)
+        abort();
+    if (!nul)
+        return 0;
+    int there = compare(data, n, nul + 1, size - n - 1), back = compare(nul + 1, size - n - 1, data, n);
+    if ((there == EXIT_DONE) != (back == EXIT_DONE))
+        abort();
+    return 0;
+}
