@@ -4,10 +4,8 @@
 #include <string.h>
 #include "api_parts.h"
 
-static const char names_key[NAME_LISTS] = { 0 }; /* registry: name -> index */
-static const char back_key[NAME_LISTS] = {
-    0
-}; /* registry: the block of struct name_list; the strings are the keys above */
+/* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
+static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
 void api_open_names(lua_State *L)
 {
