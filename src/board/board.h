@@ -141,7 +141,6 @@ int board_parts(const struct board *b);
 const char *board_part(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
-uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]); /* the combined one, of what board_hashes gave */
 
 /* board_hashes, for one board frame after frame: about ten times as fast, for what did not change is not hashed again.
  * copies and hashes are as the last call left them; at first copies are board_copies(b) bytes of zeroes. */
