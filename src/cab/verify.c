@@ -132,6 +132,10 @@ static void moments_at(const struct demo *d, uint32_t frame, const struct demo_m
         [MARK_POINT] = 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
         [MARK_WAVE] = 1 << MARK_BOSS | 1 << MARK_PHASE,
         [MARK_BOSS] = 1 << MARK_WAVE | 1 << MARK_PHASE,
+        [MARK_WON] = 1 << MARK_PHASE,
+        [MARK_LOST] = 1 << MARK_PHASE,
+        [MARK_CLEAR] = 1 << MARK_STAGE | 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
+        [MARK_START] = (1 << (MARK_DEATH + 1)) - 1,
     };
 
     memset(in, 0, sizeof in[0] * MARK_KINDS);

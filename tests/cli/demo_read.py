@@ -10,7 +10,7 @@ import sys
 import zlib
 
 MOST = {b"H": 65536, b"S": 4636, b"M": 38, b"F": 4, b"E": 8}  # bytes of a payload
-KINDS = ["stage", "point", "wave", "boss", "phase", "death"]
+KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register", "listed"]
 
 
 class Bad(Exception):

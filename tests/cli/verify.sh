@@ -123,13 +123,13 @@ enemy.def("queen", { sprite = "dot", hit = "none" })
 player.def("ship", { sprite = "dot", hit = { circle = 1 } })
 bullet.def("orb", { sprite = "dot", hit = { circle = 4 } })
 task.go(function()
-  wait(400)
+  wait(300)
   local p = player.get(1)
   local b = bullet.fire { kind = "orb", x = p.x, y = p.y, speed = 0 }
   wait(1)
   b:remove()
 end)
-boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 6000, run = function() end } } })
+boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 270, run = function() end } } })
 local across = path.def { { x = 10, y = 10 }, { x = 60, y = 10, over = 300 } }
 stage.def("one", function()
   stage.at(10) stage.wave { kind = "wisp", n = 1, every = 1, path = across }
@@ -143,8 +143,10 @@ LUA
 moments | game g
 "$curtain" hash g --stage one --frames 600 --every 1000 --record m.demo >/dev/null 2>&1
 python3 "$repo/tests/cli/demo_read.py" m.demo >m.txt
-at() { awk -v name="$1" '$1 == "moment" && $4 == name { print $2 }' m.txt; }
-same 'the moments of a run' 'stage one,wave wisp,point middle,boss queen,phase bloom,death 1,' "$(awk '$1 == "moment" { printf "%s %s,", $3, $4 }' m.txt)"
+at() { # NAME [KIND]: the first frame of such a moment
+    awk -v name="$1" -v kind="${2:-}" '$1 == "moment" && $4 == name && (kind == "" || kind == $3) { print $2; exit }' m.txt
+}
+same 'the moments of a run' 'start ,stage one,wave wisp,point middle,boss queen,phase bloom,death 1,lost bloom,clear one,start ,' "$(awk '$1 == "moment" && n++ < 10 { printf "%s %s,", $3, $4 }' m.txt)"
 line() { # NAME FRAME WORDS: where --verbose says the frame is
     moments "$2" 'board.note(7)' | game g
     "$curtain" verify g m.demo -v >out 2>&1
@@ -158,6 +160,9 @@ f=$(($(at middle) + 3)) && line 'verbose: after a mark' $f "  in stage one, mark
 f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f '  in stage one, mark middle, boss queen, 0.0 s after it began'
 f=$(($(at bloom) + 66)) && line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after it began'
 f=$(($(at 1) + 90)) && line 'verbose: after a death' $f "  in stage one, mark middle, boss queen, phase bloom, $(seconds $(at bloom) $f) after it began; player 1 died 1.5 s before"
+f=$(($(at bloom lost) + 6)) && line 'verbose: after a phase' $f "  in stage one, mark middle, boss queen, $(seconds $(at queen) $f) after it began; player 1 died $(seconds $(at 1) $f) before"
+f=$(at one clear) && line 'verbose: after a stage' $f "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) before"
+f=$((f + 1)) && line 'verbose: a piece played anew' $f '  in stage one, 0.0 s after it began'
 
 play
 record v 200
