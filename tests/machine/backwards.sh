@@ -10,11 +10,11 @@ export SDL_AUDIODRIVER=dummy
 window_png() { found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null; }
 pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
 is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
-key() { xdotool key --delay 80 "$1"; sleep 0.15; }
+key() { xdotool key --delay 100 "$1"; sleep 0.6; } # no two presses in one poll, also of a busy machine
 # shown NAME FRAME WHAT: the window is the golden picture NAME; its middle is FRAME's
 shown() {
     if [ -n "${CURTAIN_UPDATE:-}" ]; then
-        sleep 3
+        sleep 8
         window_png "$golden/$1.png"
     fi
     check "$3" soon is_golden "$1"
