@@ -37,7 +37,8 @@ static void cabinet_keys(const struct keys_read *k)
 /* Those that go to and fro in time. */
 static void time_keys(const struct keys_read *k)
 {
-    uint32_t now = board_frame(cab_live());
+    const struct session *s = &cab.session;
+    uint32_t now = s->way == SESSION_SEEKS ? s->to : board_frame(cab_live()); /* pressed twice, it leads twice as far */
 
     if (cab.attracting)
         return;
