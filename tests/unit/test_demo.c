@@ -351,7 +351,7 @@ static void test_crash(void **state)
         demo_free(&d);
         play(&w, b, &r, 1);
     }
-    demo_free(&w.demo);
+    demo_drop(&w);
 }
 
 static void test_cut(void **state)
@@ -739,9 +739,7 @@ static void test_save(void **state)
         assert_int_equal(file_bytes(), n);
         assert_memory_equal(file, was, n);
         demo_free(&d);
-        free(w.copies);
-        demo_free(&w.demo);
-        w = (struct demo_writer){ .on = false };
+        demo_drop(&w);
     }
 }
 
