@@ -249,6 +249,7 @@ void cab_reload(void)
         cab_notice("the built-in game cannot be reloaded", CAB_SAYS);
         return;
     }
+    cab_save_nvram(); /* a run that was touched does not */
     if (session_reload(&cab.session, cab.options.path, cab.options.nearest)) {
         cab.notice_left = 0;
         return;
@@ -271,6 +272,8 @@ static void landed(void)
 {
     const struct manifest *m = &cab_cart()->m;
 
+    if (cab.attracting) /* its board was of the ROM that is gone */
+        cab_attract_end();
     cab.told = false;
     practice_reloaded(&cab.practice, cab_cart());
     cab_picture_close(&cab.picture);

@@ -32,22 +32,17 @@ static bool grow(struct findings *f)
     return true;
 }
 
-static bool is_there(const struct findings *f, const char *file, int line, const char *text)
+static void drop(struct finding *one)
 {
-    for (int i = 0; i < f->n; i++)
-        if (f->list[i].line == line && strcmp(f->list[i].file, file) == 0 && strcmp(f->list[i].text, text) == 0)
-            return true;
-    return false;
+    free(one->file);
+    free(one->text);
 }
 
 static void add(struct findings *f, const char *file, int line, const char *text)
 {
-    if (is_there(f, file, line, text))
-        return;
     struct finding one = { copy(file), copy(text), line, f->n };
     if (one.file == NULL || one.text == NULL || (f->n == f->room && !grow(f))) {
-        free(one.file);
-        free(one.text);
+        drop(&one);
         f->failed = true;
         return;
     }
@@ -109,10 +104,31 @@ static int by_place(const void *a, const void *b)
     return p->line != q->line ? (p->line < q->line ? -1 : 1) : p->order - q->order;
 }
 
+/* Is it told already, among those from `first` on, which are of its place? */
+static bool is_told(const struct findings *f, int first, int n, const struct finding *one)
+{
+    for (int i = first; i < n; i++)
+        if (strcmp(f->list[i].text, one->text) == 0)
+            return true;
+    return false;
+}
+
 void findings_sort(struct findings *f)
 {
+    int n = 0, first = 0; /* kept; the first of them at the present place */
+
     if (f->n > 0)
         qsort(f->list, (size_t)f->n, sizeof f->list[0], by_place);
+    for (int i = 0; i < f->n; i++) {
+        struct finding *one = &f->list[i];
+        if (n > 0 && (f->list[n - 1].line != one->line || strcmp(f->list[n - 1].file, one->file) != 0))
+            first = n;
+        if (is_told(f, first, n, one))
+            drop(one);
+        else
+            f->list[n++] = *one;
+    }
+    f->n = n;
 }
 
 void findings_print(const struct findings *f, void (*line)(const char *))
@@ -131,10 +147,8 @@ void findings_print(const struct findings *f, void (*line)(const char *))
 
 void findings_close(struct findings *f)
 {
-    for (int i = 0; i < f->n; i++) {
-        free(f->list[i].file);
-        free(f->list[i].text);
-    }
+    for (int i = 0; i < f->n; i++)
+        drop(&f->list[i]);
     free(f->list);
     *f = (struct findings){ 0 };
 }

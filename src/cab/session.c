@@ -79,7 +79,7 @@ static bool finish(struct session *s)
     const struct board *b = session_board(s);
     bool good = true;
 
-    if (!s->demo && !board_last(b)->fault && board_frame(b) < w->demo.frames)
+    if (!board_last(b)->fault && board_frame(b) < w->demo.frames)
         good = demo_rewind(w, board_frame(b));
     return wrote(s, demo_end(w, b) && good);
 }
@@ -206,7 +206,8 @@ int session_progress(const struct session *s)
 
 bool session_take_over(struct session *s, const char *record)
 {
-    uint32_t frame = board_frame(session_board(s));
+    const struct board *b = session_board(s);
+    uint32_t frame = board_frame(b) + (board_last(b)->fault != NULL); /* the tick that faulted is recorded too */
 
     if (!s->demo)
         return no(s, "nothing to take over: it is you who plays");

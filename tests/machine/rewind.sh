@@ -111,6 +111,19 @@ same 'it ends with the demo' 201 "$(wc -l <shown)"
 { keys 100; keys 10 $BACKSPACE; keys 200; } | watches shown
 same 'but waits at its end for who went back' "$(part straight 200 200)" "$(tail -1 shown)"
 
+{ keys 100; keys 63 $BACKSPACE; } | watches shown --record copy.demo
+same 'a copy of it ends where one left it' "copy.demo: holds, 37 frames" "$("$curtain" verify g copy.demo)"
+
+# A demo that ends in a fault: gone back from, taken over at it.
+cp -R g faulty
+sed -i "s/if i == 30/if i == 71 then error 'ends here' end\n    if i == 30/" faulty/main.lua
+keys 90 | ./player play faulty --seed 5 --record fault.demo >/dev/null 2>&1
+same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty fault.demo)"
+{ keys 90; keys 1 $BEFORE; keys 3; keys 1 $P; } | ./player play faulty --demo fault.demo --record before.demo >out 2>&1
+holds 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' <("$curtain" verify faulty before.demo)
+{ keys 90; keys 1 $T; keys 5; } | ./player play faulty --demo fault.demo --record over.demo >out 2>&1
+same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty over.demo)"
+
 # ---- taking over ----
 
 { keys 62; keys 49 $Z; } | plays taken
