@@ -99,11 +99,26 @@ static void open_speaker(int rate)
         failed("no sound");
 }
 
+/* Where there is no display SDL may find a driver that shows nothing; who wants that names it. */
+static bool nobody_sees(void)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+
+    if (SDL_getenv("SDL_VIDEODRIVER") || !driver)
+        return false;
+    return strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0 || strcmp(driver, "evdev") == 0;
+}
+
 bool plat_open(const struct plat_want *want)
 {
     bool open = port.window != 0;
     if (!open && SDL_Init(SDL_INIT_VIDEO) != 0)
         return failed("cannot open a window");
+    if (!open && nobody_sees()) {
+        plat_log("curtain: cannot open a window: there is no display");
+        plat_close();
+        return false;
+    }
     port.scale = want->scale > 0 ? want->scale : comfortable(want->w, want->h);
     if (open) {
         change_window(want);

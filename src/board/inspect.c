@@ -178,7 +178,7 @@ static void describe_task(const struct board *b, uint32_t i, struct inspect_task
     *out = (struct inspect_task){ .serial = t->serial[i],
                                   .age = b->core.clock - t->born[i],
                                   .wait = t->wait[i] > 1 ? t->wait[i] : 1,
-                                  .forever = t->wait[i] == LUA_MAXINTEGER,
+                                  .forever = t->wait[i] > LUA_MAXINTEGER / 2, /* it counts down all the same */
                                   .scope = t->flags[i] & TASK_SCOPE,
                                   .begun = t->flags[i] & TASK_BEGUN,
                                   .stopped = t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i]),

@@ -16,8 +16,10 @@ static void reopen(void)
 
 static void cabinet_keys(const struct keys_read *k)
 {
-    if (k->pressed & 1 << CAB_QUIT)
-        cab.quit = true;
+    if (k->pressed & 1 << CAB_QUIT) {
+        cab.quit = !cab.practice.open;
+        cab.practice.open = false;
+    }
     if (k->pressed & 1 << CAB_FULLSCREEN)
         reopen();
     if (k->pressed & 1 << CAB_MUTE)
@@ -118,11 +120,11 @@ void cab_poll(struct keys_read *k)
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
+    keys_read(&cab.config.keys, &in, k); /* also while a frame is asked for: what closes that is not to be read then */
     if (ask(&in)) {
         memset(k, 0, sizeof *k);
         return;
     }
-    keys_read(&cab.config.keys, &in, k);
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);

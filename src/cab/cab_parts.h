@@ -64,8 +64,10 @@ struct cab {
     struct overlay overlay;
     struct console console;
     struct folder folder;
+    uint32_t differs; /* what was told of session.differs */
     int since_look;
-    char notice[DEMO_PATH + 64];
+    bool taking_in; /* something has: once the picture says so */
+    char notice[DEMO_PATH + 128];
     int notice_left; /* frames; -1: until it is put right */
     bool told;       /* the fault that stands in the board */
     bool quit;

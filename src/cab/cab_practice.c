@@ -54,7 +54,8 @@ static bool may_practise(void)
     bool records = cab.session.record && !cab.start.practice.mark[0];
 
     if (cab.session.demo || records)
-        cab_notice(records ? "no practice while the game is recorded" : "no practice in a demo", CAB_SAYS);
+        cab_notice(records ? "no practice: this recording is of the game from its title" : "no practice in a demo",
+                   CAB_SAYS);
     return !cab.session.demo && !records;
 }
 

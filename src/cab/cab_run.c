@@ -166,6 +166,19 @@ static void hand_out(void)
         attract_begin(out->attract);
 }
 
+/* A playback that is another run than was recorded says so, once. */
+static void tell_difference(void)
+{
+    char text[96];
+
+    if (!cab.session.differs || cab.differs == cab.session.differs)
+        return;
+    cab.differs = cab.session.differs;
+    snprintf(text, sizeof text, "from frame %u on this is not the run that was recorded", (unsigned)cab.differs);
+    cab_notice(text, CAB_SAYS);
+    cab_say("curtain: %s: %s", cab_game(), text);
+}
+
 /* A playback is over at its end, or waits there for who went to and fro in it. */
 static bool at_end(void)
 {
@@ -187,6 +200,7 @@ void cab_tick(void)
     if (cab_fault() || at_end())
         return;
     cab_wrote(session_tick(&cab.session, cab.pads));
+    tell_difference();
     hand_out();
 }
 
@@ -205,10 +219,20 @@ void cab_step(void)
 
 /* ---- to and fro ---- */
 
+static void not_before(void)
+{
+    char text[64];
+
+    snprintf(text, sizeof text, "what was before frame %u is not known", (unsigned)session_first(&cab.session));
+    cab_notice(text, CAB_SAYS);
+}
+
 void cab_go(uint32_t frame)
 {
     if (!cab.session.demo && !cab.session.rewound)
         cab_save_nvram();
+    if (frame < session_first(&cab.session))
+        not_before();
     session_goto(&cab.session, frame);
     practice_void(&cab.practice);
     cab.scrubbed = true;
@@ -243,6 +267,15 @@ void cab_take_over(void)
 
 /* ---- reload ---- */
 
+static void not_taken_in(void)
+{
+    char text[sizeof cab.session.err + 32];
+
+    snprintf(text, sizeof text, "not taken in: %s", cab.session.err);
+    cab_notice(text, -1);
+    cab_say("curtain: %s%s", text, "");
+}
+
 void cab_reload(void)
 {
     if (!cab.options.path) {
@@ -254,17 +287,21 @@ void cab_reload(void)
         cab.notice_left = 0;
         return;
     }
-    cab_notice(cab.session.err, -1);
-    cab_say("curtain: %s", cab.session.err, "");
+    not_taken_in();
 }
 
 void cab_look_for_changes(void)
 {
+    if (cab.taking_in) {
+        cab.taking_in = false;
+        cab_reload();
+    }
     if (++cab.since_look < LOOK_EVERY)
         return;
     cab.since_look = 0;
-    if (folder_changed(&cab.folder))
-        cab_reload();
+    cab.taking_in = folder_changed(&cab.folder);
+    if (cab.taking_in) /* a script that loads for long stops the picture: it should say why */
+        cab_notice("taking in what changed", CAB_SAYS);
 }
 
 /* The changed game may have another screen and other capacities. */
@@ -294,11 +331,14 @@ void cab_work(uint64_t now)
     bool reloads = cab.session.way == SESSION_RELOADS;
 
     if (!session_work(&cab.session, now + WORK_USEC)) {
-        cab_notice(cab.session.err, reloads ? -1 : CAB_SAYS);
-        cab_say("curtain: %s%s", cab.session.err, "");
+        if (reloads)
+            not_taken_in();
+        else
+            cab_wrote(false);
     } else if (reloads && cab.session.way == SESSION_THERE) {
         landed();
     }
+    tell_difference();
     if (cab_fault())
         cab_halt();
 }

@@ -152,13 +152,14 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32];
+    char scripts[32], sprites[32], demos[32], pieces[32];
     size_t room = (size_t)c->m.lua_kib * 1024;
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
     count(demos, c->demos, "demo");
-    printf("%s: fine: %s, %s, %s; Lua RAM %d %% of %d KiB\n", c->dir, scripts, sprites, demos,
+    snprintf(pieces, sizeof pieces, c->pieces == 1 ? "%d stage or phase" : "%d stages and phases", c->pieces);
+    printf("%s: fine: %s, %s; played %s, %s; Lua RAM %d %% of %d KiB\n", c->dir, scripts, sprites, demos, pieces,
            (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
 }
 

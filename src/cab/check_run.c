@@ -1,6 +1,6 @@
 /*
  * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game that
- * nobody plays. What faults, what does not hold, and how much Lua RAM was in use at most.
+ * nobody plays; then every stage and every phase of a boss by itself. What faults, what does not hold, and how much Lua RAM was in use at most.
  */
 #include "check_parts.h"
 
@@ -12,12 +12,15 @@
 #include "../board/cart.h"
 #include "demo.h"
 #include "guard.h"
+#include "pieces.h"
 #include "pack.h"
 
 enum {
-    IDLE_FRAMES = 600,   /* of a game without demos */
-    MOST_FRAMES = 36000, /* of a demo: ten minutes */
-    MOST_LUA = 75        /* percent of board.lua_kib */
+    IDLE_FRAMES = 600,    /* of a game without demos */
+    MOST_FRAMES = 36000,  /* of a demo: ten minutes */
+    PIECE_FRAMES = 18000, /* of a stage or a phase: five minutes */
+    SWEEP = 40,           /* frames a ship flies one way meanwhile */
+    MOST_LUA = 75         /* percent of board.lua_kib */
 };
 
 #define ALL UINT32_MAX /* frames */
@@ -75,19 +78,77 @@ static void finish(struct run *r)
     guard_close(&r->guard);
 }
 
+static struct board_start plain_start(const struct run *r)
+{
+    struct board_start start = { .difficulty = -1 };
+
+    for (int i = 0; i < r->cart.m.n_dips; i++)
+        start.dip[i] = r->cart.m.dips[i].value;
+    return start;
+}
+
 static void run_idle(struct run *r)
 {
     const uint16_t nothing[PADS] = { 0 };
-    struct board_start start = { .difficulty = -1 };
+    struct board_start start = plain_start(r);
 
     r->what = "600 frames of nobody playing";
-    for (int i = 0; i < r->cart.m.n_dips; i++)
-        start.dip[i] = r->cart.m.dips[i].value;
     if (!power(r, &start))
         return;
     for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
         guard_tick(&r->guard, nothing);
     finish(r);
+}
+
+/* ---- pieces ---- */
+
+/* Is the stage cleared, or the phase won or lost? */
+static bool piece_over(const struct board_out *out)
+{
+    for (int i = 0; i < out->marks; i++) {
+        enum board_mark_kind kind = out->mark[i].kind;
+        if (kind == MARK_CLEAR || kind == MARK_WON || kind == MARK_LOST)
+            return true;
+    }
+    return false;
+}
+
+/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are pieces
+ * too: what a stage's phase ends does not end the stage. */
+static void run_piece(struct run *r, const struct piece *piece)
+{
+    static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
+    struct board_start start = plain_start(r);
+    bool over = false;
+
+    r->what = piece->mark;
+    snprintf(start.practice.mark, sizeof start.practice.mark, "%s", piece->mark);
+    start.practice.invincible = true;
+    if (!power(r, &start))
+        return;
+    for (int f = 0; f < PIECE_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+        const struct board_out *out = guard_tick(&r->guard, sweep[f / SWEEP % 2]);
+        over = piece->kind == PIECE_PHASE && piece_over(out);
+        for (int i = 0; i < out->marks; i++)
+            over = over || out->mark[i].kind == MARK_CLEAR;
+    }
+    finish(r);
+    r->c->pieces++;
+}
+
+static void run_pieces(struct run *r)
+{
+    struct board_start start = plain_start(r);
+    struct pieces *list = calloc(1, sizeof *list);
+
+    r->c->found.failed = r->c->found.failed || list == NULL;
+    if (list == NULL)
+        return;
+    pieces_list(list, &r->image.rom, &start, false);
+    for (int i = 0; i < list->n; i++)
+        if (list->piece[i].kind == PIECE_STAGE || list->piece[i].kind == PIECE_PHASE)
+            run_piece(r, &list->piece[i]);
+    free(list);
 }
 
 /* ---- a demo ---- */
@@ -215,6 +276,7 @@ static void run_all(struct run *r)
             run_demo(r, files->name[i]);
     if (r->most == 0)
         run_idle(r);
+    run_pieces(r);
     judge_memory(r);
 }
 

@@ -115,7 +115,7 @@ static void pass_on_log(const struct board_out *out)
 }
 
 /* Ticks until all is told. */
-static void listen(struct pieces *p, struct guard *g)
+static void listen(struct pieces *p, struct guard *g, bool log)
 {
     const uint16_t none[PADS] = { 0 };
     const struct board_out *out = board_last(g->board);
@@ -125,7 +125,8 @@ static void listen(struct pieces *p, struct guard *g)
         out = guard_tick(g, none);
         for (int i = 0; i < out->marks; i++)
             done |= hear(p, &out->mark[i]);
-        pass_on_log(out);
+        if (log)
+            pass_on_log(out);
     }
     if (out->fault)
         snprintf(p->why, sizeof p->why, "%s", out->fault->message);
@@ -133,7 +134,7 @@ static void listen(struct pieces *p, struct guard *g)
         snprintf(p->why, sizeof p->why, "the game does not tell what can be practised");
 }
 
-void pieces_list(struct pieces *p, const struct rom *rom, const struct board_start *start)
+void pieces_list(struct pieces *p, const struct rom *rom, const struct board_start *start, bool log)
 {
     struct board_start ask = *start;
     struct guard g;
@@ -143,6 +144,6 @@ void pieces_list(struct pieces *p, const struct rom *rom, const struct board_sta
     snprintf(ask.practice.mark, sizeof ask.practice.mark, "%s", PRACTICE_LIST);
     if (!guard_power(&g, rom, &ask, p->why, sizeof p->why))
         return;
-    listen(p, &g);
+    listen(p, &g, log);
     guard_close(&g);
 }

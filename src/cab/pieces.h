@@ -39,7 +39,7 @@ struct pieces {
 };
 
 /* Fills the list with what the game tells when started so (its practice start aside). Takes a few frames' time and a
- * board's memory for as long. What the board logs meanwhile goes to plat_log. */
-void pieces_list(struct pieces *p, const struct rom *rom, const struct board_start *start);
+ * board's memory for as long. log: what the board logs meanwhile goes to plat_log. */
+void pieces_list(struct pieces *p, const struct rom *rom, const struct board_start *start, bool log);
 
 #endif

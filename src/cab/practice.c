@@ -157,7 +157,7 @@ void practice_close(struct practice_menu *m)
 
 static void list(struct practice_menu *m)
 {
-    pieces_list(&m->pieces, m->cart->rom, &m->start);
+    pieces_list(&m->pieces, m->cart->rom, &m->start, true);
     m->listed = true;
     for (int i = 0; i < m->pieces.registers; i++)
         m->value[i] = m->pieces.reg[i].value;

@@ -108,6 +108,7 @@ bool session_restart(struct session *s, const struct board_start *start)
     s->now = r;
     s->start = *start;
     s->demo = NULL;
+    s->differs = 0;
     s->rewound = false;
     return !s->record || wrote(s, demo_keep(&r->writer, s->record));
 }
@@ -124,13 +125,39 @@ static bool known_pads(const struct session *s, uint16_t pads[PADS])
     return frame < d->frames;
 }
 
+/* Is the newest frame of a playback as it was recorded? Parts that only one of both builds has are passed over. */
+static void compare(struct session *s)
+{
+    const struct session_run *r = s->now;
+    const struct demo *mine = &r->writer.demo, *d = s->demo;
+    uint64_t hashes[MAX_PARTS] = { 0 };
+    uint32_t both = 0;
+
+    for (int i = 0; i < d->parts; i++)
+        for (int n = 0; n < mine->parts; n++) {
+            int k = (i + n) % mine->parts; /* mostly they are in the same order */
+            if (strcmp(d->part[i], mine->part[k]) != 0)
+                continue;
+            hashes[i] = r->writer.hashes[k];
+            both |= 1u << i;
+            break;
+        }
+    if (demo_differs(d, mine->frames, hashes) & both)
+        s->differs = mine->frames;
+}
+
 static bool tick(struct session *s, const uint16_t pads[PADS])
 {
     struct session_run *r = s->now;
     bool seen = board_frame(r->guard.board) < r->writer.demo.frames;
 
     guard_tick(&r->guard, pads);
-    return seen || wrote(s, demo_frame(&r->writer, r->guard.board, pads));
+    if (seen)
+        return true;
+    bool good = demo_frame(&r->writer, r->guard.board, pads);
+    if (s->demo && !s->differs && r->writer.on && !board_last(r->guard.board)->fault)
+        compare(s);
+    return wrote(s, good);
 }
 
 bool session_again(struct session *s)
@@ -213,6 +240,7 @@ bool session_take_over(struct session *s, const char *record)
         return no(s, "nothing to take over: it is you who plays");
     session_stop(s);
     s->demo = NULL;
+    s->differs = 0;
     s->rewound = true;
     s->record = record ? record : s->record;
     if (!wrote(s, demo_rewind(&s->now->writer, frame)))
@@ -308,6 +336,7 @@ static bool land(struct session *s)
     s->now = s->next;
     s->next = NULL;
     s->way = SESSION_THERE;
+    s->differs = 0;
     run_free(old);
     demo_flag(&s->now->writer, flags);
     return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));

@@ -42,6 +42,7 @@ struct session {
     struct session_run *now, *next; /* next: being made by a reload, to take its place */
     enum session_way way;
     uint32_t from, to;        /* the frames of the way */
+    uint32_t differs;         /* the first frame of a playback found not to be as it was recorded; 0: none */
     bool rewound;             /* a live run went back once: scores do not count any more */
     char err[DEMO_PATH + 64]; /* what session_* said no with */
 };

@@ -120,6 +120,9 @@ void timebar_draw(const struct ink *ink, const struct session *s)
     ink_text(ink, MARGIN, top + 1, INK_WHITE, text);
     ink_rect(ink, MARGIN, bar + 2, w, 1, INK_GREY);
     ink_rect(ink, MARGIN, bar + 1, place(s, w, frame) + 1, 3, INK_GREEN);
+    if (s->differs && s->differs <= frame)
+        ink_rect(ink, MARGIN + place(s, w, s->differs), bar + 1, place(s, w, frame) - place(s, w, s->differs) + 1, 3,
+                 INK_RED);
     moments(ink, s, bar, w);
     ink_rect(ink, MARGIN + place(s, w, frame), bar - 1, 1, BAR_H + 2, INK_GREEN);
 }

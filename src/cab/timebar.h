@@ -3,7 +3,8 @@
  * floor: cab    used by: cab
  *
  * Stages are white, points of a stage cyan, waves grey, bosses red, their phases yellow, deaths magenta. Over the bar
- * stands the frame, its time, and the last moments before it: "1234/14016 0:20 one queen/bloom".
+ * stands the frame, its time, and the last moments before it: "1234/14016 0:20 one queen/bloom". What was gone through is
+ * green, and red from where a playback is not as it was recorded.
  */
 #ifndef CAB_TIMEBAR_H
 #define CAB_TIMEBAR_H

@@ -15,7 +15,7 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    holds "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?, [0-9]+ demos?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
+    holds "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played [0-9]+ demos?, [0-9]+ stages? (or|and) phases?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
 }
 refuses() { # NAME LINE WORD...
     local name=$1 line=$2 got
@@ -515,6 +515,21 @@ png mygame/art/palette.png 16 16 ffffff
 png mygame/art/draft.png 8 8 ffffff
 png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
 finds 'what the manual shows' mygame < <(sample)
+
+# ---- what only playing finds ----
+
+cp -R "$repo/examples/first" deep
+same 'a stage that is right' '0' "$("$curtain" check deep >/dev/null 2>&1; echo $?)"
+sed -i '0,/kind = "orb"/s//kind = KIND/; 1i local KIND = "orbb"' deep/main.lua
+got=$("$curtain" check deep 2>&1)
+same 'a fault in a stage' 1 $?
+holds '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
+rm -r deep
+cp -R "$repo/roms/glasstide" deep
+sed -i '0,/kind = "needle"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
+got=$("$curtain" check deep 2>&1)
+same 'a fault in a late phase of a boss' 1 $?
+holds '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' <<<"$got"
 
 # ---- what is no game ----
 

@@ -53,7 +53,7 @@ unchanged
 
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
 same 'an error of syntax: the old game goes on' "$(part straight 200 290)" "$(part out 200 290)"
-same '... with file and line' 'curtain: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
+same '... with file and line' 'curtain: not taken in: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
 unchanged
 same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" "$("$curtain" verify g two.demo)"
 
@@ -61,7 +61,7 @@ same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
 edited 100 'echo "return {}" >g/step.lua' --record three.demo
 same 'an error in the run is none of the old game' 0 $code
-holds '... with file and line and frame' grep -q '^curtain: main.lua:5: .*(in frame 0 of the run)$' err
+holds '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
 unchanged
 same '... which goes on' "$(played three.demo 2)" "$("$curtain" verify g three.demo)"
 

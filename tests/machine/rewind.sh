@@ -106,6 +106,8 @@ same 'asked for, frame 25 comes: 2, 0, Backspace, 5, Enter' "$(part straight 25 
 same 'time stands still meanwhile' 1 "$(part ask 21 31 | sort -u | wc -l)"
 { keys 20; keys 1 74; keys 1; keys 1 41; keys 10; } | watches ask
 same 'Escape asks no more' "$(part straight 21 30)" "$(part ask 23 32)"
+{ keys 20; keys 1 74; keys 1; keys 5 41; keys 10; } | watches ask
+same 'and does not leave the game, however long it is held' 38 "$(wc -l <ask)"
 { keys 250; } | watches shown
 same 'it ends with the demo' 201 "$(wc -l <shown)"
 { keys 100; keys 10 $BACKSPACE; keys 200; } | watches shown
@@ -123,6 +125,17 @@ same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was
 holds 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' <("$curtain" verify faulty before.demo)
 { keys 90; keys 1 $T; keys 5; } | ./player play faulty --demo fault.demo --record over.demo >out 2>&1
 same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty over.demo)"
+
+# ---- another run than was recorded ----
+
+cp -R g other_game
+sed -i 's/i == 150 then/i == 150 or i == 60 then/' other_game/main.lua # saves once more
+mkdir -p data2
+XDG_DATA_HOME=$tmp/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
+holds 'a playback that is not what was recorded says so' grep -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
+same 'once' 1 "$(grep -c 'not the run' err)"
+keys 100 | watches shown
+same 'and one that is does not' '' "$(cat err)"
 
 # ---- taking over ----
 

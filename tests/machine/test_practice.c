@@ -594,7 +594,7 @@ static void test_pieces(void **state)
     struct board_start start = start_at("");
 
     (void)state;
-    pieces_list(&p, &game.image.rom, &start);
+    pieces_list(&p, &game.image.rom, &start, true);
     assert_string_equal(p.why, "");
     assert_string_equal(p.ship, "ship");
     assert_int_equal(p.lives, 3);
@@ -628,14 +628,14 @@ static void test_pieces_of_the_wrong(void **state)
 
     (void)state;
     rig_script(&g, NULL, wrong);
-    pieces_list(&p, &g.image.rom, &start);
+    pieces_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "main.lua:3: boo");
     assert_int_equal(p.n, 3);
     expect_piece(&p, 1, PIECE_POINT, "good:a", "");
     expect_piece(&p, 2, PIECE_STAGE, "bad", "");
     rig_game_free(&g);
     rig_script(&g, NULL, "task.go(function() end)");
-    pieces_list(&p, &g.image.rom, &start);
+    pieces_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "practice: nothing can be chosen: main.lua does not call boot.run");
     assert_int_equal(p.n, 0);
     rig_game_free(&g);

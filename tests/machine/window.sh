@@ -110,6 +110,7 @@ if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then
     leave
 fi
 check "controllers" env SDL_VIDEODRIVER=dummy "$scratch/port_pads"
+refuse "no display at all is refused" "there is no display" env -u DISPLAY -u WAYLAND_DISPLAY "$probe" show 64 64 1
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
