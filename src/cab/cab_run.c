@@ -224,7 +224,7 @@ static void not_before(void)
     char text[64];
 
     snprintf(text, sizeof text, "what was before frame %u is not known", (unsigned)session_first(&cab.session));
-    cab_notice(text, CAB_SAYS);
+    cab_notice(text, BAR_STAYS);
 }
 
 void cab_go(uint32_t frame)
