@@ -153,28 +153,13 @@ static void run_pieces(struct run *r)
 
 /* ---- a demo ---- */
 
-static int part_of(const struct board *b, const char *name)
-{
-    for (int i = 0; i < board_parts(b); i++)
-        if (strncmp(board_part(b, i), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
-            return i;
-    return -1;
-}
-
 /* Does the board agree with what the demo knows of this frame? */
 static bool agrees(struct run *r, uint32_t frame)
 {
-    const struct demo *d = &r->demo;
     uint64_t hashes[MAX_PARTS];
-    bool all = true;
 
     board_hashes_again(r->guard.board, r->copies, r->hashes);
-    for (int i = 0; i < d->parts; i++) {
-        int part = part_of(r->guard.board, d->part[i]);
-        hashes[i] = part >= 0 ? r->hashes[part] : 0;
-        all = all && part >= 0;
-    }
-    return all && demo_differs(d, frame, hashes) == 0;
+    return demo_order(&r->demo, r->guard.board, r->hashes, hashes) == 0 && demo_differs(&r->demo, frame, hashes) == 0;
 }
 
 /* A demo that was recorded with a fault holds when that comes again, there and only there. */

@@ -108,6 +108,32 @@ const uint16_t *demo_prints(const struct demo *d, uint32_t frame)
     return frame < 1 || frame > d->printed ? NULL : d->prints + (size_t)(frame - 1) * (size_t)d->parts;
 }
 
+/* The board's part of that name, or -1. Mostly it is the i-th of both. */
+static int part_of(const struct board *b, const char *name, int i)
+{
+    int parts = board_parts(b);
+
+    for (int n = 0; n < parts; n++) {
+        int k = (i + n) % parts;
+        if (strncmp(board_part(b, k), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
+            return k;
+    }
+    return -1;
+}
+
+uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+                    uint64_t hashes[MAX_PARTS])
+{
+    uint32_t missing = 0;
+
+    for (int i = 0; i < d->parts; i++) {
+        int part = part_of(b, d->part[i], i);
+        hashes[i] = part < 0 ? 0 : board[part];
+        missing |= (uint32_t)(part < 0) << i;
+    }
+    return missing;
+}
+
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
     const uint64_t *row = demo_hashes(d, frame);

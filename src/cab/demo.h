@@ -87,6 +87,11 @@ const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
  * none: the first and one that faulted. */
 const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
 
+/* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
+ * that the board does not have, a bit a part: their hash is 0. */
+uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+                    uint64_t hashes[MAX_PARTS]);
+
 /* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their prints, and where
  * there is a row by the whole hashes. A difference that a print does not show (one in 65536) shows in a later frame's.
  * 0 where there is neither: in the frame that faulted, after the end. */

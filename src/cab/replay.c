@@ -1,24 +1,12 @@
 /*
  * replay.c - see replay.h.
- *
- * Builds may differ in their parts, so the demo's are found on the board by name. One that is gone differs from the
- * first frame on.
+ A part that this build's board does not have differs from the first frame on.
  */
 #include "replay.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The board's part of that name, or -1. */
-static int part_of(const struct board *b, const char *name)
-{
-    for (int i = 0; i < board_parts(b); i++) {
-        if (strncmp(board_part(b, i), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
-            return i;
-    }
-    return -1;
-}
 
 static int out_of_memory(char *err, size_t err_size)
 {
@@ -36,11 +24,6 @@ static int power(struct replay *r, const struct cart *cart, const struct demo *d
         return out_of_memory(err, err_size);
     memset(r->copies, 0, copies);
     memset(r->board, 0, sizeof r->board);
-    r->missing = 0;
-    for (int i = 0; i < d->parts; i++) {
-        r->part[i] = part_of(r->guard.board, d->part[i]);
-        r->missing |= (uint32_t)(r->part[i] < 0) << i;
-    }
     return EXIT_DONE;
 }
 
@@ -57,12 +40,11 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     board_hashes_again(r->guard.board, r->copies, r->board);
-    for (int i = 0; i < d->parts; i++)
-        r->hashes[i] = r->part[i] < 0 ? 0 : r->board[r->part[i]];
-    uint32_t parts = demo_differs(d, frame, r->hashes) | r->missing;
+    uint32_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
+    uint32_t parts = demo_differs(d, frame, r->hashes) | missing;
     if (!parts)
         return true;
-    *v = (struct verdict){ .kind = VERDICT_DIFFERS, .frame = frame, .parts = parts, .missing = r->missing };
+    *v = (struct verdict){ .kind = VERDICT_DIFFERS, .frame = frame, .parts = parts, .missing = missing };
     v->first = first_of(d, frame, parts);
     return false;
 }

@@ -30,8 +30,6 @@ struct replay {
     void *copies;               /* of board_hashes_again */
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
-    int part[MAX_PARTS];        /* the board's part for each of the demo's; -1: it has none */
-    uint32_t missing;
 };
 
 /* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in

@@ -129,21 +129,11 @@ static bool known_pads(const struct session *s, uint16_t pads[PADS])
 static void compare(struct session *s)
 {
     const struct session_run *r = s->now;
-    const struct demo *mine = &r->writer.demo, *d = s->demo;
-    uint64_t hashes[MAX_PARTS] = { 0 };
-    uint32_t both = 0;
+    uint64_t hashes[MAX_PARTS];
+    uint32_t missing = demo_order(s->demo, r->guard.board, r->writer.hashes, hashes);
 
-    for (int i = 0; i < d->parts; i++)
-        for (int n = 0; n < mine->parts; n++) {
-            int k = (i + n) % mine->parts; /* mostly they are in the same order */
-            if (strcmp(d->part[i], mine->part[k]) != 0)
-                continue;
-            hashes[i] = r->writer.hashes[k];
-            both |= 1u << i;
-            break;
-        }
-    if (demo_differs(d, mine->frames, hashes) & both)
-        s->differs = mine->frames;
+    if (demo_differs(s->demo, r->writer.demo.frames, hashes) & ~missing)
+        s->differs = r->writer.demo.frames;
 }
 
 static bool tick(struct session *s, const uint16_t pads[PADS])

@@ -7,36 +7,24 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../../src/cab/replay.h"
 #include "../../src/cab/session.h"
 #include "bench.h"
 
 enum { ROUNDS = 3, FIVE_MINUTES = 5 * 60 * 60, MINUTE = 60 * 60, SLICE_USEC = 12000 };
 
-/* Seconds that comparing a replay with the whole of its track takes, as `curtain verify` does. */
-static double verify(const struct rom *rom, const struct demo *d)
+/* Seconds that verifying takes. */
+static double verify(const struct cart *cart, const struct demo *d)
 {
-    struct guard g;
+    static struct replay r;
+    struct verdict v;
     char err[256];
-    uint64_t hashes[MAX_PARTS];
-    uint32_t differ = 0;
     double from = bench_now();
 
-    if (!guard_power(&g, rom, &d->start, err, sizeof err))
+    if (replay_run(&r, cart, d, NULL, &v, err, sizeof err) != EXIT_DONE)
         report_fail(err);
-    void *copies = calloc(1, board_copies(g.board));
-    if (!copies)
-        report_fail("out of memory");
-    for (uint32_t f = 0; f <= d->frames; f++) {
-        uint16_t pads[PADS];
-        board_hashes_again(g.board, copies, hashes);
-        differ |= demo_differs(d, f, hashes);
-        demo_pads(d, f, pads);
-        if (f < d->frames)
-            guard_tick(&g, pads);
-    }
-    bench_claim(differ ? "the demo does not hold" : NULL, "verifying");
-    free(copies);
-    guard_close(&g);
+    bench_claim(v.kind == VERDICT_HOLDS ? NULL : "the demo does not hold", "verifying");
+    replay_close(&r);
     return bench_since(from) / 1e9;
 }
 
@@ -102,7 +90,7 @@ void section_replay(void)
     if (!cart_open(&cart, &image.rom, err, sizeof err))
         report_fail(err);
     for (int i = 0; i < ROUNDS; i++)
-        samples_add(&rate, demo.frames / verify(&image.rom, &demo));
+        samples_add(&rate, demo.frames / verify(&cart, &demo));
     change_game(changed);
     double whole = reload(&cart, &demo.start, &demo, FIVE_MINUTES, changed);
     phase = demo.start;
