@@ -256,6 +256,10 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
         bullets_drop(&b->bullets, i);
         n++;
     }
+    EACH_HELD (i, &b->bullets.s) /* not counted, but what it touched is spared */
+        if (in_group(&b->bullets, i, tag) &&
+            (!circle || geom_circles(b->bullets.x[i], b->bullets.y[i], v[1].f, v[2].f, v[3].f)))
+            bullets_release(&b->bullets, i);
     lua_pushinteger(L, n);
     return 1;
 }
@@ -485,6 +489,10 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     EACH_LIVE (i, &b->bullets.s)
         if (in_group(&b->bullets, i, handle_slot(h)))
             act(b, false, i, verb, by);
+    if (verb == V_REMOVE)
+        EACH_HELD (i, &b->bullets.s)
+            if (in_group(&b->bullets, i, handle_slot(h)))
+                bullets_release(&b->bullets, i);
     return 0;
 }
 

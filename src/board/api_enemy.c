@@ -175,7 +175,7 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 
     vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        n += !(b->enemies.flags[i] & ENEMY_DYING) && (!tag || b->enemies.tag[i] == tag);
+        n += !(b->enemies.flags[i] & ENEMY_GONE) && (!tag || b->enemies.tag[i] == tag);
     lua_pushinteger(L, n);
     return 1;
 }

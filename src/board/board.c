@@ -287,15 +287,6 @@ static void reset(struct board *b)
     boot(b);
 }
 
-/* Enemies that leave the keep box go without score, once their handlers were told. */
-static void enemy_left(void *context, uint32_t i)
-{
-    struct board *b = context;
-
-    b->enemies.flags[i] |= ENEMY_DYING;
-    board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
-}
-
 void board_watch(struct board *b, board_lap *lap, void *context)
 {
     b->hand->lap = lap;
@@ -308,21 +299,27 @@ static void over(const struct board *b, enum board_phase phase)
         b->hand->lap(b->hand->lap_context, phase);
 }
 
-/* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
-static int move_all(lua_State *L)
+void board_move(struct board *b)
 {
-    struct board *b = vm_board(L);
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
     struct watch watch[PADS];
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
-    enemies_move(&b->enemies, &b->keep, enemy_left, b);
-    bullets_move(&b->shots, &ws, &b->keep, NULL);
+    enemies_move(&b->enemies, &b->keep);
+    bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0);
     hit_watch(b, watch);
-    bullets_move(&b->bullets, &w, &b->keep, watch);
+    bullets_move(&b->bullets, &w, &b->keep, watch, false);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
+}
+
+/* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
+static int move_and_hit(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    board_move(b);
     vm_charge(L, b->bullets.ran + b->shots.ran);
     over(b, PHASE_MOTION);
     hit_run(b);
@@ -348,7 +345,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     bool fine = vm_call(b, tasks_run);
     over(b, PHASE_SCRIPTS);
     if (!b->core.frozen)
-        fine = fine && vm_call(b, move_all);
+        fine = fine && vm_call(b, move_and_hit);
     over(b, PHASE_HITS);
     fine = fine && vm_call(b, events_run);
     over(b, PHASE_EVENTS);
@@ -577,14 +574,18 @@ bool board_alive(const struct board *b, int64_t h)
     if (kind == H_TASK)
         return tasks_alive(b, slot, gen);
     if (kind == H_ENEMY && slots_has(s, slot, gen))
-        return !(b->enemies.flags[slot] & ENEMY_DYING);
+        return !(b->enemies.flags[slot] & ENEMY_GONE);
     return s ? slots_has(s, slot, gen) : gen != 0;
 }
 
 bool board_there(const struct board *b, int64_t h)
 {
-    if (handle_kind(h) == H_ENEMY)
+    enum handle_kind kind = handle_kind(h);
+
+    if (kind == H_ENEMY)
         return slots_has(&b->enemies.s, handle_slot(h), handle_gen(h));
+    if ((kind == H_BULLET || kind == H_SHOT) && slots_has_held(pool(b, kind), handle_slot(h), handle_gen(h)))
+        return true;
     return board_alive(b, h);
 }
 

@@ -18,7 +18,7 @@
 #include "../chips/slots.h"
 
 enum {
-    CORE_VERSION = 2,   /* raised whenever the same ROM and demo could give another hash */
+    CORE_VERSION = 3,   /* raised whenever the same ROM and demo could give another hash */
     MAX_PARTS = 32,     /* state hashes in a track: one a part */
     NVRAM_BYTES = 32768 /* score tables and saves */
 };

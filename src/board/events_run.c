@@ -190,15 +190,26 @@ bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t p
     return true;
 }
 
+/* Does an event that names it still have its effect? It does unless something removed or killed it since. */
+static bool counts(const struct board *b, int64_t h)
+{
+    if (!board_there(b, h))
+        return false;
+    return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
+}
+
 /* A shot hits: it is used up by an enemy that is still there, safe or not. */
 static void apply_shot(struct board *b, lua_State *L, const struct event *e)
 {
-    if (!board_alive(b, e->a) || !board_alive(b, e->b))
+    if (!counts(b, e->a) || !counts(b, e->b))
         return;
     uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
-    bullets_drop(&b->shots, shot);
+    if (board_alive(b, e->a))
+        bullets_drop(&b->shots, shot);
+    else
+        bullets_release(&b->shots, shot);
     if (!enemy_hurt(b, L, i, damage, player) && enemy_push_function(L, b->enemies.kind[i], "on_hit")) {
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
@@ -211,7 +222,7 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
 
-    if (!board_alive(b, e->b) || !board_alive(b, e->a))
+    if (!counts(b, e->b) || !board_alive(b, e->a))
         return;
     b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
@@ -246,7 +257,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 
     if (b->start.practice.invincible) /* all that it means is here; safe stays what the script makes of it */
         return;
-    if (!board_alive(b, e->a) || b->player.safe[p] || !board_alive(b, e->b)) /* a handler may have removed it */
+    if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
@@ -278,9 +289,11 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can read the enemy; then it is gone. */
+/* The handlers of on.kill and on.leave can read the enemy; then it is gone. One that was killed as it left was killed. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
+    if (e->kind == EV_LEAVE && !counts(b, e->a))
+        return;
     tell(L, e);
     if (board_there(b, e->a))
         enemies_drop(&b->enemies, handle_slot(e->a));
@@ -330,6 +343,13 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
+/* Nothing is held between frames. */
+static void release(struct bullets *s)
+{
+    EACH_HELD (i, &s->s)
+        bullets_release(s, i);
+}
+
 int events_run(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -340,5 +360,7 @@ int events_run(lua_State *L)
         apply(b, L, &e);
     }
     b->events.n = 0;
+    release(&b->bullets);
+    release(&b->shots);
     return 0;
 }

@@ -7,6 +7,9 @@
  * Bullets are tested while they move, block by block, because there their columns are at hand: bullets_move asks `judge`
  * of those it found near a player, who has moved before, and hit_run raises what came of it. `reach` covers the largest
  * radius, the graze ring and the player's movement. Shots against enemies are in hit_shots.c.
+ *
+ * What leaves the field is asked too, for it may touch something on its way out: bullets_move holds the bullets that
+ * touched, and all shots; hit_shots releases the shots that hit nobody, events_run the rest.
  */
 #include "hit.h"
 #include "hit_parts.h"
@@ -124,6 +127,14 @@ void hit_watch(struct board *b, struct watch watch[PADS])
     }
 }
 
+/* Enemies that left, once all that touched them on the way has its event. */
+static void enemies_leave(struct board *b)
+{
+    EACH_LIVE (i, &b->enemies.s)
+        if (b->enemies.flags[i] & ENEMY_LEAVING)
+            board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
+}
+
 void hit_run(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++) {
@@ -134,4 +145,6 @@ void hit_run(struct board *b)
         enemies_against(b, p, &c);
     }
     hit_shots(b);
+    if (b->enemies.leaving)
+        enemies_leave(b);
 }

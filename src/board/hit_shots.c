@@ -418,30 +418,58 @@ static inline void hit(struct board *b, uint32_t shot, uint32_t foe)
         board_event(b, EV_SHOT, who, whom);
 }
 
+/* The shots of a word that fly, or left the field in this frame's move. */
+static inline uint64_t flying_or_left(const struct slots *s, uint32_t word)
+{
+    return s->used[word] | (word * 64 < s->held_top ? s->held[word] : 0);
+}
+
+/* The slot of the enemy that the shot hits, or NOBODY; `at` is the shot's place in its block. */
+static inline uint32_t target(const struct board *b, const struct crowd *c, const struct flight *f, uint32_t i)
+{
+    uint32_t at = i % SLOTS_BLOCK, slot = c->dense ? target_nearest(b, c, i, f->x[at], f->y[at]) : NOBODY;
+
+    return slot == NOBODY ? target_by_rings(b, c, i) : slot;
+}
+
+/* A shot that left the field and hit nobody on the way is gone. */
+static void aim_all(struct board *b, const struct crowd *c)
+{
+    const struct slots *s = &b->shots.s;
+    struct flight f;
+
+    for (uint32_t word = 0; word < s->top / 64; word++) {
+        uint64_t missed = 0;
+        if (c->dense)
+            locate(&f, &b->shots, word * 64, (uint32_t)c->left, (uint32_t)c->top);
+        for (uint64_t bits = flying_or_left(s, word); bits; bits &= bits - 1) {
+            uint32_t i = word * 64 + lowest_bit(bits), slot = target(b, c, &f, i);
+            if (slot != NOBODY)
+                hit(b, i, slot);
+            else
+                missed |= bits & -bits;
+        }
+        for (missed &= ~s->used[word]; missed; missed &= missed - 1)
+            bullets_release(&b->shots, word * 64 + lowest_bit(missed));
+    }
+}
+
 void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
     struct crowd c;
 
-    if (!s->live || !b->enemies.s.live)
+    c.n = 0;
+    if ((s->live || s->holding) && b->enemies.s.live)
+        gather(&c, b);
+    if (!c.n) {
+        EACH_HELD (i, s)
+            bullets_release(&b->shots, i);
         return;
-    gather(&c, b);
-    if (!c.n)
-        return;
-    divide(&c, s->live, b->enemies.s.top);
+    }
+    divide(&c, s->live + s->holding, b->enemies.s.top);
     sort(&c, &b->enemies);
     if (c.dense)
         judge(&c, &b->shot_kinds);
-    struct flight f;
-    for (uint32_t word = 0; word < s->top / 64; word++) {
-        if (c.dense)
-            locate(&f, &b->shots, word * 64, (uint32_t)c.left, (uint32_t)c.top);
-        for (uint64_t bits = s->used[word]; bits; bits &= bits - 1) {
-            uint32_t at = lowest_bit(bits), i = word * 64 + at;
-            uint32_t slot = c.dense ? target_nearest(b, &c, i, f.x[at], f.y[at]) : NOBODY;
-            slot = slot == NOBODY ? target_by_rings(b, &c, i) : slot;
-            if (slot != NOBODY)
-                hit(b, i, slot);
-        }
-    }
+    aim_all(b, &c);
 }

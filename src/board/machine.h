@@ -113,6 +113,9 @@ extern const struct part parts[PARTS];
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
+/* Step 3 of a tick: moves everything. What leaves the field is held or marked, for hit_run to ask. */
+void board_move(struct board *b);
+
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
@@ -167,7 +170,8 @@ int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
 /* Is what the handle names alive? Groups and motions always are. */
 bool board_alive(const struct board *b, int64_t h);
 
-/* Can it still be read? An enemy that died or left can until its handlers have run. */
+/* Can it still be read? An enemy that died or left, and a bullet or shot that left and touched something on the way,
+ * can until the frame's handlers have run. */
 bool board_there(const struct board *b, int64_t h);
 
 /* Where a thing is; false: dead, or not a thing that is anywhere. */

@@ -44,6 +44,7 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
+    DERIVED_BLOCKS(bullets, leaving, 1, "nothing is held between frames"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
     DERIVED_REGISTER(bullets, fastest, "a bound that decides only who is looked at more closely"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
@@ -121,6 +122,13 @@ void bullets_drop(struct bullets *b, uint32_t i)
 {
     slots_drop(&b->s, i);
     park(b, i);
+}
+
+void bullets_release(struct bullets *b, uint32_t i)
+{
+    slots_release(&b->s, i);
+    park(b, i);
+    slots_trim(&b->s);
 }
 
 static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
@@ -613,21 +621,26 @@ void bullets_watch(struct bullets *b, const struct watch watch[PADS])
             watch_block(b, &watch[p], block, p);
 }
 
-/* Of those that a moved block names: drops who is outside keep, and returns the others. */
-static uint64_t drop_lost(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep)
+/* Of those that a moved block names, drops the ones outside keep, but holds those that are near a player or, with
+ * hold_all, every one. */
+static void leave(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep, bool hold_all)
 {
-    uint64_t left = named;
+    const uint64_t *near = &b->near[first / SLOTS_BLOCK * PADS];
+    uint64_t hold = hold_all ? UINT64_MAX : 0;
 
+    for (uint32_t p = 0; p < PADS; p++)
+        hold |= near[p];
     for (uint64_t m = named & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
         uint32_t i = first + lowest_bit(m);
         fx x = b->x[i], y = b->y[i];
-        if (x < keep->x0 || x > keep->x1 || y < keep->y0 || y > keep->y1) {
+        if (x >= keep->x0 && x <= keep->x1 && y >= keep->y0 && y <= keep->y1)
+            continue;
+        b->moved++;
+        if (hold & bit(i))
+            slots_hold(&b->s, b->leaving, i);
+        else
             bullets_drop(b, i);
-            b->moved++;
-            left &= ~(m & -m);
-        }
     }
-    return left;
 }
 
 /* The bound on speeds follows slowly: it is found anew every FASTEST_AGE frames. */
@@ -657,7 +670,7 @@ static fx fastest_of(const struct bullets *b)
 }
 
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
-                  const struct watch watch[PADS])
+                  const struct watch watch[PADS], bool hold_all)
 {
     static const struct watch nobody[PADS] = { { .reach = -1 }, { .reach = -1 } };
     uint8_t out[SLOTS_BLOCK];
@@ -689,14 +702,13 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             near = watch_range(&watch[0], fastest);
         }
         int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
-        if (some) {
+        if (some)
             named = slots_gather(out);
-            if (some & 2)
-                named = drop_lost(b, named, i, keep);
-        }
         met(b, &watch[0], block, 0, watch[0].reach < 0 ? 0 : named);
         for (uint32_t p = 1; p < PADS; p++)
             watch_block(b, &watch[p], block, p);
+        if (some & 2)
+            leave(b, named, i, keep, hold_all);
     }
     b->moved += b->s.live;
     slots_trim(&b->s);

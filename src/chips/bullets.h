@@ -71,14 +71,15 @@ struct bullets {
     int16_t *x_more, *y_more;
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
-    uint64_t *busy;   /* has a program to run this frame, or is fine */
-    uint64_t *idle;   /* its program does nothing until the clock is `end` */
-    uint64_t *near;   /* PADS words: may be near that player this frame, or what `met` kept of them */
-    uint64_t *grazes; /* PADS words: those of near that `met` marked */
-    uint8_t *due;     /* of an idle bullet: the low byte of `end` */
-    fx fastest;       /* no |vx| or |vy| is above it */
-    uint32_t moved;   /* bullets moved this frame */
-    uint64_t ran;     /* motion steps run this frame */
+    uint64_t *busy;    /* has a program to run this frame, or is fine */
+    uint64_t *idle;    /* its program does nothing until the clock is `end` */
+    uint64_t *near;    /* PADS words: may be near that player this frame, or what `met` kept of them */
+    uint64_t *grazes;  /* PADS words: those of near that `met` marked */
+    uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on the way */
+    uint8_t *due;      /* of an idle bullet: the low byte of `end` */
+    fx fastest;        /* no |vx| or |vy| is above it */
+    uint32_t moved;    /* bullets moved this frame */
+    uint64_t ran;      /* motion steps run this frame */
 };
 
 /*
@@ -123,13 +124,17 @@ extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds
 /* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);
 
-/* Gone, without a trace. */
+/* Removes a live bullet. */
 void bullets_drop(struct bullets *b, uint32_t i);
 
-/* Runs the motion programs in slot order, moves every bullet, drops those outside keep and sets `near`: of every live
- * bullet that the watch asks for, and some others. watch NULL: nobody's. */
+/* Removes a held bullet. */
+void bullets_release(struct bullets *b, uint32_t i);
+
+/* Runs the motion programs in slot order, moves every bullet, and sets `near`: of every live bullet that the watch asks
+ * for, and some others. watch NULL: nobody's. Those that end outside keep are dropped, but held (slots.h) if they are
+ * `near` or with hold_all; the caller releases them in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
-                  const struct watch watch[PADS]);
+                  const struct watch watch[PADS], bool hold_all);
 
 /* Sets `near` alone, from where the bullets are. */
 void bullets_watch(struct bullets *b, const struct watch watch[PADS]);

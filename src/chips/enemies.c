@@ -29,6 +29,7 @@ static const struct column columns[] = {
     COLUMN(enemies, made),
     COLUMN(enemies, over),
     COLUMN(enemies, ease),
+    DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hits read it"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -138,14 +139,17 @@ void enemies_count(struct enemies *e)
             e->safe[i]--;
 }
 
-void enemies_move(struct enemies *e, const struct box *keep, void (*left)(void *, uint32_t), void *context)
+void enemies_move(struct enemies *e, const struct box *keep)
 {
+    e->leaving = 0;
     EACH_LIVE (i, &e->s) {
         step(e, i);
         if (e->flags[i] & (ENEMY_HELD | ENEMY_DYING)) /* a boss may come from further away */
             continue;
-        if (e->x[i] < keep->x0 || e->x[i] > keep->x1 || e->y[i] < keep->y0 || e->y[i] > keep->y1)
-            left(context, i);
+        if (e->x[i] >= keep->x0 && e->x[i] <= keep->x1 && e->y[i] >= keep->y0 && e->y[i] <= keep->y1)
+            continue;
+        e->flags[i] |= ENEMY_LEAVING;
+        e->leaving++;
     }
     slots_trim(&e->s);
 }

@@ -15,8 +15,10 @@ enum {
     ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
 
-    ENEMY_HELD = 1 << 0,  /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
-    ENEMY_DYING = 1 << 1, /* it died or left, and goes once its handlers have been told */
+    ENEMY_HELD = 1 << 0,    /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
+    ENEMY_DYING = 1 << 1,   /* it died, and goes once its handlers have been told */
+    ENEMY_LEAVING = 1 << 2, /* it left in this frame's move, can still be hit, and goes as the dying do */
+    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either: not alive for scripts */
 
     SAFE_FOREVER = -1,
 
@@ -53,6 +55,7 @@ struct enemies {
     fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */
     uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
     uint8_t *ease;
+    uint32_t leaving; /* how many this frame's move took outside of keep */
 };
 
 extern const struct chip enemies_chip, enemy_kinds_chip;
@@ -67,7 +70,7 @@ void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum e
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void enemies_count(struct enemies *e);
 
-/* Goes on with the moves, and calls left for each that is outside keep. */
-void enemies_move(struct enemies *e, const struct box *keep, void (*left)(void *, uint32_t), void *context);
+/* Goes on with the moves, and marks those that are outside keep as leaving. */
+void enemies_move(struct enemies *e, const struct box *keep);
 
 #endif

@@ -87,6 +87,8 @@ int32_t slots_take(struct slots *s)
         if (s->low * 64 == s->high && !grow_high(s))
             break;
         uint64_t room = ~s->used[s->low];
+        if (s->low * 64 < s->held_top)
+            room &= ~s->held[s->low];
         if (!room)
             continue;
         uint32_t i = s->low * 64 + lowest_bit(room);
@@ -111,33 +113,75 @@ int32_t slots_append(struct slots *s)
     return (int32_t)s->live++;
 }
 
-void slots_drop(struct slots *s, uint32_t i)
+/* Slot i is free for its next tenant. */
+static void vacate(struct slots *s, uint32_t i)
 {
-    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
-    s->used[i / 64] &= ~(1ull << (i & 63));
     s->gen[i] = s->gen[i] == GENERATIONS ? 1 : s->gen[i] + 1;
-    s->live--;
     if (i / 64 < s->low)
         s->low = i / 64;
 }
 
+void slots_drop(struct slots *s, uint32_t i)
+{
+    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->live--;
+    vacate(s, i);
+}
+
+void slots_hold(struct slots *s, uint64_t *words, uint32_t i)
+{
+    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    if (!s->holding) {
+        s->held = words;
+        s->held_top = s->top;
+        memset(words, 0, s->top / 8);
+    }
+    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->held[i / 64] |= 1ull << (i & 63);
+    s->live--;
+    s->holding++;
+}
+
+void slots_release(struct slots *s, uint32_t i)
+{
+    assert(i < s->held_top && (s->held[i / 64] >> (i & 63) & 1));
+    s->held[i / 64] &= ~(1ull << (i & 63));
+    vacate(s, i);
+    if (--s->holding == 0) {
+        s->held = NULL;
+        s->held_top = 0;
+    }
+}
+
 void slots_trim(struct slots *s)
 {
-    while (s->top && !s->used[s->top / 64 - 1])
+    while (s->top && !s->holding && !s->used[s->top / 64 - 1])
         s->top -= SLOTS_BLOCK;
+}
+
+/* The first slot from i on whose bit is set, or top. */
+static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
+{
+    while (i < top) {
+        uint64_t rest = words[i / 64] >> (i & 63);
+        if (rest)
+            return i + lowest_bit(rest);
+        i = i / 64 * 64 + 64;
+    }
+    return top;
+}
+
+uint32_t slots_next_held(const struct slots *s, uint32_t i)
+{
+    return next_bit(s->held, i, s->held_top);
 }
 
 uint32_t slots_next(const struct slots *s, uint32_t i)
 {
     if (!s->used)
         return i < s->live ? i : s->live;
-    while (i < s->top) {
-        uint64_t rest = s->used[i / 64] >> (i & 63);
-        if (rest)
-            return i + lowest_bit(rest);
-        i = i / 64 * 64 + 64;
-    }
-    return s->top;
+    return next_bit(s->used, i, s->top);
 }
 
 static uint64_t value_at(const uint8_t *p, int width)

@@ -12,6 +12,10 @@
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used hold below high,
  * and nothing at or beyond top is read by anybody, so a snapshot copies [0, top) of the columns and [0, high) of gen
  * and used.
+ *
+ * A held slot's tenant is not live any more, but its columns and generation stay, and no new tenant gets the slot: a
+ * thing that leaves the field in the frame in which it touches something, until the events of that are applied.
+ * Between frames nothing is held.
  */
 #ifndef CHIPS_SLOTS_H
 #define CHIPS_SLOTS_H
@@ -74,10 +78,12 @@ struct slots {
     uint32_t top;  /* every live slot is below */
     uint32_t high; /* slots ever used */
     uint32_t live;
-    uint32_t refused; /* how often there was no room; scripts can read it */
-    uint32_t low;     /* no word of `used` before this one has a free bit */
-    uint64_t *used;   /* a bit a slot; NULL: a list */
-    uint32_t *gen;    /* 1 .. 2^30-1 */
+    uint32_t refused;           /* how often there was no room; scripts can read it */
+    uint32_t low;               /* no word of `used` before this one has a bit that is free and not held */
+    uint64_t *used;             /* a bit a slot; NULL: a list */
+    uint32_t *gen;              /* 1 .. 2^30-1 */
+    uint64_t *held;             /* a bit a slot below held_top */
+    uint32_t held_top, holding; /* 0, 0 when nothing is held */
 };
 
 /* What a chip is: its name in hashes and reports, and its columns. */
@@ -107,7 +113,14 @@ int32_t slots_append(struct slots *s);
 /* The tenant of slot i dies. */
 void slots_drop(struct slots *s, uint32_t i);
 
-/* Lowers top to the last block with a live slot. */
+/* The tenant of slot i is not live any more, but keeps the slot until slots_release. `words` has room for a bit a slot
+ * below top; the caller gives the same for all that are held at a time. */
+void slots_hold(struct slots *s, uint64_t *words, uint32_t i);
+
+/* The tenant of the held slot i dies. */
+void slots_release(struct slots *s, uint32_t i);
+
+/* Lowers top to the last block with a live slot, unless slots are held. */
 void slots_trim(struct slots *s);
 
 /* The first live slot at or after i, or top (a list: live) when there is none. */
@@ -117,6 +130,18 @@ static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
 {
     return slot < s->top && (s->used[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
+
+/* The same of a held slot. */
+static inline bool slots_has_held(const struct slots *s, uint32_t slot, uint32_t gen)
+{
+    return slot < s->held_top && (s->held[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
+}
+
+/* The first held slot at or after i, or held_top when there is none. */
+uint32_t slots_next_held(const struct slots *s, uint32_t i);
+
+/* Visits the held slots of a pool in slot order; the body may release the one it is at. */
+#define EACH_HELD(i, s) for (uint32_t i = slots_next_held(s, 0); i < (s)->held_top; i = slots_next_held(s, i + 1))
 
 /* Visits the live slots of a pool in slot order; the body may drop the one it is at. */
 #define EACH_LIVE(i, s) for (uint32_t i = slots_next(s, 0); i < (s)->top; i = slots_next(s, i + 1))

@@ -143,15 +143,15 @@ static inline void hit_now(struct board *b)
 static int expected_n;
 static struct event expected[4096];
 
-static void expect(const struct board *b, enum event_kind kind, enum handle_kind hx, uint32_t x, enum handle_kind hy,
-                   uint32_t y)
+static inline void expect(const struct board *b, enum event_kind kind, enum handle_kind hx, uint32_t x,
+                          enum handle_kind hy, uint32_t y)
 {
     assert_true(expected_n < 4096);
     expected[expected_n++] =
         (struct event){ .kind = kind, .a = board_handle(b, hx, (int32_t)x), .b = board_handle(b, hy, (int32_t)y) };
 }
 
-static void player_reference(const struct board *b, uint32_t p)
+static inline void player_reference(const struct board *b, uint32_t p)
 {
     uint16_t kind = b->player.kind[p], k;
 
@@ -187,7 +187,7 @@ static void player_reference(const struct board *b, uint32_t p)
     }
 }
 
-static void reference(const struct board *b)
+static inline void reference(const struct board *b)
 {
     expected_n = 0;
     for (uint32_t p = 0; p < PADS; p++)
@@ -219,7 +219,7 @@ static void reference(const struct board *b)
     }
 }
 
-static void compare(const struct board *b, int scene)
+static inline void compare(const struct board *b, int scene)
 {
     for (int i = 0; i < expected_n && i < (int)b->events.n; i++) {
         const struct event *e = &b->events.list[i], *x = &expected[i];

@@ -24,8 +24,9 @@ enum { CAP = 200 }; /* no multiple of 64 */
 static void test_slots(void **state)
 {
     static uint8_t room[8192];
-    uint32_t gen[256], live = 0, refused = 0;
-    bool used[256] = { false };
+    uint64_t words[4];
+    uint32_t gen[256], live = 0, refused = 0, holding = 0;
+    bool used[256] = { false }, held[256] = { false };
     uint8_t *next = room;
     struct thing t;
     struct rng rng;
@@ -41,7 +42,7 @@ static void test_slots(void **state)
         bool fill = n / 1000 % 2 == 0;
         if (rng_below(&rng, 8) < (fill ? 6u : 2u)) {
             int32_t i = slots_take(&t.s), lowest = 0;
-            while (lowest < CAP && used[lowest])
+            while (lowest < CAP && (used[lowest] || held[lowest]))
                 lowest++;
             assert_int_equal(i, lowest < CAP ? lowest : NO_SLOT);
             if (i == NO_SLOT)
@@ -50,13 +51,28 @@ static void test_slots(void **state)
                 used[i] = true, live++;
         } else {
             uint32_t i = (uint32_t)rng_below(&rng, CAP);
-            if (used[i]) {
+            if (used[i] && rng_below(&rng, 3)) {
                 slots_drop(&t.s, i);
                 used[i] = false;
                 gen[i]++;
                 live--;
+            } else if (used[i] && (!holding || i < t.s.held_top)) { /* as in a frame: held when others took theirs */
+                slots_hold(&t.s, words, i);
+                used[i] = false;
+                held[i] = true;
+                live--;
+                holding++;
             }
         }
+        if (n % 64 == 63 && rng_below(&rng, 2))
+            EACH_HELD (i, &t.s) {
+                assert_true(held[i]);
+                slots_release(&t.s, i);
+                held[i] = false;
+                gen[i]++;
+                holding--;
+            }
+        assert_int_equal(t.s.holding, holding);
         if (rng_below(&rng, 4) == 0)
             slots_trim(&t.s);
         assert_int_equal(t.s.live, live);
@@ -66,6 +82,8 @@ static void test_slots(void **state)
         for (uint32_t i = 0; i < CAP; i++) {
             assert_int_equal(slots_has(&t.s, i, gen[i]), used[i]);
             assert_false(slots_has(&t.s, i, gen[i] + 1));
+            assert_int_equal(slots_has_held(&t.s, i, gen[i]), held[i]);
+            assert_false(slots_has_held(&t.s, i, gen[i] + 1));
             if (used[i]) {
                 assert_int_equal(slots_next(&t.s, at), i);
                 at = i + 1;
@@ -76,6 +94,9 @@ static void test_slots(void **state)
     for (uint32_t i = 0; i < CAP; i++)
         if (used[i])
             slots_drop(&t.s, i);
+    EACH_HELD (i, &t.s)
+        slots_release(&t.s, i);
+    assert_null(t.s.held);
     slots_trim(&t.s);
     assert_int_equal(t.s.top, 0);
     int32_t i = slots_take(&t.s);
@@ -420,10 +441,10 @@ static void test_enemies(void **state)
         const struct box world = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
         uint32_t i = (uint32_t)enemies_spawn(&b->enemies, &b->enemy_kinds, 0, -px(3), px(5), 0);
         enemies_go(&b->enemies, i, -px(3) + moves[k].dx, px(5) + moves[k].dy, 1, EASE_LINEAR);
-        enemies_move(&b->enemies, &world, NULL, NULL);
+        enemies_move(&b->enemies, &world);
         assert_int_equal(b->enemies.was_x[i], moves[k].jump ? b->enemies.x[i] : -px(3));
         assert_int_equal(b->enemies.was_y[i], moves[k].jump ? b->enemies.y[i] : px(5));
-        enemies_move(&b->enemies, &world, NULL, NULL);
+        enemies_move(&b->enemies, &world);
         assert_true(b->enemies.was_x[i] == b->enemies.x[i] && b->enemies.was_y[i] == b->enemies.y[i]);
         enemies_drop(&b->enemies, i);
     }

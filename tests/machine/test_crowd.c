@@ -270,7 +270,7 @@ static void move(struct board *b, const struct box *keep, const struct watch wat
         left += was[i];
     }
     assert_int_equal(left, live);
-    bullets_move(s, &w, keep, watch);
+    bullets_move(s, &w, keep, watch, false);
     assert_int_equal(s->moved, live);
     for (uint32_t i = 0; i < top; i++) {
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;

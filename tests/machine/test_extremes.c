@@ -225,10 +225,10 @@ static void test_no_return(void **state)
         EACH_LIVE (k, &b->bullets.s)
             bullets_drop(&b->bullets, k);
         int32_t slot = bullets_fire(&b->bullets, &s, 0);
-        bullets_move(&b->bullets, &w, &b->keep, NULL);
+        bullets_move(&b->bullets, &w, &b->keep, NULL, false);
         assert_int_equal(b->bullets.s.live, 0);
         for (int n = 0; n < 9; n++)
-            bullets_move(&b->bullets, &w, &b->keep, NULL);
+            bullets_move(&b->bullets, &w, &b->keep, NULL, false);
         assert_true(b->bullets.s.top == 0 || b->bullets.x[slot] == 0);
     }
     end();

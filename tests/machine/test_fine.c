@@ -110,7 +110,7 @@ static void fly(uint32_t n, __float128 way, ang dir)
     int64_t x, y;
 
     for (uint32_t k = 0; k < n; k++, w.clock++)
-        bullets_move(&b->bullets, &w, &world, NULL);
+        bullets_move(&b->bullets, &w, &world, NULL, false);
     assert_int_equal(b->bullets.s.live, 1);
     bullets_place(&b->bullets, 0, &x, &y);
     if (magnitude(x - way * cosq(turn)) > (axis ? 0.5001 : 1) || magnitude(y - way * sinq(turn)) > (axis ? 0.5001 : 1))
@@ -163,7 +163,7 @@ static void test_ends(void **state)
     set_off(&still, most, 0x12345678);
     for (int i = 0; i < 1 << 18; i++) {
         struct motion_world w = board_world(rig.b, false);
-        bullets_move(s, &w, &(struct box){ -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 }, NULL);
+        bullets_move(s, &w, &(struct box){ -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 }, NULL, false);
         s->dir[0] += 0x80000000;
     }
     bullets_place(s, 0, &x, &y);

@@ -223,7 +223,7 @@ static const struct order orders[] = {
       "  foe(150) shot.fire { kind = 'bolt', x = 150, y = 50, speed = 0, by = two }\n"
       "  wait(1) say(one.alive and 1 or 0) bullet.clear()\n"
       "end)",
-      2, "sstart phasep1 kill2 leave graze1 hit1 hit2 death1here death2here kill2 over / 0 /", NULL },
+      2, "sstart phasep1 kill2 graze1 hit1 hit2 leave death1here death2here kill2 over / 0 /", NULL },
     { "an extend in the frame of its score",
       "on.extend(function(p) say('extend' .. p.lives) end)\n"
       "local p = join(1, 60)\n"

@@ -5,13 +5,15 @@
  * Two circles touch when their centres are at most r apart, r being the sum of their radii; so a player is a point
  * here, and r is the bullet's radius with the player's in it. Rivals are asked about two things: where a bullet stands
  * (areas), and whether it touched on its way past the player (crossings). The truth of a crossing is one exact test of
- * the whole way, with products of 128 bits formed here.
+ * the whole way (touches.h).
  */
 #include <math.h>
 #include <string.h>
 #include "../../src/base/geom.h"
 #include "engine.h"
 #include "lab.h"
+#include "leaving.h"
+#include "touches.h"
 
 enum { RADII = 7, SPEEDS = 7, TRIALS = 4096, NONE = -1 };
 
@@ -206,41 +208,6 @@ enum {
     ROOT = 9
 };
 
-/* ---- truth ---- */
-
-struct u128 {
-    uint64_t hi, lo;
-};
-
-static struct u128 product(uint64_t a, uint64_t b)
-{
-    uint64_t al = a & 0xffffffff, ah = a >> 32, bl = b & 0xffffffff, bh = b >> 32;
-    uint64_t low = al * bl, mid = ah * bl + (low >> 32), mid2 = al * bh + (mid & 0xffffffff);
-
-    return (struct u128){ ah * bh + (mid >> 32) + (mid2 >> 32), a * b };
-}
-
-static uint64_t size_of(int64_t v)
-{
-    return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
-}
-
-/* Does the way from d to d + w come within r of the origin? |d|, |w| < 2^29. */
-static bool truth(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r)
-{
-    int64_t along = -(dx * wx + dy * wy), length2 = wx * wx + wy * wy, ex = dx + wx, ey = dy + wy;
-
-    if (dx * dx + dy * dy <= r * r || ex * ex + ey * ey <= r * r)
-        return true;
-    if (along <= 0 || along >= length2)
-        return false;
-
-    uint64_t cross = size_of(dx * wy - dy * wx);
-    struct u128 a = product(cross, cross), b = product((uint64_t)(r * r), (uint64_t)length2);
-
-    return a.hi < b.hi || (a.hi == b.hi && a.lo <= b.lo);
-}
-
 /* ---- crossings ---- */
 
 /* Bullets that fly past the player: where they are before the first frame, and their velocity. */
@@ -269,8 +236,8 @@ static void set_crossing(int radius, int speed)
         c->vy[i] = (fx)floor(speed * sin_a * 65536);
         c->x[i] = PLAYER_X + (fx)floor((-back * cos_a - beside * sin_a) * 65536);
         c->y[i] = PLAYER_Y + (fx)floor((-back * sin_a + beside * cos_a) * 65536);
-        c->hits[i] = truth((int64_t)c->x[i] - PLAYER_X, (int64_t)c->y[i] - PLAYER_Y, (int64_t)c->vx[i] * c->frames,
-                           (int64_t)c->vy[i] * c->frames, (int64_t)radius << 16);
+        c->hits[i] = touches_truly((int64_t)c->x[i] - PLAYER_X, (int64_t)c->y[i] - PLAYER_Y,
+                                   (int64_t)c->vx[i] * c->frames, (int64_t)c->vy[i] * c->frames, (int64_t)radius << 16);
         c->n_hits += c->hits[i];
     }
 }
@@ -313,8 +280,7 @@ static void engine_crossing(struct wrong *w, int radius, bool swept)
     for (int i = 0; i < TRIALS; i++)
         engine_bullet(&b->bullets, kind, crossing.x[i], crossing.y[i], crossing.vx[i], crossing.vy[i]);
     for (int f = 0; f < crossing.frames; f++) {
-        engine_move(b, &ENGINE_EVERYWHERE);
-        engine_hits(b);
+        engine_board_frame(b, &ENGINE_EVERYWHERE);
         for (uint32_t k = 0; k < b->events.n; k++)
             met[handle_slot(b->events.list[k].b)] = true;
     }
@@ -363,7 +329,7 @@ static void add_lattice(struct area *a, bool (*touch)(const struct pair *), int 
         struct pair p = {
             PLAYER_X + (fx)floor(dx * 65536), PLAYER_Y + (fx)floor(dy * 65536), 0, 0, PLAYER_X, PLAYER_Y, radius << 16
         };
-        bool truly = truth((int64_t)p.x - PLAYER_X, (int64_t)p.y - PLAYER_Y, 0, 0, p.r), met = touch(&p);
+        bool truly = touches_truly((int64_t)p.x - PLAYER_X, (int64_t)p.y - PLAYER_Y, 0, 0, p.r), met = touch(&p);
         a->false_hits += met && !truly ? w * h : 0;
         a->missed += truly && !met ? w * h : 0;
         a->of += truly ? w * h : 0;
@@ -400,7 +366,7 @@ static double rim(bool (*touch)(const struct pair *), int radius)
                           PLAYER_X,
                           PLAYER_Y,
                           radius << 16 };
-        bad += touch(&p) != truth((int64_t)p.x - PLAYER_X, (int64_t)p.y - PLAYER_Y, 0, 0, p.r);
+        bad += touch(&p) != touches_truly((int64_t)p.x - PLAYER_X, (int64_t)p.y - PLAYER_Y, 0, 0, p.r);
     }
     return (double)bad / PLACES;
 }
@@ -639,6 +605,7 @@ void section_collision(void)
         report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
         report_percent(missed_at(8)));
     lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
+    leaving_report();
     plot_areas();
     print_grid("The box around the circle: crossings missed / false hits", twin);
     report_text(

@@ -30,11 +30,17 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
 {
     struct board *b = room_for(sizeof *b);
     const struct place places[] = {
-        { &bullets_chip, &b->bullets, bullets }, { &bullet_kinds_chip, &b->bullet_kinds, MAX_KINDS },
-        { &shots_chip, &b->shots, shots },       { &shot_kinds_chip, &b->shot_kinds, MAX_KINDS },
-        { &enemies_chip, &b->enemies, enemies }, { &enemy_kinds_chip, &b->enemy_kinds, MAX_KINDS },
-        { &player_chip, &b->player, PADS },      { &player_kinds_chip, &b->player_kinds, 64 },
-        { &motions_chip, &b->motions, 64 },      { &steps_chip, &b->steps, 64 * MOTION_STEPS },
+        { &bullets_chip, &b->bullets, bullets },
+        { &bullet_kinds_chip, &b->bullet_kinds, MAX_KINDS },
+        { &shots_chip, &b->shots, shots },
+        { &shot_kinds_chip, &b->shot_kinds, MAX_KINDS },
+        { &enemies_chip, &b->enemies, enemies },
+        { &enemy_kinds_chip, &b->enemy_kinds, MAX_KINDS },
+        { &input_chip, &b->input, PADS },
+        { &player_chip, &b->player, PADS },
+        { &player_kinds_chip, &b->player_kinds, 64 },
+        { &motions_chip, &b->motions, 64 },
+        { &steps_chip, &b->steps, 64 * MOTION_STEPS },
     };
     enum { COUNT = sizeof places / sizeof *places };
     uint64_t size = 0;
@@ -134,8 +140,21 @@ void engine_move(struct board *b, const struct box *keep)
         .motions = &b->motions, .steps = &b->steps, .kinds = &b->bullet_kinds, .clock = b->core.clock
     };
 
-    bullets_move(&b->bullets, &w, keep, NULL);
+    bullets_move(&b->bullets, &w, keep, NULL, false);
     b->core.clock++;
+}
+
+uint32_t engine_board_frame(struct board *b, const struct box *keep)
+{
+    b->events.n = 0;
+    b->keep = *keep;
+    b->area = ENGINE_EVERYWHERE;
+    board_move(b);
+    hit_run(b);
+    b->core.clock++;
+    EACH_HELD (i, &b->bullets.s) /* their events stay to be read */
+        bullets_release(&b->bullets, i);
+    return b->events.n;
 }
 
 uint32_t engine_hits(struct board *b)

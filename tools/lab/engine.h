@@ -39,6 +39,10 @@ void engine_player(struct board *b, fx radius, fx x, fx y, fx mx, fx my);
 /* One frame of all bullets; those outside keep are dropped. */
 void engine_move(struct board *b, const struct box *keep);
 
+/* One frame of a board: everything moves, hits are found, then what left keep is gone. Returns how many events there
+ * are: b->events has them. */
+uint32_t engine_board_frame(struct board *b, const struct box *keep);
+
 /* The frame's collisions; returns how many hits (bullets, and shots on enemies) there are: b->events has them. */
 uint32_t engine_hits(struct board *b);
 
