@@ -238,9 +238,10 @@ static void disc_rim(const struct ink *ink, const struct disc *d, int64_t reach,
 void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c)
 {
     int64_t n = r;
+    if (r < 0 || r > INK_REACH)
+        return;
     struct disc d = { (int64_t)x * UNIT + UNIT / 2, (int64_t)y * UNIT + UNIT / 2, (n * n + n - (n > 0)) * UNIT * UNIT };
-    if (r >= 0 && r <= INK_REACH)
-        disc_rim(ink, &d, r, c);
+    disc_rim(ink, &d, r, c);
 }
 
 /* ---- shapes of the board ---- */
