@@ -70,6 +70,7 @@ local function play(b, e, phase)
   local won = e.alive and (phase.survive or e.hp <= 0)
   task.stop(scene)
   bullet.clear()
+  if e.alive then e.x = e.x end -- ends the move it makes
   e.safe = forever
   if won and phase.bonus > 0 then
     player.each(function(p) score.add(phase.bonus, p) end)

@@ -98,14 +98,14 @@ static int note_fault(lua_State *L)
     return 1;
 }
 
-enum { WAITED = 1 }; /* context of pcall_done: it was called anew after a wait */
+enum { IN_TASK = 1 }; /* context when Lua calls pcall_done: where one can wait, so in no enemy's handler */
 
 /* The stack: the handler, true, then what the function returned or the error. */
 static int pcall_done(lua_State *L, int status, lua_KContext context)
 {
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;
-    if (context)
+    if (context == IN_TASK)
         tasks_back_to_turn(vm_board(L));
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
         return lua_error(L);
@@ -125,7 +125,7 @@ static int base_pcall(lua_State *L)
     lua_pushboolean(L, 1);
     lua_insert(L, 2);
     struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
-    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, WAITED, pcall_done);
+    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
     tasks_back(vm_board(L), was); /* an error may have left an enemy's handler */
     return pcall_done(L, status, 0);
 }

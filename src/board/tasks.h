@@ -89,7 +89,7 @@ bool tasks_brings(const struct board *b, bool stay, int64_t *owner);
 struct tasks_now tasks_behalf(struct board *b, int64_t scene);
 void tasks_back(struct board *b, struct tasks_now was);
 
-/* What it was at the beginning of the running task's turn: for an error that was caught after a wait. */
+/* What it is in a task itself: for an error that a task caught on its way out of an enemy's handler. */
 void tasks_back_to_turn(struct board *b);
 
 /* Serial of the running task, 0: none. */

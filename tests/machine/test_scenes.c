@@ -101,6 +101,12 @@ static const struct scene scenes[] = {
       "end)\n"
       "task.go(function() stage.play('s', sys.scope()) end)",
       75, "at 40" },
+    { "a move that the phase began",
+      "local queen\n"
+      "fight(function(e) queen = e e:move { x = 150, y = 40, over = 10 } end, function(e) say(e.x) wait(1) say(e.x) "
+      "end, "
+      "{ rest = 0 }) alone()",
+      75, "100.0 one lost 100.0 two lost" },
     { "practice: a phase alone",
       "fight(function(e) brood(e) guest(e) end)\n"
       "task.go(boss.practice('x', 'b', 'one'))",
@@ -157,12 +163,21 @@ static const struct scene scenes[] = {
     { "an error caught in on_death leaves it where it was",
       "local function bad() error('x') end\n"
       "fight(function(e)\n"
-      "  local g = spawn('guest', { stay = true, on_death = function()\n"
-      "    pcall(function() spawn('imp', { on_death = bad }):kill() end) spawn('guest')\n"
-      "  end })\n"
-      "  g:kill() spawn('imp')\n"
+      "  local imp = spawn('imp', { on_death = bad })\n"
+      "  spawn('guest', { stay = true, on_death = function() pcall(imp.kill, imp) spawn('guest') end }):kill()\n"
+      "  spawn('imp')\n"
       "end) alone()",
       75, "kill guest kill imp 61:1/0/1/0 one lost 66:0/0/1/0 two lost" },
+    { "an error caught in a __close",
+      "local function bad() error('x') end\n"
+      "local t\n"
+      "local function close() local g = spawn('guest', { stay = true, on_death = bad }) say(pcall(g.kill, g) and 'no' "
+      "or 'caught') spawn('imp') end\n"
+      "fight(function(e)\n"
+      "  t = task.go(function() local k <close> = setmetatable({}, { __close = close }) wait(forever) end)\n"
+      "  wait(1) task.stop(t)\n"
+      "end) alone()",
+      75, "caught kill guest 62:1/0/0/0 one lost 66:0/0/0/0 two lost" },
     { "who dies in the phase's last frame is told of, and scores",
       "local imp\n"
       "fight(function(e) imp = spawn('imp', { on_death = function() spawn('whelp') end }) end,\n"
@@ -228,6 +243,64 @@ static void run(const struct scene *s)
     rig_game_free(&g);
 }
 
+/* A game from its title, where start is pressed in the 11th frame, and again after so many. */
+static void play(struct rig *r, struct rig_game *g, const char *code, int again, int frames)
+{
+    static const char last[] = "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+    const uint16_t start[PADS] = { PAD_START };
+    struct manifest m = rig_manifest();
+    static char text[1 << 14];
+
+    m.players = 1;
+    snprintf(text, sizeof text, "%s%s%s", game, code, last);
+    rig_with_sys(g, &m, text);
+    rig_power(r, g, NULL);
+    for (int f = 0; f < frames; f++) {
+        if (f == 10 || f == 10 + again)
+            rig_tick(r, start);
+        frame(r, false);
+    }
+}
+
+/* A stage that is over fires no more while its results are shown. */
+static void test_results(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    play(&r, &g, "stage.def('s', function() brood() guest() put() wait(20) say('end') end)\n", 0, 90);
+    assert_int_equal(r.b->sprites.s.live, 5); /* what is behind the results stays */
+    assert_int_equal(r.b->bullets.s.live, 0);
+    assert_string_equal(told(&r), "12:1/1/2/5 end 32:0/0/0/5");
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* The pause takes a scope and a task: without room for both it does not come, and the game goes on. */
+static void test_pause(void **state)
+{
+    (void)state;
+    for (int room = 0; room <= 2; room++) {
+        char code[256];
+        struct rig_game g;
+        struct rig r;
+        snprintf(code, sizeof code,
+                 "stage.def('s', function()\n"
+                 "  local all = {}\n"
+                 "  repeat all[#all + 1] = task.go(wait, forever) until not all[#all].alive\n"
+                 "  for i = 1, %d do task.stop(all[#all - i]) end\n"
+                 "  wait(forever)\n"
+                 "end)\n",
+                 room);
+        play(&r, &g, code, 50, 90);
+        assert_int_equal(r.b->core.frozen != 0, room == 2);
+        assert_int_equal(r.b->core.clock < r.b->core.frame, room == 2);
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+}
+
 static void test_scenes(void **state)
 {
     (void)state;
@@ -237,7 +310,8 @@ static void test_scenes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scenes) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scenes), cmocka_unit_test(test_results),
+                                        cmocka_unit_test(test_pause) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
