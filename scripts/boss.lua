@@ -1,5 +1,5 @@
--- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts, spawns and puts belongs
--- to the phase's scene, and that to the enemy, which goes with the task that fights: all ends are cleaned up by the board.
+-- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts, spawns and puts
+-- belongs to the phase's scene, and that to the enemy, which goes with the task that fights: the board cleans up.
 local sys = ...
 local boss = {}
 
