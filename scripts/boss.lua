@@ -1,5 +1,5 @@
--- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts belongs to the phase's
--- scope, and that to the enemy: both ends of it are cleaned up by the board.
+-- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts, spawns and puts
+-- belongs to the phase's scene, and that to the enemy, which goes with the task that fights: the board cleans up.
 local sys = ...
 local boss = {}
 
@@ -36,13 +36,19 @@ local function find(api, name)
   return bosses[name]
 end
 
-local function fly_in(b)
+-- For <close>: calls f when the block ends, or the task does.
+local function at_end(f) return setmetatable({}, { __close = f }) end
+
+local function spawn(b)
   local e = enemy.spawn { kind = b.kind, x = b.x, y = ABOVE }
   sys.hold(e, true) -- its hp stop at 0, so that a phase can end without the end of the boss
   e.safe = forever
+  return e
+end
+
+local function fly_in(b, e)
   e:move { x = b.x, y = b.y, over = FLIGHT, ease = "out" }
   wait(FLIGHT)
-  return e
 end
 
 local function leave(e, beaten)
@@ -58,12 +64,13 @@ local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
   sys.mark("phase", phase.id, b.name, phase.spell)
-  local scope = task.scope(e)
-  task.own(scope, function() phase.run(e) end)
+  local scene = sys.scene(e)
+  task.own(scene, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
-  task.stop(scope)
+  task.stop(scene)
   bullet.clear()
+  if e.alive then e.x = e.x end -- ends the move it makes
   e.safe = forever
   if won and phase.bonus > 0 then
     player.each(function(p) score.add(phase.bonus, p) end)
@@ -76,7 +83,9 @@ end
 -- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
 local function fight(b, phases)
   sys.mark("boss", b.name, "", b.title)
-  local e, all, won = fly_in(b), true, false
+  local e, all, won = spawn(b), true, false
+  local field <close> = at_end(function() e:remove() end) -- when the fight is cut short
+  fly_in(b, e)
   for i, phase in ipairs(phases) do
     status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
                hp = not phase.survive and phase.hp, ends = sys.clock() + phase.time }
@@ -103,10 +112,9 @@ function boss.fight(name)
     sys.pass()
     return true
   end
-  stage.stop_clock()
-  local all = fight(b, b.phases)
-  stage.start_clock()
-  return all
+  local s = stage.stop_clock()
+  local clock <close> = at_end(function() if s then stage.start_clock(s) end end)
+  return fight(b, b.phases)
 end
 
 -- The rest is for hud.lua and boot.lua.

@@ -19,6 +19,7 @@ static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL 
                                          { "title", A_STR, OPT, 0, 0, NULL, NULL },
                                          { "value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL } };
 static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
+static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -177,7 +178,13 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, tasks_scope(b, 0));
+    lua_pushinteger(L, tasks_scope(b, 0, false));
+    return 1;
+}
+
+static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, tasks_scope(b, v[0].i, true));
     return 1;
 }
 
@@ -280,6 +287,8 @@ static const struct api_entry entries[] = {
     { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
     { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
     { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
+    { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
+      "a scope that takes what is spawned and put in it along" },
     { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
       "from now on this task waits for nothing" },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },

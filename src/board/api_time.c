@@ -63,7 +63,7 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_scope(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[0].given ? v[0].i : tasks_owner(b)));
+    lua_pushinteger(L, tasks_scope(b, v[0].given ? v[0].i : tasks_owner(b), false));
     return 1;
 }
 

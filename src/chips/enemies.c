@@ -21,6 +21,7 @@ static const struct column columns[] = {
     COLUMN(enemies, safe),
     COLUMN(enemies, born),
     COLUMN(enemies, by),
+    COLUMN(enemies, owner),
     COLUMN(enemies, flags),
     COLUMN(enemies, x0),
     COLUMN(enemies, y0),
@@ -60,6 +61,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->safe[i] = 0;
     e->born[i] = clock;
     e->by[i] = 0;
+    e->owner[i] = 0;
     e->flags[i] = 0;
     e->made[i] = 0;
     e->over[i] = 0;
@@ -71,6 +73,13 @@ void enemies_drop(struct enemies *e, uint32_t i)
 {
     slots_drop(&e->s, i);
     park(e, i);
+}
+
+void enemies_drop_of(struct enemies *e, int64_t owner)
+{
+    EACH_LIVE (i, &e->s)
+        if (e->owner[i] == owner && !(e->flags[i] & ENEMY_DYING))
+            enemies_drop(e, i);
 }
 
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease)

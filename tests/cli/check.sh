@@ -414,7 +414,7 @@ game m <<'LUA'
 print("dot", "dart")
 task.go(function()
   local t = {}
-  for i = 1, 280 do t[i] = ("x"):rep(1000) wait(2) end
+  for i = 1, 262 do t[i] = ("x"):rep(1000) wait(2) end
   wait(forever)
 end)
 LUA
@@ -425,7 +425,7 @@ holds "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
 same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
 sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
 fine 'the same with more room' m
-sed -i 's/280 do/28000 do/;s/wait(2)//' m/main.lua
+sed -i 's/262 do/26200 do/;s/wait(2)//' m/main.lua
 finds 'out of Lua RAM is one finding' m <<'END'
 main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua)
 1 problem
