@@ -166,6 +166,8 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[0].given ? v[0].i : 0;
+    for (uint32_t p = 0; p < PADS && v[0].given; p++)
+        input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
     return 0;
 }
 
