@@ -3,7 +3,7 @@ local function shoot(p, kind)
   if pad.down("fire", p) then
     for i = -1, 1 do shot.fire { kind = kind, from = p, dx = 6 * i, dir = 270 + 8 * i, speed = 6, tag = "volley" } end
   end
-  if pad.take("fire", 2, p) then shot.fire { kind = "flash", from = p, dy = -8, speed = 4 } end
+  if pad.pressed("fire", p) then shot.fire { kind = "flash", from = p, dy = -8, speed = 4 } end
   if pad.released("fire", p) then shot.fire { kind = kind, x = p.x, y = p.y, aim = true, speed = 2, by = p, motion = "spin" } end
 end
 
@@ -11,7 +11,7 @@ local function fly(kind)
   return function(p)
     while true do
       shoot(p, kind)
-      if p.bombs > 0 and pad.take("bomb", 2, p) then
+      if pad.pressed("bomb", p) and p.bombs > 0 then
         p.bombs = p.bombs - 1
         p.safe = 40
         bullet.clear { spark = "ping" }
@@ -20,6 +20,7 @@ local function fly(kind)
       if p.focus and p.safe == 0 and p.grazes % 7 == 3 then p.lives = math.min(9, p.lives + 1) end
       board.note(p.score + p.lives + p.power)
       board.note(p.kind)
+      board.note(pad.take("bomb", 2, p))
       wait(2)
     end
   end

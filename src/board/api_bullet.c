@@ -185,7 +185,7 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 /* ---- groups ---- */
 
 static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-static const struct api_param tag_f[] = { { "tag", A_STR, REQ, 0, 0, NULL, NULL },
+static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
                                           { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
 /* The slot of a group's handle is its tag; 0 is all bullets. */
@@ -227,7 +227,7 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint16_t tag = api_tag(L, "bullet.each", v[0].at);
+    uint32_t tag = v[0].given ? api_tag(L, "bullet.each", v[0].at) : 0;
 
     return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[1].at);
 }
@@ -428,8 +428,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != P_LAST)
-        vm_fault(L, FAULT_SCRIPT, "group: %s can only be written (a group reads only count)",
-                 group_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
     EACH_LIVE (i, &b->bullets.s)
         n += in_group(&b->bullets, i, tag);
     vm_charge(L, b->bullets.s.live);
@@ -561,6 +560,8 @@ static void unknown_key(lua_State *L, int step, int at)
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
+    if (api_later("motion.def step", '{', name))
+        api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
         int apart = words_apart(name, step_keys[k].name);
         if (apart < best)
@@ -758,7 +759,7 @@ static const struct api_entry entries[] = {
     { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
       "every live bullet with that tag (without one: all) as one thing to write to" },
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(bullet) for each with that tag, in slot order" },
+      "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "bullet.clear", bullet_clear_run, PARAMS(bullet_clear), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark" },
     { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,

@@ -308,7 +308,7 @@ static const struct api_entry entries[] = {
     { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES, "enemy",
       "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end" },
     { "enemy.each", enemy_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(enemy) for each with that tag (nil: all)" },
+      "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
     { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
       "starts a move to x, y and returns at once" },

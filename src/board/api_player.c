@@ -1,6 +1,7 @@
 /*
  * api_player.c - player, pad, score.
  */
+#include <stdio.h>
 #include <string.h>
 #include "api_parts.h"
 
@@ -41,10 +42,12 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
 
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        struct api_param p = { "registers", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL };
+        char name[48] = "registers";
+        struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
         struct api_value v = { 0 };
         if (lua_type(L, -2) != LUA_TSTRING)
             api_error(L, "player.def", "registers: expected names with whole numbers");
+        snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
         api_check(L, "player.def", &p, lua_gettop(L), &v);
         lua_pop(L, 1);
         if (api_property(&player_thing, lua_tostring(L, -1)))
@@ -347,7 +350,8 @@ static const struct api_entry entries[] = {
     { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a ship" },
     { "player.get", player_get, PARAMS(index_only), 1, 0, "player", "player 1 or 2, in the game or not" },
     { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", "the living player nearest to a point" },
-    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL, "calls f(player) for each in the game" },
+    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
+      "calls f(player) for each in the game; f cannot wait" },
     { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", "is the button held?" },
     { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", "did it go down this frame?" },
     { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",

@@ -349,6 +349,8 @@ static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
+    if (api_later("", '.', name))
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
 
@@ -431,6 +433,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
+    api_watch_fields(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
