@@ -161,6 +161,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
     int32_t i = bullets_fire(pool, &s, b->core.clock);
+    if (i == NO_SLOT)
+        board_full(b, &pool->s);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
     lua_pushinteger(L, board_handle(b, h, i));
@@ -252,7 +254,7 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
         if (!in_group(&b->bullets, i, tag) || (circle && !geom_circles(x, y, v[1].f, v[2].f, v[3].f)))
             continue;
         if (v[4].given)
-            sparks_burst(&b->sparks, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
+            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
         bullets_drop(&b->bullets, i);
         n++;
     }
@@ -734,7 +736,10 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, DEF, "a motion has at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
+    uint32_t long_ones = b->steps.s.refused; /* that found a motion's place but no steps */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
+    if (m == NO_SLOT)
+        board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
     if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
         names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);

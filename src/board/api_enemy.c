@@ -136,7 +136,9 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
     int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
     int64_t h = board_handle(b, H_ENEMY, i);
-    if (i != NO_SLOT) {
+    if (i == NO_SLOT)
+        board_full(b, &b->enemies.s);
+    else {
         b->enemies.by[i] = tasks_serial(b);
         if (v[S_HP].given)
             b->enemies.hp[i] = (int32_t)v[S_HP].i;

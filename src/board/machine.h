@@ -129,6 +129,12 @@ static inline enum press_side board_presses(const struct board *b)
     return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
 }
 
+/* sparks_burst; says it when there is no room. */
+void board_sparks(struct board *b, const struct spark_burst *burst);
+
+/* After a pool refused something: the first time in a run, the log says so. */
+void board_full(struct board *b, const struct slots *s);
+
 /* Player i's score goes up; lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 

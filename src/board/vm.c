@@ -14,7 +14,13 @@
 #include "machine.h"
 #include "script.h"
 
-/* Level 0 is a C function, or in a hook the function that was interrupted. */
+struct board *vm_board(lua_State *L)
+{
+    return *(struct board **)lua_getextraspace(L);
+}
+
+/* Level 0 is a C function, or in a hook the function that was interrupted. A task of the library's own stands where the
+ * author's line stood that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
 {
     lua_Debug ar;
@@ -29,6 +35,9 @@ void vm_where(lua_State *L, char *place, size_t size)
         if (!std)
             return;
     }
+    const char *from = tasks_from(vm_board(L), L);
+    if (from)
+        snprintf(place, size, "%s", from);
 }
 
 enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
@@ -56,11 +65,6 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
     if (!q && size)
         note_shortage(b);
     return q;
-}
-
-struct board *vm_board(lua_State *L)
-{
-    return *(struct board **)lua_getextraspace(L);
 }
 
 /* ---- faults ---- */
@@ -316,8 +320,7 @@ static int l_require(lua_State *L)
     return 1;
 }
 
-/* Never fails: what does not fit into the frame's log is cut off. */
-static void log_text(struct board *b, const char *s, size_t n)
+void vm_log(struct board *b, const char *s, size_t n)
 {
     struct hand *h = b->hand;
 
@@ -336,12 +339,12 @@ int vm_print(lua_State *L)
         size_t size;
         const char *s = lualib_tolstring(L, i, &size);
         if (i > 1)
-            log_text(b, "\t", 1);
-        log_text(b, s, size);
+            vm_log(b, "\t", 1);
+        vm_log(b, s, size);
         vm_charge(L, WORK_CALL);
         lua_pop(L, 1);
     }
-    log_text(b, "\n", 1);
+    vm_log(b, "\n", 1);
     return 0;
 }
 

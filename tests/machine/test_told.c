@@ -7,8 +7,10 @@
 static const char kinds[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } }) shot.def('bolt', { sprite = 'dot', hit = { circle = 3 "
     "} }) "
-    "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9 }) spark.def('glow', { sprite = 'dot', life = 9 }) "
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 3 } })\n";
+    "enemy.def('wall', { sprite = 'dot', hit = { circle = 9 }, hp = 9 }) enemy.def('foe', { sprite = 'dot', hit = "
+    "'none', hp = 9 }) spark.def('glow', { sprite = 'dot', life = 9 }) "
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 3 } }) "
+    "string.route = path.def { { x = 9, y = 9 }, { wait = 999 } }\n";
 
 static struct rig_game g;
 static struct rig rig;
@@ -206,7 +208,7 @@ static const char *script_says(const char *text)
     char script[4096];
 
     snprintf(script, sizeof script, "%s%s", kinds, text);
-    rig_script(&g, NULL, script);
+    rig_with_sys(&g, NULL, script);
     rig_power_any(&rig, &g, NULL);
     for (int f = 0; f < 600 && !rig_fault(&rig); f++) {
         const struct board_out *out = board_tick(rig.b, none);
@@ -288,6 +290,150 @@ static void test_each(void **state)
     }
 }
 
+/* ---- full pools ---- */
+
+#define GONE     "what finds no room is not made"
+#define STRAIGHT "what is given a program that finds no room flies straight"
+
+static void test_full(void **state)
+{
+    static const struct {
+        const char *text, *words;
+    } of[] = {
+        { "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
+          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+        { "for i = 1, 100 do shot.fire { kind = 'bolt', x = 9, y = 9, speed = 0 } end",
+          "the pool of shots is full (64; shots in rom.lua): " GONE },
+        { "for i = 1, 40 do enemy.spawn { kind = 'foe', x = 9, y = 9 } end",
+          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+        { "for i = 1, 20 do sprite.put { sprite = 'dot', x = 9, y = 9 } end",
+          "the pool of sprites is full (16; sprites in rom.lua): " GONE },
+        { "spark.burst { kind = 'glow', x = 9, y = 9, n = 129 }",
+          "the pool of sparks is full (128; sparks in rom.lua): " GONE },
+        { "for i = 1, 99 do task.go(function() wait(forever) end) end",
+          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+        { "for i = 1, 99 do task.scope() end",
+          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+        { "for i = 1, 99 do motion.def { { wait = i } } end",
+          "the pool of motions is full (32; motions in rom.lua): " STRAIGHT },
+        { "for i = 1, 3 do local steps = {} for k = 1, 200 do steps[k] = { wait = i } end motion.def(steps) end",
+          "the pool of motion steps is full (512; motions in rom.lua): " STRAIGHT },
+        /* @std stands between */
+        { "pattern.ring { kind = 'dot', x = 9, y = 9, speed = 0, n = 300 }",
+          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+        { "stage.wave { kind = 'foe', n = 40, every = 1, path = string.route }",
+          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        char text[2000], want[600];
+        /* said once, whatever comes after; the place is of the line that asked */
+        snprintf(text, sizeof text, "local function ask()\n%s\nend\nfor k = 1, 3 do ask() wait(60) end", of[i].text);
+        snprintf(want, sizeof want, "main.lua:3: %s\n", of[i].words);
+        SAYS(text, want);
+    }
+    SAYS("for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end print 'more' bullet.clear()\n"
+         "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end "
+         "print(board.refused('bullets'))",
+         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\nmore\n88\n");
+}
+
+/* A run that goes on from a snapshot says what the other said, and a reset is a new run. */
+static void test_full_again(void **state)
+{
+    static const char text[] =
+        "task.go(function() wait(5) for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = "
+        "0 } end wait(5) if save.get('n', 0) < 2 then save.set('n', save.get('n', 0) + 1) board.reset() "
+        "end end)";
+    const uint16_t none[PADS] = { 0 };
+    char script[2048];
+    int heard[2] = { 0 };
+
+    (void)state;
+    snprintf(script, sizeof script, "%s%s", kinds, text);
+    rig_script(&g, NULL, script);
+    for (int spoilt = 0; spoilt < 2; spoilt++) {
+        rig_power(&rig, &g, NULL);
+        for (int f = 0; f < 60; f++) {
+            const struct board_out *out = board_tick(rig.b, none);
+            rig_sound(&rig);
+            heard[spoilt] += out->fulls;
+            assert_int_equal(out->fulls, f == 5 || f == 16 || f == 27);
+            for (int i = 0; i < out->fulls; i++) {
+                assert_string_equal(out->full[i].part, "bullets");
+                assert_int_equal(strlen(out->full[i].line) + 1, out->log_size);
+                assert_memory_equal(out->full[i].line, out->log, out->log_size - 1);
+            }
+            if (spoilt)
+                rig_spoil(&rig);
+        }
+        rig_free(&rig);
+    }
+    assert_int_equal(heard[0], 3);
+    assert_int_equal(heard[1], 3);
+    rig_power(&rig, &g, NULL);
+    rig_run(&rig, 5);
+    rig_save(&rig);
+    for (int again = 0; again < 3; again++) {
+        assert_int_equal(board_tick(rig.b, none)->fulls, 1);
+        assert_int_equal(board_tick(rig.b, none)->fulls, 0);
+        rig_restore(&rig);
+    }
+    rig_free(&rig);
+    rig_game_free(&g);
+}
+
+/* What a task of the library's does wrong is placed where it was started. */
+static void test_places(void **state)
+{
+    (void)state;
+    assert_string_equal(script_says("stage.def('s', function() wait(1) end)\n"
+                                    "task.go(boss.fight,\n'quen')"),
+                        "main.lua:3: boss.fight: boss \"quen\" is not declared (there is none)");
+    assert_string_equal(
+        script_says(QUEEN "task.go(boss.fight, 'queen')\n"
+                          "task.go(boss.fight, 'king')\n"),
+        "main.lua:5: boss.fight: boss \"king\": \"queen\" is fighting; two fights at once are not there yet");
+    assert_string_equal(script_says("task.go(function() task.go(pattern.ring, { n = 3 }) wait(3) end)"),
+                        "main.lua:2: pattern.ring: kind: expected a name, got nil");
+}
+
+/* ---- what chapter 10 of the manual says of places, grazes and hits ---- */
+
+static void test_manual(void **state)
+{
+    (void)state;
+    SAYS("p.x = -50 print(p.x) wait(1) print(p.x, p.y < rom.field.h - 8) p.y = 9999 wait(1) print(p.y == rom.field.h - "
+         "8)",
+         "-50.0\n8.0\ttrue\ntrue\n");
+    /* a bullet that touches the ship does not graze it, though it is safe; one beside it does */
+    SAYS("p.safe = 60 local b = bullet.fire { kind = 'dot', from = p, speed = 0 } wait(3) print(p.grazes, b.alive) "
+         "b.x = p.x + 12 wait(3) print(p.grazes, p.safe)",
+         "0\ttrue\n1\t54\n");
+    /* of the hits of a frame those after the first are not told, saved or not */
+    for (int saves = 0; saves < 2; saves++) {
+        char text[600];
+        snprintf(
+            text, sizeof text,
+            "local sys = string.sys on.hit(function(p, by) print('hit') if %s then p.safe = 9 end end) "
+            "on.death(function() print('death') end) sys.join(1, 'ship') task.go(function() local p = player.get(1) "
+            "p.safe "
+            "= 0 for i = 1, 3 do bullet.fire { kind = 'dot', from = p, speed = 0 } end wait(1) bullet.clear() end)",
+            saves ? "true" : "false");
+        assert_string_equal(script_says(text), saves ? "hit\n" : "hit\ndeath\n");
+    }
+    /* a shot is spent by one enemy, safe or not, and flies on when that died before */
+    SAYS("enemy.spawn { kind = 'wall', x = 50, y = 50 }.safe = forever local a = shot.fire { kind = 'bolt', x = 50, y "
+         "= 50, "
+         "speed = 0 } wait(1) print(a.alive, enemy.count())",
+         "false\t1\n");
+    SAYS("enemy.spawn { kind = 'wall', x = 50, y = 50, hp = 1 } local a, b = shot.fire { kind = 'bolt', x = 50, y = "
+         "50, speed = 0 "
+         "}, shot.fire { kind = 'bolt', x = 50, y = 50, speed = 0 } wait(1) print(a.alive, b.alive, enemy.count())",
+         "false\ttrue\t0\n");
+}
+
 /* ---- how many play ---- */
 
 static void test_players(void **state)
@@ -316,9 +462,10 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only),     cmocka_unit_test(test_registers), cmocka_unit_test(test_later),
-        cmocka_unit_test(test_none_is_there), cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
-        cmocka_unit_test(test_each),
+        cmocka_unit_test(test_read_only),     cmocka_unit_test(test_registers),  cmocka_unit_test(test_later),
+        cmocka_unit_test(test_none_is_there), cmocka_unit_test(test_fights),     cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),          cmocka_unit_test(test_full_again), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_manual),        cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);
