@@ -38,12 +38,12 @@ static const struct wording *wording_of(const struct board *b, const struct slot
 
 void board_full(struct board *b, const struct slots *s)
 {
-    const struct wording *w = wording_of(b, s);
+    const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
     struct hand *h = b->hand;
     struct board_full *f, unheard;
     char place[VM_PLACE] = "";
 
-    if (s->refused != 1 || !w)
+    if (!w)
         return;
     if (b->vm.running)
         vm_where(b->vm.running, place, sizeof place);

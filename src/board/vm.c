@@ -392,6 +392,8 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_call(L, 1, 1);
     lua_pushglobaltable(L);
     if (!strcmp(name, "prelude")) {
+        if (!lua_istable(L, -2))
+            vm_fault(L, FAULT_SCRIPT, "%s.lua: expected a table of functions to be returned", path);
         lua_pushnil(L);
         while (lua_next(L, -3)) {
             lua_pushvalue(L, -2);
