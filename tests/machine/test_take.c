@@ -312,6 +312,18 @@ static void test_menu(void **state)
     frames(10);
     assert_string_equal(told, "3g");
     shut();
+    /* so it is when one player alone is asked */
+    open("task.go(function() wait(10) print(menu.choose { items = { 'a', 'b' }, row = 3, p = 2 }) end)");
+    frames(5);
+    frame(PAD_FIRE, PAD_FIRE);
+    frames(10);
+    frame(PAD_DOWN | PAD_FIRE, 0);
+    frames(3);
+    assert_string_equal(told, "");
+    frame(0, PAD_DOWN);
+    frame(0, PAD_FIRE);
+    assert_string_equal(told, "2");
+    shut();
 }
 
 static void test_errors(void **state)

@@ -189,6 +189,7 @@ static void test_none_is_there(void **state)
     assert_false(api_later("bullet", '.', "fire"));
     assert_false(api_later("", '.', ""));
     assert_false(api_later("", '.', "so"));
+    assert_false(api_later("", '.', "ound"));
 }
 
 /* ---- two fights ---- */
@@ -333,6 +334,9 @@ static void test_full(void **state)
         snprintf(want, sizeof want, "main.lua:3: %s\n", of[i].words);
         SAYS(text, want);
     }
+    SAYS("for i = 1, 257 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
+         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\n");
+    SAYS("for i = 1, 256 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end", "");
     SAYS("for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end print 'more' bullet.clear()\n"
          "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end "
          "print(board.refused('bullets'))",
