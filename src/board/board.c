@@ -337,7 +337,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     b->vm.interrupted = 0;
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
-    input_latch(&b->input, pads);
+    input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count(&b->player);
         enemies_count(&b->enemies);

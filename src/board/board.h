@@ -94,15 +94,24 @@ struct board_mark {
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
+/* A pool had no room, for the first time in this run: what the log says of it, "FILE:LINE: ..." of the script that asked. */
+enum { FULLS = 8 /* pools that can be full */ };
+struct board_full {
+    const char *part; /* "bullets" */
+    char line[256];
+};
+
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
     char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
     const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
-    const char *log;      /* what print wrote this tick, lines ending in \n, at most 4 KiB */
+    const char *log;      /* what print wrote this tick, and what was full; lines ending in \n, at most 4 KiB */
     size_t log_size;
     struct board_mark mark[MARKS];
     int marks;
+    struct board_full full[FULLS];
+    int fulls;
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
 };
 

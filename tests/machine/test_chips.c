@@ -507,7 +507,7 @@ static void test_player(void **state)
 {
     static const char text[] =
         "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
-        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = -2 } })\n"
+        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = 2 } })\n"
         "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
     const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },
@@ -545,7 +545,7 @@ static void test_player(void **state)
     player_place(p, 0, px(50), px(60));
     assert_int_equal(p->was_y[0], px(60));
     player_join(p, &b->player_kinds, 1, 1, px(20), px(30));
-    assert_int_equal(p->regs[REGISTERS], -2); /* by name */
+    assert_int_equal(p->regs[REGISTERS], 2); /* by name */
     assert_int_equal(p->regs[REGISTERS + 1], 7);
     assert_int_equal(p->lives[1], 2);
     assert_int_equal(p->safe[1], 120);
