@@ -8,6 +8,7 @@
 #include "../base/hash.h"
 #include "events_run.h"
 #include "hit.h"
+#include "host.h"
 
 static const struct column core_columns[] = {
     REGISTER(core, frame),
@@ -234,8 +235,8 @@ static void end_texts(struct practice *p)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
-                          char *err, size_t err_size)
+static struct board *power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                           char *err, size_t err_size)
 {
     struct board *b = (struct board *)ram;
     size_t need;
@@ -263,6 +264,17 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     }
     b->hand->out.log = b->hand->log;
     b->hand->out.log_size = b->hand->log_size;
+    return b;
+}
+
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                          char *err, size_t err_size)
+{
+    struct host host;
+
+    host_aside(&host);
+    struct board *b = power(ram, size, rom, start, count, err, err_size);
+    host_back(&host);
     return b;
 }
 
@@ -329,7 +341,7 @@ static int move_all(lua_State *L)
     return 0;
 }
 
-const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct hand *h = b->hand;
 
@@ -364,7 +376,16 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     }
     over(b, PHASE_REST);
     h->out.log_size = h->log_size;
-    return &h->out;
+}
+
+const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+{
+    struct host host;
+
+    host_aside(&host);
+    tick(b, pads);
+    host_back(&host);
+    return &b->hand->out;
 }
 
 const struct board_out *board_last(const struct board *b)

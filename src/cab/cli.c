@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../board/api.h"
+#include "../board/host.h"
 #include "args.h"
 #include "cab.h"
 #include "check.h"
@@ -219,7 +220,7 @@ static int version(void)
     return stdout_done(EXIT_DONE);
 }
 
-int cli_main(int argc, char **argv)
+static int run(int argc, char **argv)
 {
     struct args a;
     char err[512];
@@ -248,4 +249,14 @@ int cli_main(int argc, char **argv)
     default:
         return play(&a, a.words != argv);
     }
+}
+
+int cli_main(int argc, char **argv)
+{
+    struct host host;
+
+    host_aside(&host); /* what it prints is the same everywhere, too */
+    int code = run(argc, argv);
+    host_back(&host);
+    return code;
 }
