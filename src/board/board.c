@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
+#include "../base/sums.h"
 #include "events_run.h"
 #include "hit.h"
 #include "host.h"
@@ -239,8 +240,13 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
                            char *err, size_t err_size)
 {
     struct board *b = (struct board *)ram;
+    const char *wrong = sums_wrong();
     size_t need;
 
+    if (wrong) {
+        snprintf(err, err_size, "%s", wrong);
+        return NULL;
+    }
     if (!board_size(rom, &need, err, err_size))
         return NULL;
     assert(size >= need && ((uintptr_t)ram & 15) == 0);

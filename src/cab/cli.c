@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../base/sums.h"
 #include "../board/api.h"
 #include "../board/host.h"
 #include "args.h"
@@ -227,6 +228,9 @@ static int run(int argc, char **argv)
 
     if (!args_parse(&a, argc, argv, err, sizeof err))
         return game_report(EXIT_INPUT, "%s", err);
+    const char *wrong = sums_wrong();
+    if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
+        return game_report(EXIT_HOST, "%s", wrong);
     switch (a.command) {
     case COMMAND_RENDER:
         return headless_render(&a);
