@@ -142,6 +142,9 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
     if (b->player.in[i])
         player_leave(&b->player, i);
+    if (player_retired(&b->player, i))
+        return vm_fault(L, FAULT_SCRIPT, "player %d has been in %d games: the board has to be powered anew", (int)i + 1,
+                        GENERATIONS - 1);
     b->player.in[i] = 1;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
         player_start(b, p, &x, &y);

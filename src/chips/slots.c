@@ -81,12 +81,22 @@ static bool grow_high(struct slots *s)
     return true;
 }
 
+/* The free slots of a block, a bit each, from the first one on that has a generation left. */
+static uint64_t room_in(const struct slots *s, uint32_t block)
+{
+    uint64_t room = ~s->used[block];
+
+    while (room && s->gen[block * 64 + lowest_bit(room)] == GENERATIONS)
+        room &= room - 1;
+    return room;
+}
+
 int32_t slots_take(struct slots *s)
 {
     for (;; s->low++) {
         if (s->low * 64 == s->high && !grow_high(s))
             break;
-        uint64_t room = ~s->used[s->low];
+        uint64_t room = room_in(s, s->low);
         if (!room)
             continue;
         uint32_t i = s->low * 64 + lowest_bit(room);
@@ -115,7 +125,7 @@ void slots_drop(struct slots *s, uint32_t i)
 {
     assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
     s->used[i / 64] &= ~(1ull << (i & 63));
-    s->gen[i] = s->gen[i] == GENERATIONS ? 1 : s->gen[i] + 1;
+    s->gen[i]++;
     s->live--;
     if (i / 64 < s->low)
         s->low = i / 64;

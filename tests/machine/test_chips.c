@@ -78,10 +78,61 @@ static void test_slots(void **state)
             slots_drop(&t.s, i);
     slots_trim(&t.s);
     assert_int_equal(t.s.top, 0);
-    int32_t i = slots_take(&t.s);
-    t.s.gen[i] = GENERATIONS;
-    slots_drop(&t.s, (uint32_t)i);
-    assert_int_equal(t.s.gen[i], 1); /* 0 is never alive */
+}
+
+/* Slots near their last generation, among others: none is given a second time under the same one, and a pool of slots
+ * that have had their last tenant is full. */
+static void test_retired_slots(void **state)
+{
+    static uint8_t room[8192], copy[8192];
+    uint32_t last[CAP] = { 0 }, refused = 0, left[CAP];
+    uint8_t *next = room;
+    struct thing t;
+    struct rng rng;
+
+    (void)state;
+    slots_layout(&thing_chip, &t, CAP, &next);
+    for (int i = 0; i < CAP; i++)
+        assert_int_equal(slots_take(&t.s), i);
+    rng_seed(&rng, 2);
+    for (uint32_t i = 0; i < CAP; i++) { /* none to three tenants are left */
+        left[i] = (uint32_t)rng_below(&rng, 4);
+        t.s.gen[i] = GENERATIONS - 1 - left[i];
+        last[i] = t.s.gen[i];
+        slots_drop(&t.s, i);
+    }
+    for (uint32_t live = 0, rounds = 0; rounds < 4000; rounds++) {
+        int32_t lowest = 0;
+        while (lowest < CAP && (slots_has(&t.s, (uint32_t)lowest, last[lowest]) || !left[lowest]))
+            lowest++;
+        int32_t i = slots_take(&t.s);
+        assert_int_equal(i, lowest < CAP ? lowest : NO_SLOT);
+        if (i == NO_SLOT) {
+            assert_int_equal(t.s.refused, ++refused);
+        } else {
+            assert_true(t.s.gen[i] > last[i] && t.s.gen[i] < GENERATIONS);
+            last[i] = t.s.gen[i];
+            left[i]--;
+            live++;
+        }
+        assert_int_equal(t.s.live, live);
+        for (uint32_t k = 0; k < CAP; k++)
+            if (slots_has(&t.s, k, last[k]) && rng_below(&rng, 3) == 0) {
+                slots_drop(&t.s, k);
+                live--;
+            }
+        if (rng_below(&rng, 2)) {
+            struct thing was = t; /* as the board's struct is copied */
+            slots_save(&thing_chip, &t, copy);
+            memset(room, 0xa5, sizeof room);
+            t = was;
+            slots_restore(&thing_chip, &t, copy);
+        }
+        slots_trim(&t.s);
+    }
+    assert_true(refused > 1000);
+    for (uint32_t k = 0; k < CAP; k++)
+        assert_int_equal(left[k], 0);
 }
 
 /* ---- input ---- */
@@ -482,6 +533,64 @@ static void test_enemies(void **state)
 
 /* ---- players ---- */
 
+/* The last tenants of slots, whose handles must stay dead; and the last game of a player. */
+static void test_last_generations(void **state)
+{
+    static const char text[] =
+        "bullet.def('dot', { sprite = 'dot', hit = 'none' }) shot.def('bolt', { sprite = 'dot', hit = 'none' })\n"
+        "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 1 })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "local sys = string.sys\n"
+        "local function make()\n"
+        "  return { bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 }, shot.fire { kind = 'bolt', x = 9, y = 9, "
+        "speed = 0 },\n"
+        "    enemy.spawn { kind = 'foe', x = 9, y = 9 }, sprite.put { sprite = 'dot', x = 9, y = 9 } }\n"
+        "end\n"
+        "local function sleeper() return task.go(function() wait(forever) end) end\n"
+        "task.go(function()\n"
+        "  wait(1)\n" /* the generations have been set */
+        "  local a, s = make(), sleeper()\n"
+        "  sys.join(1, 'ship')\n"
+        "  local p = player.get(1)\n"
+        "  for i, h in ipairs(a) do assert(h.alive, i) h:remove() end\n"
+        "  assert(p.alive and task.alive(s)) task.stop(s)\n"
+        "  wait(1)\n"
+        "  local b, z = make(), sleeper()\n"
+        "  for i, h in ipairs(b) do assert(h.alive and h ~= a[i] and not a[i].alive, i) end\n"
+        "  assert(task.alive(z) and z ~= s and not task.alive(s))\n"
+        "  sys.leave(1)\n"
+        "  assert(not p.alive and not player.get(1).alive)\n"
+        "  sys.join(1, 'ship')\n"
+        "end)\n";
+    const uint16_t none[PADS] = { 0 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_with_sys(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 1);
+    struct slots *pools[] = { &r.b->bullets.s, &r.b->shots.s, &r.b->enemies.s, &r.b->sprites.s, &r.b->tasks.s };
+    int32_t slot[5];
+    for (int i = 0; i < 5; i++) { /* the slot that comes next */
+        slot[i] = slots_take(pools[i]);
+        slots_drop(pools[i], (uint32_t)slot[i]);
+        pools[i]->gen[slot[i]] = GENERATIONS - 1;
+    }
+    r.b->player.gen[0] = GENERATIONS - 1;
+    rig_run(&r, 1);
+    board_tick(r.b, none);
+    assert_non_null(rig_fault(&r));
+    assert_string_equal(rig_fault(&r)->message,
+                        "main.lua:23: player 1 has been in 1073741822 games: the board has to be powered anew");
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(pools[i]->gen[slot[i]], GENERATIONS);
+        assert_false(slots_has(pools[i], (uint32_t)slot[i], GENERATIONS));
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 static void test_player(void **state)
 {
     static const char text[] =
@@ -797,10 +906,13 @@ static void test_nvram(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slots),  cmocka_unit_test(test_input),  cmocka_unit_test(test_bullets),
-        cmocka_unit_test(test_motion), cmocka_unit_test(test_styles), cmocka_unit_test(test_enemies),
-        cmocka_unit_test(test_player), cmocka_unit_test(test_sparks), cmocka_unit_test(test_fix),
-        cmocka_unit_test(test_pal),    cmocka_unit_test(test_nvram),
+        cmocka_unit_test(test_slots),         cmocka_unit_test(test_last_generations),
+        cmocka_unit_test(test_retired_slots), cmocka_unit_test(test_input),
+        cmocka_unit_test(test_bullets),       cmocka_unit_test(test_motion),
+        cmocka_unit_test(test_styles),        cmocka_unit_test(test_enemies),
+        cmocka_unit_test(test_player),        cmocka_unit_test(test_sparks),
+        cmocka_unit_test(test_fix),           cmocka_unit_test(test_pal),
+        cmocka_unit_test(test_nvram),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
