@@ -123,7 +123,7 @@ void board_mark(struct board *b, enum board_mark_kind kind, const char *name, co
 /* Is this board there to tell the list of its pieces? */
 bool board_lists(const struct board *b);
 
-/* Player i's score goes up; lives come at the manifest's extends. */
+/* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 
 /* Folds v into the script digest. */
