@@ -13,15 +13,22 @@
 
 #include <fenv.h>
 #include <locale.h>
+#include <stdint.h>
 #ifdef __APPLE__
 #include <xlocale.h>
 #endif
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define HOST_LOCALES
 #endif
+#if defined(__aarch64__) && defined(__GNUC__)
+#define HOST_FPCR
+#endif
 
 struct host {
     fenv_t numbers;
+#ifdef HOST_FPCR
+    uint64_t control;
+#endif
 #ifdef HOST_LOCALES
     locale_t words, own; /* the thread's, and what took its place */
 #endif
