@@ -642,6 +642,7 @@ static void test_last_generations(void **state)
     for (int i = 0; i < 5; i++) { /* the slot that comes next */
         slot[i] = slots_take(pools[i]);
         slots_drop(pools[i], (uint32_t)slot[i]);
+        slots_trim(pools[i]); /* who takes it next parks the others */
         pools[i]->gen[slot[i]] = GENERATIONS - 1;
     }
     r.b->player.gen[0] = GENERATIONS - 1;
