@@ -508,7 +508,10 @@ static int set_up(void **state)
             return -1;
     }
     setenv("LOCPATH", dir, 1);
-    german = newlocale(LC_ALL_MASK, "de_DE.UTF-8", (locale_t)0);
+    if (!setlocale(LC_ALL, "de_DE.UTF-8"))
+        return -1;
+    german = duplocale(LC_GLOBAL_LOCALE); /* glibc's newlocale does not give back what it makes of LOCPATH */
+    setlocale(LC_ALL, "C");
     return german ? 0 : -1;
 }
 
