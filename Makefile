@@ -19,7 +19,9 @@ SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
 ALL_C    := $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     := $(LUA_L) -lm
+# stdio.c passes alarms on from thread to thread. Before glibc 2.34 that is a library of its own; WebAssembly has none.
+THREADS  := $(if $(findstring wasm,$(CC)),,-pthread)
+LIBS     := $(LUA_L) -lm $(THREADS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
@@ -256,7 +258,7 @@ $(PROVE:%=$(OUT)/prove/%): $(OUT)/prove/%: $(OUT)/tools/prove/%.o $(OUT)/tools/p
 		$(OUT)/tools/prove/oracle.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm -lpthread -o $@
+	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm $(THREADS) -o $@
 
 $(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
@@ -266,7 +268,7 @@ $(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
 $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $^ -lm -lpthread -o $@
+	$(Q)$(CC) $(ALL_C) $^ -lm $(THREADS) -o $@
 
 # With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
 prove: deps-test

@@ -319,7 +319,7 @@ static const struct api_entry entries[] = {
       "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
     { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
-      "starts a move to x, y and returns at once" },
+      "starts a move to x, y and returns at once; in each frame it is at the nearest 1/65536 px of its way" },
     { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 2, API_CHANGES | API_METHOD, NULL, "damage, unless it is safe" },
     { "enemy:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
       "dies with score (p's; without p the nearest player's), spark and on_death" },

@@ -145,6 +145,9 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
     if (b->player.in[i])
         player_leave(&b->player, i);
+    if (player_retired(&b->player, i))
+        return vm_fault(L, FAULT_SCRIPT, "player %d has been in %d games: the board has to be powered anew", (int)i + 1,
+                        GENERATIONS - 1);
     b->player.in[i] = 1;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
         player_start(b, p, &x, &y);
@@ -359,7 +362,8 @@ static const struct api_entry entries[] = {
     { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", "did it come up this frame?" },
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
       "pressed, then again every 5 frames once held for 20" },
-    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL, "points for a player; extends come by themselves" },
+    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
+      "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
     { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
       "a lasting table's rows, best first: { name=, score= }" },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",

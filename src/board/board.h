@@ -5,6 +5,9 @@
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
  * and runs the game's entry script. From then on a frame is one board_tick; the picture is board_draw, which takes
  * const RAM. RAM points into itself and into the ROM, so a snapshot is good only in the same process and place.
+ *
+ * What the host has set (locale, rounding, flushing, traps) changes no run: board_power, board_tick and board_eval put it
+ * aside and leave it as it was (host.h).
  */
 #ifndef BOARD_BOARD_H
 #define BOARD_BOARD_H
@@ -121,7 +124,7 @@ struct board;
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
- * ROM that cannot run. A script fault while loading is not NULL: it stands in board_last(b)->fault. */
+ * ROM that cannot run, and where the build computes otherwise than others (sums.h). A script fault while loading is not NULL: it stands in board_last(b)->fault. */
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
                           char *err, size_t err_size);
 
@@ -187,8 +190,8 @@ int64_t board_refused(const struct board *b, const char *part);
 size_t board_lua_most(const struct board *b);
 
 /* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
- * called when each phase is over, in this order (while the game is frozen, motion is left out). It must not touch the
- * board. NULL: nobody asks, as after power-on and after a restore. */
+ * called when each phase is over, in this order (while the game is frozen, motion is left out), with the host's settings
+ * put aside. It must not touch the board. NULL: nobody asks, as after power-on and after a restore. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
     PHASE_MOTION,  /* everything moves, and bullets are tested against players; what left the keep box is gone */

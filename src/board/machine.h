@@ -138,7 +138,7 @@ void board_sparks(struct board *b, const struct spark_burst *burst);
 /* After a pool refused something: the first time in a run, the log says so. */
 void board_full(struct board *b, const struct slots *s);
 
-/* Player i's score goes up; lives come at the manifest's extends. */
+/* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 
 /* Folds v into the script digest. */

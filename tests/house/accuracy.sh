@@ -62,7 +62,7 @@ unswept() {
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/lab" "$tree"/src/board/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
         $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
-        "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm || return 2
+        "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }
 refuse "planted: an engine that does not sweep" "does not hold: hit test" unswept
