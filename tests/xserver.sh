@@ -18,6 +18,14 @@ trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -r
 
 # soon COMMAND...: tries until it holds; gives up after minutes of trying, which no busy machine needs
 soon() { for _ in $(seq 4000); do "$@" && return 0; sleep 0.05; done; return 1; }
+# Hundredths of a second of the processor's time that the program has used: how far it has gone round, on any machine.
+used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/dev/null || echo 999999999; }
+# rounds N: until it has gone on for that much.
+rounds() {
+    local from
+    from=$(used)
+    until [ $(($(used) - from)) -gt "$1" ]; do sleep 0.05; done
+}
 says() { grep -qx -- "$1" "$scratch/out"; }
 gone() { ! kill -0 "$child" 2>/dev/null; }
 

@@ -135,10 +135,10 @@ play_at() { # SCALE [WIN_W WIN_H]
     start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale "$scale" --mute --record one.demo || return
     [ $# = 1 ] || timeout 100 xdotool windowsize --sync "$win" "$w" "$h"
     xdotool key --delay 150 Return key --delay 150 z # the title is left: keys play the game
-    sleep 1
+    rounds 20
     for key in p period F12; do
         xdotool key --delay 100 $key
-        sleep 0.2
+        rounds 5
     done
     check "a screenshot at ${w}x$h" soon grep -q "^wrote " "$scratch/err"
     shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
@@ -159,10 +159,10 @@ cd "$scratch" || exit 2
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then
     for key in Return Return z z z z; do
         xdotool key --delay 120 $key
-        sleep 0.4
+        rounds 8
     done
     xdotool keydown z keydown Left
-    sleep 2
+    rounds 40
     xdotool keyup z keyup Left
     stop
     "$curtain" hash "$play_rom" --demo keys.demo --parts | tail -1 >parts
