@@ -480,6 +480,11 @@ int64_t board_live(const struct board *b, const char *part)
     return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->live;
 }
 
+int64_t board_points(const struct board *b, int i)
+{
+    return b->player.score[i];
+}
+
 int64_t board_refused(const struct board *b, const char *part)
 {
     int i = part_named(part);

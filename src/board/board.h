@@ -186,6 +186,9 @@ void board_count(struct board *b, bool on);
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
+/* Points of player i (0 or 1): those of its game, and after it those of the last one. */
+int64_t board_points(const struct board *b, int i);
+
 /* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
 size_t board_lua_most(const struct board *b);
 

@@ -13,7 +13,7 @@ trap clean EXIT
 says() { # NAME CODE LINE ARGUMENT...
     local name=$1 code=$2 line=$3 got
     shift 3
-    timeout 300 "$curtain" "$@" >out 2>err
+    "$curtain" "$@" >out 2>err
     got=$?
     same "$name" "$line"$'\n'"exit $code" "$(cat err)"$'\n'"exit $got"
 }
@@ -196,7 +196,7 @@ for ((n = size - 1; n >= 0; n -= 1)); do
     esac
 done
 same "demo cut short, at each of its $size bytes" '1 1 ' "$refused $played $wrong"
-head -c $((size - 30)) a.demo >cut.demo
+head -c $((size - 90)) a.demo >cut.demo
 says 'a demo cut short plays as far as it goes' 0 'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
 cp a.demo spoilt.demo
 printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
