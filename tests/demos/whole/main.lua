@@ -9,7 +9,7 @@ local function ship(name, speed, bolt)
           for i = -1, 1 do shot.fire { kind = bolt, from = p, dx = 4 * i, speed = 6.5, dir = 270 + (p.focus and 2 or 13) * i, by = p } end
         end
         if pad.repeated("special", p) then shot.fire { kind = bolt, from = p, aim = true, speed = 3, motion = "spin" } end
-        if pad.pressed("bomb", p) and p.bombs > 0 then
+        if p.bombs > 0 and pad.take("bomb", 8, p) then
           p.bombs, p.safe = p.bombs - 1, 40
           bullet.clear { from = p, radius = 60, spark = "pop" }
         end
@@ -49,12 +49,20 @@ boss.def("king", { title = "King", kind = "king", x = 72, y = 34, phases = {
   { id = "a", hp = 60, time = 300, rest = 10, run = function(e)
       task.go(function() pattern.spiral { from = e, kind = "orb", n = forever, arms = 2, step = 11.3, every = 9, speed = 0.9 } end)
       wait(60)
-      enemy.spawn { kind = "wisp", x = 30, y = 20 }
+      enemy.spawn { kind = "wisp", x = 30, y = 20, run = function(w) -- all of it the phase's, and goes with it
+          sprite.put { sprite = "dart", x = w.x, y = w.y, layer = "middle" }
+          wait(30)
+          enemy.spawn { kind = "eye", from = w, dx = 50 }
+          volley(w)
+        end }
+      enemy.spawn { kind = "eye", x = 110, y = 40, stay = true, run = function(w) w:move { x = 40, y = 20, over = 77, ease = "out" } end }
+      sprite.put { sprite = "dart", x = 100, y = 12, layer = "back", stay = true }
     end },
   { id = "b", spell = "Second", hp = 90, time = 400, rest = 10, bonus = 3000, run = function(e)
       while true do
         pattern.ring { from = e, kind = "orb", n = 7, dir = rng.dir(), speed = 0.9, motion = "bloom", tag = "petal" }
         e:move { x = rng.int(30, 110), y = rng.int(25, 50), over = 37, ease = "in" }
+        bullet.fire { kind = "rice", from = e, dir = rng.number(60, 120), speed = 170 } -- leaves in the frame in which it touches
         wait(48)
       end
     end } } })
