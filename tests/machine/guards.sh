@@ -59,7 +59,8 @@ both 'much compiling' 'while true do load("return 1") end'
 task 'wait_until' 'wait_until(function() while true do end end)'
 task 'wait(0)' 'while true do wait(0) end'
 bomb 'tasks that start tasks' "main.lua:1: $LOOP" <<<'local function f() task.go(f) end task.go(f)'
-task 'tasks into a full pool' 'while true do task.go(print) end'
+task 'tasks into a full pool' 'while true do task.go(print) end' \
+    $'the pool of tasks is full (128; tasks in rom.lua): what finds no room is not started\nmain.lua:1: '"$LOOP"
 task 'bullets' 'while true do bullet.clear() end'
 task 'each callback' 'local s = task.scope() enemy.each("x", print) while true do task.stop(s) end'
 task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP"
