@@ -94,7 +94,10 @@ local function fight(b, phases)
   claim(b)
   sys.mark("boss", b.name, "", b.title)
   local e, all, won = spawn(b), true, false
-  local field <close> = at_end(function() e:remove() end) -- when the fight is cut short
+  local field <close> = at_end(function() -- when the fight is cut short too
+    e:remove()
+    busy, status = nil, nil
+  end)
   fly_in(b, e)
   for i, phase in ipairs(phases) do
     status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
@@ -113,7 +116,6 @@ local function fight(b, phases)
   end
   status = nil
   if e.alive then leave(e, won) end
-  busy = nil
   return all
 end
 

@@ -16,8 +16,17 @@ done
 child= xvfb= wm=
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
-# soon COMMAND...: tries until it holds; gives up after minutes of trying, which no busy machine needs
-soon() { for _ in $(seq 4000); do "$@" && return 0; sleep 0.05; done; return 1; }
+# soon COMMAND...: tries until it holds. Gives up when the program has gone on for 10 s of the processor's time, however
+# long that takes; one that does not go on is given 2000 tries.
+soon() {
+    local from try=0
+    from=$(used)
+    until "$@"; do
+        try=$((try + 1))
+        [ $try -lt 2000 ] && { [ $try -lt 100 ] || [ $(($(used) - from)) -lt 1000 ]; } || return 1
+        sleep 0.05
+    done
+}
 # Hundredths of a second of the processor's time that the program has used: how far it has gone round, on any machine.
 used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/dev/null || echo 999999999; }
 # rounds N: until it has gone on for that much.

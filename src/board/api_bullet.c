@@ -484,6 +484,8 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     if (handle_kind(h) != H_GROUP) {
         if (board_alive(b, h))
             act(b, handle_kind(h) == H_SHOT, handle_slot(h), verb, by);
+        else if (verb == V_REMOVE && board_there(b, h)) /* held: what else it touched is spared */
+            bullets_release(handle_kind(h) == H_SHOT ? &b->shots : &b->bullets, handle_slot(h));
         return 0;
     }
     vm_charge(L, b->bullets.s.live);

@@ -303,9 +303,13 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
+    uint32_t i = handle_slot(v[0].i);
+    bool there = board_there(b, v[0].i) &&
+                 !(b->enemies.flags[i] & ENEMY_DYING); /* it may leave: what else it touched is spared */
+
     (void)L;
-    if (board_alive(b, v[0].i))
-        enemies_drop(&b->enemies, handle_slot(v[0].i));
+    if (there)
+        enemies_drop(&b->enemies, i);
     return 0;
 }
 

@@ -39,7 +39,7 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     const char *found = NULL;
     int best = 99;
 
-    if (api_later(t->name, ':', name))
+    if (api_later(t->name, ':', name) && !(kind == H_PLAYER && player_declares(L, name)))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, NOT_YET);
     for (int i = 0; i < t->n; i++)
         words_consider(name, t->props[i].value.name, &best, &found);

@@ -50,6 +50,9 @@ bool api_property(const struct api_thing *t, const char *name);
 /* The number of a register of player `slot`'s kind, or -1. */
 int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
+/* Has any kind of player a register of that name? */
+bool player_declares(lua_State *L, const char *name);
+
 /* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
 int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
 

@@ -86,6 +86,20 @@ int player_register(lua_State *L, const struct board *b, uint32_t slot, const ch
     return i;
 }
 
+bool player_declares(lua_State *L, const char *name)
+{
+    int top = lua_gettop(L);
+    bool found = false;
+
+    registry(L);
+    for (lua_Integer kind = 0; !found && lua_rawgeti(L, -1, kind) == LUA_TTABLE; kind++) {
+        found = lua_getfield(L, -1, name) == LUA_TNUMBER;
+        lua_pop(L, 2);
+    }
+    lua_settop(L, top);
+    return found;
+}
+
 int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS])
 {
     int top = lua_gettop(L), n = 0;

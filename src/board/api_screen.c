@@ -22,11 +22,12 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    int32_t i = tasks_brings(b, v[10].i, &owner) ? slots_take(&s->s) : NO_SLOT;
+    bool comes = tasks_brings(b, v[10].i, &owner);
+    int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
 
-    if (i == NO_SLOT)
+    if (i == NO_SLOT && comes)
         board_full(b, &s->s);
-    else {
+    else if (i != NO_SLOT) {
         s->sprite[i] = (uint16_t)v[0].i;
         s->x[i] = v[1].f;
         s->y[i] = v[2].f;

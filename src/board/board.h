@@ -98,7 +98,7 @@ struct board_mark {
 };
 
 /* A pool had no room, for the first time in this run: what the log says of it, "FILE:LINE: ..." of the script that asked. */
-enum { FULLS = 8 /* pools that can be full */ };
+enum { FULLS = 8 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];
@@ -109,7 +109,8 @@ struct board_out {
     enum board_request request;
     char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
     const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
-    const char *log;      /* what print wrote this tick, and what was full; lines ending in \n, at most 4 KiB */
+    const char *log;      /* what print wrote this tick, and what was full; lines ending in \n. What is printed is cut
+                             after LOG_BYTES; there is room for all that was full. */
     size_t log_size;
     struct board_mark mark[MARKS];
     int marks;
@@ -124,7 +125,8 @@ struct board;
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
- * ROM that cannot run, and where the build computes otherwise than others (sums.h). A script fault while loading is not NULL: it stands in board_last(b)->fault. */
+ * ROM that cannot run, and where the build computes otherwise than others (sums.h). A script fault while loading is not
+ * NULL: it stands in board_last(b)->fault. */
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
                           char *err, size_t err_size);
 

@@ -36,6 +36,20 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     return NULL;
 }
 
+/* Whatever scripts have printed, there is room for FULLS lines of these; one that printed has ended its line, or was cut. */
+static void add_line(struct hand *h, const char *line)
+{
+    size_t n = strlen(line), room = sizeof h->log - h->log_size;
+
+    if (h->log_size == LOG_BYTES && h->log[LOG_BYTES - 1] != '\n')
+        h->log[LOG_BYTES - 1] = '\n';
+    if (n + 1 > room)
+        return;
+    memcpy(h->log + h->log_size, line, n);
+    h->log[h->log_size + n] = '\n';
+    h->log_size += n + 1;
+}
+
 void board_full(struct board *b, const struct slots *s)
 {
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
@@ -51,8 +65,7 @@ void board_full(struct board *b, const struct slots *s)
     f->part = w->chip->name;
     snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap,
              w->set_by, w->instead);
-    vm_log(b, f->line, strlen(f->line));
-    vm_log(b, "\n", 1);
+    add_line(h, f->line);
 }
 
 void board_sparks(struct board *b, const struct spark_burst *burst)

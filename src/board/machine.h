@@ -48,7 +48,7 @@ struct hand {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
-    char log[4096];
+    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* room for what is said of full pools */
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
     bool deep;               /* it was in many nested calls */
     const char *line;        /* that board_eval runs */

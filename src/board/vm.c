@@ -323,9 +323,10 @@ static int l_require(lua_State *L)
 void vm_log(struct board *b, const char *s, size_t n)
 {
     struct hand *h = b->hand;
+    size_t room = h->log_size < LOG_BYTES ? LOG_BYTES - h->log_size : 0;
 
-    if (n > sizeof h->log - h->log_size)
-        n = sizeof h->log - h->log_size;
+    if (n > room)
+        n = room;
     memcpy(h->log + h->log_size, s, n);
     h->log_size += n;
 }

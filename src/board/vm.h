@@ -54,7 +54,8 @@ struct board *vm_board(lua_State *L);
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
-/* Where the nearest caller outside @std stands, or who started the library's task, or the nearest at all: "FILE:LINE: ", or "". Changes nothing of L. */
+/* Where the nearest caller outside @std stands, else the author's line that started the library's task, else the nearest
+ * caller at all: "FILE:LINE: ", or "". Changes nothing of L. */
 void vm_where(lua_State *L, char *place, size_t size);
 
 /* Puts "FILE:LINE: " before the message on top of the stack if it has none. */

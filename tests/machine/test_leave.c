@@ -530,6 +530,17 @@ static void test_handlers(void **state)
         "on.hit(function() say('hit') p.safe = 9 end)\n"
         "task.go(function() dive(130) dive() end)",
         "0 hit");
+    /* nor does it hit after somebody removed it, bullet or enemy */
+    run("local b\n"
+        "on.graze(function() b:remove() say('graze', b.x == nil) end) on.hit(function() say('hit') end)\n"
+        "task.go(function() dive(130) b = dive() end)",
+        "graze true");
+    run("local e\n"
+        "on.graze(function() e:remove() say('graze', e.x == nil) end)\n"
+        "on.hit(function() say('hit') end) on.leave(function() say('leave') end)\n"
+        "task.go(function() dive(130) e = enemy.spawn { kind = 'foe', x = 120, y = 300 }\n"
+        "  e:move { x = 120, y = 390, over = 1 } end)",
+        "graze true");
     run("on.graze(function() string.sys.wipe() say('graze') end) on.hit(function() say('hit') end)\n"
         "task.go(function() dive(130) dive() end)",
         "graze");

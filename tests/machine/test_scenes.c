@@ -71,6 +71,12 @@ static const struct scene scenes[] = {
       "61:1/1/0/2 one won 66:0/0/0/0 0 0 0 two lost over" },
     { "what stays stays, with what it spawns", "fight(function(e) brood(e) guest(e) end) alone()", 140,
       "61:1/1/2/4 one lost 66:0/0/2/2 two lost over" },
+    { "what comes of what stays stays, whoever kills it",
+      "enemy.def('late', { sprite = 'dot', hit = { circle = 4 }, hp = 1, on_death = function()\n"
+      "  task.go(function() wait(40) say('late') end) end })\n"
+      "fight(function(e) local m = enemy.spawn { kind = 'late', x = 9, y = 99, stay = true } wait(1) m:kill() end) "
+      "alone()",
+      140, "kill late one lost two lost late over" },
     { "a boss that a script kills", "fight(function(e) brood(e) guest(e) wait(2) e:kill() end) alone()", 140,
       "61:1/1/2/4 kill queen one lost 64:0/0/2/2 over" },
     { "a boss that a script removes in a handler",

@@ -14,7 +14,7 @@ static const char kinds[] =
 
 static struct rig_game g;
 static struct rig rig;
-static char log_text[4096];
+static char log_text[8192];
 
 /* Runs `text` from line 2 of main.lua as a task for some frames, with player 1 in the game. Returns what was said: the
  * fault's message, or what was printed. */
@@ -248,6 +248,15 @@ static void test_fights(void **state)
                  wait);
         assert_string_equal(script_says(text), "false\n");
     }
+    /* and after one that an error ended */
+    assert_string_equal(
+        script_says(
+            "enemy.def('thin', { sprite = 'dot', hit = { circle = 9 }, hp = 1, on_death = function() error('burst') "
+            "end })\n"
+            "boss.def('thin', { title = 'T', kind = 'thin', x = 9, y = 9, phases = { { id = 'a', hp = 1, time = 9, "
+            "run = function(e) e.hp = 0 end } } })\n" QUEEN
+            "task.go(function() print((pcall(boss.fight, 'thin'))) print(boss.fight 'king') end)\n"),
+        "false\nfalse\n");
 }
 
 /* ---- each ---- */
@@ -341,6 +350,17 @@ static void test_full(void **state)
          "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end "
          "print(board.refused('bullets'))",
          "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\nmore\n88\n");
+    /* what nobody is left to own is no refusal */
+    SAYS("for i = 1, 17 do sprite.put { sprite = 'dot', x = 9, y = 9 } end local s = sys.scene(task.scope()) "
+         "task.own(s, function() local c <close> = setmetatable({}, { __close = function()\n"
+         "for i = 1, 3 do print(sprite.put { sprite = 'dot', x = 9, y = 9 }.alive) end end }) wait(forever) end) "
+         "wait(2) task.stop(s)",
+         "main.lua:2: the pool of sprites is full (16; sprites in rom.lua): " GONE "\nfalse\nfalse\nfalse\n");
+    /* however much was printed in that frame */
+    const char *all =
+        says("for i = 1, 100 do print(('x'):rep(70)) end for i = 1, 17 do sprite.put { sprite = 'dot', x = 9, "
+             "y = 9 } end");
+    assert_non_null(strstr(all, "x\nmain.lua:2: the pool of sprites is full"));
 }
 
 /* A run that goes on from a snapshot says what the other said, and a reset is a new run. */
