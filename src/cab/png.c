@@ -7,6 +7,7 @@
  */
 #include "png.h"
 
+#include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,8 +34,51 @@ static void *capped_realloc(void *p, size_t n)
 #define STBI_REALLOC(p, n)  capped_realloc(p, n)
 #define STBI_FREE(p)        free(p)
 #define STBI_MAX_DIMENSIONS PNG_MAX_SIDE
+
+/* What stb's compressor takes, which cannot say that memory is short: then it is left by a jump. A piece is given back
+ * when all are. One picture is written at a time. */
+struct piece {
+    _Alignas(16) struct piece *next;
+};
+static struct {
+    struct piece *first;
+    jmp_buf full;
+} compressing;
+
+static void *piece_take(size_t n)
+{
+    struct piece *p = n <= STB_MOST ? malloc(sizeof *p + n) : NULL;
+
+    if (!p)
+        longjmp(compressing.full, 1);
+    p->next = compressing.first;
+    compressing.first = p;
+    return p + 1;
+}
+
+static void *piece_grow(void *old, size_t had, size_t n)
+{
+    void *p = piece_take(n);
+
+    if (old)
+        memcpy(p, old, had < n ? had : n);
+    return p;
+}
+
+static void pieces_free(void)
+{
+    while (compressing.first) {
+        struct piece *p = compressing.first;
+        compressing.first = p->next;
+        free(p);
+    }
+}
+
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
+#define STBIW_MALLOC(n)                piece_take(n)
+#define STBIW_REALLOC_SIZED(p, had, n) piece_grow(p, had, n)
+#define STBIW_FREE(p)                  ((void)(p))
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -115,10 +159,26 @@ static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *pa
     return (size_t)(p - out);
 }
 
-static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
+/* The whole file of rows of raw bytes; NULL: out of memory. */
+static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, int raw_size, size_t *size)
 {
     int n = 0;
+    uint8_t *packed, *out = NULL;
 
+    if (setjmp(compressing.full) == 0) {
+        packed = stbi_zlib_compress(raw, raw_size, &n, 8);
+        out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
+        if (out)
+            *size = assemble(out, pic, packed, (uint32_t)n);
+        pieces_free();
+        return out;
+    }
+    pieces_free();
+    return NULL;
+}
+
+static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
+{
     *out = NULL;
     if (pic->w < 1 || pic->h < 1 || pic->w > PNG_MAX_SIDE || pic->h > PNG_MAX_SIDE)
         return false;
@@ -126,13 +186,9 @@ static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
     if ((stride + 1) * (size_t)pic->h > STB_MOST)
         return false;
     uint8_t *raw = rows(pic->from, pic->pitch, stride, pic->h);
-    uint8_t *packed = raw ? stbi_zlib_compress(raw, (int)(stride + 1) * pic->h, &n, 8) : NULL;
+    if (raw)
+        *out = compressed_file(pic, raw, (int)(stride + 1) * pic->h, size);
     free(raw);
-    if (packed)
-        *out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
-    if (*out)
-        *size = assemble(*out, pic, packed, (uint32_t)n);
-    free(packed);
     return *out != NULL;
 }
 
