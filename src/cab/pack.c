@@ -381,9 +381,12 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
 
     qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], by_name);
     *size = rom_write_size(p->lumps.lump, p->lumps.n);
-    *image = *size > 0 ? malloc(*size) : NULL;
+    *image = NULL;
+    if (*size == 0)
+        return fail(p->err, p->err_size, "too large for a ROM");
+    *image = malloc(*size);
     if (*image == NULL)
-        return fail(p->err, p->err_size, "%s: too large for a ROM", p->dir);
+        return fail(p->err, p->err_size, "out of memory");
     rom_write(*image, p->lumps.lump, p->lumps.n);
     if (check_image(*image, *size, &rom, p->err, p->err_size))
         return true;
