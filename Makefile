@@ -1,5 +1,18 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
+# Goals that start makes of their own go one after another, for these would make the same objects at the same time.
+FRONT := all null play install test torture golden asan ubsan ubsan-extremes msan msan-readers fuzz mutants nightly \
+         analyze accuracy bench bench-fx prove cross demos
+ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
+
+.PHONY: $(MAKECMDGOALS) one-by-one
+$(MAKECMDGOALS): one-by-one
+	@:
+one-by-one:
+	@set -e; for goal in $(MAKECMDGOALS); do $(MAKE) --no-print-directory $$goal; done
+
+else
+
 CC      ?= cc
 # For another machine: a compiler of this one, for what a build runs itself, and what runs that machine's programs here.
 BUILD_CC ?= $(CC)
@@ -18,8 +31,11 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
-ALL_C    := $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     := $(LUA_L) -lm
+# Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
+HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
+HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
+ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
+LIBS     = $(HARDEN_L) $(LUA_L) -lm
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
@@ -76,7 +92,7 @@ $(OUT)/%.o: %.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) -MMD -MP -c $< -o $@
 
-$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 
 $(OUT)/embed: tools/embed.c
@@ -285,3 +301,5 @@ clean:
 	rm -rf build
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)
+
+endif
