@@ -41,7 +41,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static struct config standard, c;
+    static struct config standard, c; /* the table is read once, for it takes long */
+    static bool ready;
     char *copy = malloc(size + (size == 0)); /* of exactly this size */
     char err[256] = "";
 
@@ -49,7 +50,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     if (size)
         memcpy(copy, data, size);
-    config_defaults(&standard);
+    if (!ready)
+        config_defaults(&standard);
+    ready = true;
     c = standard;
     if (config_read(&c, "a.conf", copy, size, err, sizeof err)) {
         need(within(c.scale, 0, 16) && within(c.volume, 0, 100) && within(c.mute, 0, 1) && within(c.fullscreen, 0, 1));
