@@ -20,11 +20,11 @@ run_cppcheck() {
         -DFLT_EVAL_METHOD=0 -Dnot=negated --file-list=$out/files 2>&1
 }
 
-flags="-std=c11 -fwrapv -ffp-contract=off -O1 -D_DEFAULT_SOURCE -w -fanalyzer $(pkg-config --cflags lua5.4 sdl2 | sed 's/-I/-isystem /g')"
+flags="-std=c11 -fwrapv -ffp-contract=off -O1 -D_DEFAULT_SOURCE -fanalyzer $(pkg-config --cflags lua5.4 sdl2 | sed 's/-I/-isystem /g')"
 analyzed() { # FILE: 300 s and 3 GB are enough for each
     ulimit -v 3000000
     # shellcheck disable=SC2086
-    timeout 300 gcc $flags -c "$1" -o /dev/null 2>&1 ||
+    timeout 300 gcc $flags -c "$1" -o "$2" 2>&1 ||
         echo "$1:1:1: warning: the analysis did not end [-Wanalyzer-unfinished]"
 }
 run_gcc() {
@@ -32,10 +32,10 @@ run_gcc() {
     export -f analyzed
     # what gcc says: FILE:LINE:COLUMN: warning: TEXT [CWE-...] [-Wanalyzer-ID]
     sources 'src/*.c' 'fb/*.c' platform/stdio.c platform/null.c platform/sdl2.c |
-        xargs -P 2 -I % bash -c 'analyzed % >"$0/$(echo % | tr / -).said"' $out
+        xargs -P 2 -I % bash -c 'said=$0/$(echo % | tr / -); analyzed % "$said.o" >"$said.said"' $out
     cat $out/*.said | sed -nE 's/^([^ :]+):([0-9]+):[0-9]+: warning: (.*) \[-W(analyzer-[a-z-]*).*\]$/gcc \4 \1:\2: \3/p' |
         sed -E 's/ \[CWE-[0-9]+\]//; s/[^ -~]+/"/g' | sort -u
-    rm -f $out/*.said
+    rm -f $out/*.said $out/*.o
 }
 
 # report TOOL: what it found and the list does not know; what the list knows and it did not find
