@@ -13,20 +13,21 @@ on.game_over(function() over = true end)
 -- A frozen board gives turns to the pause screen alone. The scope is its own: the game's tasks must not run.
 local function pause(p, other)
   local screen = sys.scope()
-  task.own(screen, function()
+  local menu_task = task.own(screen, function()
     quit = menu.pause(p, other) == 2
     sys.freeze()
     hud.refresh()
     task.stop(screen)
   end)
+  if not task.alive(menu_task) then return task.stop(screen) end -- no room for it, and nobody would unfreeze the board
   sys.freeze(screen)
 end
 
 local function watch_pause(_, players, other)
   while true do
-    wait(1) -- first of all: the press that chose the game is not meant for it
+    wait(1)
     for p = 1, players do
-      if not over and pad.pressed("start", p) then
+      if not over and pad.take("start", 0, p) then
         pause(p, other)
         break
       end
@@ -75,13 +76,19 @@ local function last_words(line)
   wait_until(function() return quit end, 180)
 end
 
+-- What would go on over the results. Sprites stay: they are what is behind them.
+local function quieten()
+  bullet.clear()
+  enemy.each(nil, function(e) e:remove() end)
+end
+
 -- True if all stages were cleared.
 local function play_stages(game, stages, players)
   for i, name in ipairs(stages) do
     local title = "STAGE " .. menu.label(name)
     hud.banner({ title }, 150)
     if not finished(stage.play(name, game)) then return false end
-    bullet.clear()
+    quieten()
     menu.results(title .. " CLEAR", players, stopped)
     if stopped() then return false end
     if i < #stages then

@@ -1,5 +1,5 @@
--- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts belongs to the phase's
--- scope, and that to the enemy: both ends of it are cleaned up by the board.
+-- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts, spawns and puts
+-- belongs to the phase's scene, and that to the enemy, which goes with the task that fights: the board cleans up.
 local sys = ...
 local boss = {}
 
@@ -8,6 +8,7 @@ local FLIGHT = 60  -- frames it takes
 
 local bosses = {}  -- name -> definition
 local names = {}   -- in the order they were declared
+local busy         -- the task that fights, and its boss's name; it may be stopped at any time
 local status       -- what the hud shows of the fight: enemy, title, spell, hp, ends, left; nil between fights
 
 local function checked(entry, ids)
@@ -36,13 +37,19 @@ local function find(api, name)
   return bosses[name]
 end
 
-local function fly_in(b)
+-- For <close>: calls f when the block ends, or the task does.
+local function at_end(f) return setmetatable({}, { __close = f }) end
+
+local function spawn(b)
   local e = enemy.spawn { kind = b.kind, x = b.x, y = ABOVE }
   sys.hold(e, true) -- its hp stop at 0, so that a phase can end without the end of the boss
   e.safe = forever
+  return e
+end
+
+local function fly_in(b, e)
   e:move { x = b.x, y = b.y, over = FLIGHT, ease = "out" }
   wait(FLIGHT)
-  return e
 end
 
 local function leave(e, beaten)
@@ -58,12 +65,13 @@ local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
   sys.mark("phase", phase.id, b.name, phase.spell)
-  local scope = task.scope(e)
-  task.own(scope, function() phase.run(e) end)
+  local scene = sys.scene(e)
+  task.own(scene, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
-  task.stop(scope)
+  task.stop(scene)
   bullet.clear()
+  if e.alive then e.x = e.x end -- ends the move it makes
   e.safe = forever
   if won and phase.bonus > 0 then
     player.each(function(p) score.add(phase.bonus, p) end)
@@ -73,10 +81,21 @@ local function play(b, e, phase)
   return won
 end
 
+-- One boss at a time: a phase's end clears the field, and the hud shows one clock.
+local function claim(b)
+  if busy and task.alive(busy.task) then
+    sys.fail("boss.fight", ('boss "%s": "%s" is fighting; two fights at once are not there yet'):format(b.name, busy.name))
+  end
+  busy = { task = sys.task(), name = b.name }
+end
+
 -- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
 local function fight(b, phases)
+  claim(b)
   sys.mark("boss", b.name, "", b.title)
-  local e, all, won = fly_in(b), true, false
+  local e, all, won = spawn(b), true, false
+  local field <close> = at_end(function() e:remove() end) -- when the fight is cut short
+  fly_in(b, e)
   for i, phase in ipairs(phases) do
     status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
                hp = not phase.survive and phase.hp, ends = sys.clock() + phase.time }
@@ -94,6 +113,7 @@ local function fight(b, phases)
   end
   status = nil
   if e.alive then leave(e, won) end
+  busy = nil
   return all
 end
 
@@ -103,10 +123,9 @@ function boss.fight(name)
     sys.pass()
     return true
   end
-  stage.stop_clock()
-  local all = fight(b, b.phases)
-  stage.start_clock()
-  return all
+  local s = stage.stop_clock()
+  local clock <close> = at_end(function() if s then stage.start_clock(s) end end)
+  return fight(b, b.phases)
 end
 
 -- The rest is for hud.lua and boot.lua.

@@ -45,7 +45,7 @@ local function fly_wave(a)
   for i = 0, a.n - 1 do
     local dx, dy = i * a.dx, i * a.dy
     local x, y = path.place(a.path[1], a.mirror, dx, dy)
-    local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run }
+    local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run, stay = a.stay }
     task.own(e, path.travel, a.path, a.mirror, dx, dy)
     if i < a.n - 1 then wait(a.every) end
   end
@@ -97,16 +97,19 @@ end
 
 function stage.skipping() return now ~= nil and task.alive(now.scope) and now.skip ~= nil end
 
+-- Stops the clock of the stage being played and returns that, for start_clock: by then it may be another.
 function stage.stop_clock()
   if not now then return end
   if now.fights == 0 then now.stopped = sys.clock() end
   now.fights = now.fights + 1
+  return now
 end
 
-function stage.start_clock()
-  if not now then return end
-  now.fights = now.fights - 1
-  if now.fights == 0 then now.base = now.base + sys.clock() - now.stopped end
+function stage.start_clock(s)
+  s = s or now
+  if not s then return end
+  s.fights = s.fights - 1
+  if s.fights == 0 then s.base = s.base + sys.clock() - s.stopped end
 end
 
 local function begin(name, owner, skip)

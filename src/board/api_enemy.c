@@ -69,14 +69,14 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { S_KIND, S_PLACE, S_PATH = S_PLACE + 5, S_MIRROR, S_HP, S_BANK, S_TAG, S_RUN, S_ON_DEATH };
+enum { S_KIND, S_PLACE, S_PATH = S_PLACE + 5, S_MIRROR, S_HP, S_BANK, S_TAG, S_RUN, S_ON_DEATH, S_STAY };
 
 static const struct api_param spawn[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PLACE,
     { "path", A_ROUTE, OPT, 0, 0, NULL, NULL },      { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },  { "bank", A_INT, OPT, 0, 15, NULL, NULL },
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },   { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -126,6 +126,7 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
 static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 {
     uint16_t kind = (uint16_t)v[S_KIND].i;
+    int64_t owner;
     fx x, y;
 
     if (v[S_PATH].given && (v[S_PLACE].given || v[S_PLACE + 1].given || v[S_PLACE + 2].given))
@@ -134,10 +135,15 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         path_start(L, v, &x, &y);
     else if (!api_place(L, b, "enemy.spawn", v + S_PLACE, &x, &y))
         return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
+    if (!tasks_brings(b, v[S_STAY].i, &owner))
+        return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
     int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
     int64_t h = board_handle(b, H_ENEMY, i);
-    if (i != NO_SLOT) {
+    if (i == NO_SLOT)
+        board_full(b, &b->enemies.s);
+    else {
         b->enemies.by[i] = tasks_serial(b);
+        b->enemies.owner[i] = owner;
         if (v[S_HP].given)
             b->enemies.hp[i] = (int32_t)v[S_HP].i;
         if (v[S_BANK].given)
@@ -306,12 +312,14 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_entry entries[] = {
     { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of enemy" },
     { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES, "enemy",
-      "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end" },
+      "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
+      "boss's phase "
+      "it came from does not take it along" },
     { "enemy.each", enemy_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(enemy) for each with that tag (nil: all)" },
+      "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
     { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
-      "starts a move to x, y and returns at once" },
+      "starts a move to x, y and returns at once; in each frame it is at the nearest 1/65536 px of its way" },
     { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 2, API_CHANGES | API_METHOD, NULL, "damage, unless it is safe" },
     { "enemy:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
       "dies with score (p's; without p the nearest player's), spark and on_death" },

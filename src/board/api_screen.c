@@ -15,14 +15,18 @@ static const struct api_param put[] = {
     { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
-    int32_t i = slots_take(&s->s);
+    int64_t owner;
+    int32_t i = tasks_brings(b, v[10].i, &owner) ? slots_take(&s->s) : NO_SLOT;
 
-    if (i != NO_SLOT) {
+    if (i == NO_SLOT)
+        board_full(b, &s->s);
+    else {
         s->sprite[i] = (uint16_t)v[0].i;
         s->x[i] = v[1].f;
         s->y[i] = v[2].f;
@@ -32,6 +36,7 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
             (uint8_t)((v[5].i ? SPRITE_SCREEN : 0) | (v[6].i ? SPRITE_FLIP_X : 0) | (v[7].i ? SPRITE_FLIP_Y : 0) |
                       (v[8].i ? SPRITE_HIDDEN : 0) | v[9].i * SPRITE_BLEND_ONE);
         s->born[i] = b->core.clock;
+        s->owner[i] = owner;
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
@@ -169,7 +174,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
 
     if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
-        sparks_burst(&b->sparks, &s);
+        board_sparks(b, &s);
     return 0;
 }
 
@@ -283,7 +288,8 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
-      "places a free sprite in the field or on the screen" },
+      "places a free sprite in the field or on the screen; with stay the boss's phase it came from does not take it "
+      "along" },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,

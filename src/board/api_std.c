@@ -57,7 +57,8 @@ static const struct api_param wave[] = {
     { "n", A_INT, REQ, 0, 4096, "enemies", NULL },   EVERY,
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
     { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },  { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
-    { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },  { "run", A_FUNC, OPT, 0, 0, NULL, NULL }
+    { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },  { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" }
 };
 static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
@@ -106,7 +107,8 @@ static const struct api_entry entries[] = {
     LUA("stage.def", stage_def, 2, API_LOAD, NULL, "declares a stage: one task, plain code"),
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),
-    LUA("stage.wave", wave, 0, 0, NULL, "n enemies along a path, one each every frames; returns at once"),
+    LUA("stage.wave", wave, 0, 0, NULL,
+        "n enemies along a path, one each every frames; returns at once; stay as of enemy.spawn"),
     LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",

@@ -19,6 +19,7 @@ static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL 
                                          { "title", A_STR, OPT, 0, 0, NULL, NULL },
                                          { "value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL } };
 static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
+static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -170,6 +171,8 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[0].given ? v[0].i : 0;
+    for (uint32_t p = 0; p < PADS && v[0].given; p++)
+        input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
     return 0;
 }
 
@@ -177,7 +180,13 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, tasks_scope(b, 0));
+    lua_pushinteger(L, tasks_scope(b, 0, false));
+    return 1;
+}
+
+static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, tasks_scope(b, v[0].i, true));
     return 1;
 }
 
@@ -196,6 +205,17 @@ static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushboolean(L, b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS);
+    return 1;
+}
+
+/* nil: no task has its turn. */
+static int sys_task(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    if (b->tasks.current == NO_SLOT)
+        lua_pushnil(L);
+    else
+        lua_pushinteger(L, board_handle(b, H_TASK, b->tasks.current));
     return 1;
 }
 
@@ -280,10 +300,13 @@ static const struct api_entry entries[] = {
     { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
     { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
     { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
+    { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
+      "a scope that takes what is spawned and put in it along" },
     { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
       "from now on this task waits for nothing" },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
     { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
+    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", "the task that has its turn" },
     { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },

@@ -149,12 +149,21 @@ static void enemy_sparks(struct board *b, uint32_t i)
     uint16_t spark = b->enemy_kinds.spark[b->enemies.kind[i]];
 
     if (spark)
-        sparks_burst(&b->sparks, &(struct spark_burst){ .x = b->enemies.x[i],
-                                                        .y = b->enemies.y[i],
-                                                        .speed = 2 << 16,
-                                                        .spread = UINT32_MAX,
-                                                        .kind = (uint16_t)(spark - 1),
-                                                        .n = 12 });
+        board_sparks(b, &(struct spark_burst){ .x = b->enemies.x[i],
+                                               .y = b->enemies.y[i],
+                                               .speed = 2 << 16,
+                                               .spread = UINT32_MAX,
+                                               .kind = (uint16_t)(spark - 1),
+                                               .n = 12 });
+}
+
+/* Calls an enemy's own handler with the n values on top of the stack (popped). */
+static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
+{
+    struct tasks_now was = tasks_behalf(b, b->enemies.owner[i]);
+
+    lua_call(L, n, 0);
+    tasks_back(b, was);
 }
 
 void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
@@ -173,7 +182,7 @@ void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
     if (push_death(L, i, kind)) { /* it can still read where it died */
         push_thing(L, h);
         push_thing(L, p);
-        lua_call(L, 2, 0);
+        call_own(b, L, i, 2);
     }
 }
 
@@ -214,7 +223,7 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
         lua_pushinteger(L, damage);
-        lua_call(L, 3, 0);
+        call_own(b, L, i, 3);
     }
 }
 

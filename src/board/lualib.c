@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 #include "luaparts.h"
+#include "machine.h"
 #include "script.h"
 #include "vm.h"
 
@@ -97,12 +98,15 @@ static int note_fault(lua_State *L)
     return 1;
 }
 
+enum { IN_TASK = 1 }; /* context when Lua calls pcall_done: where one can wait, so in no enemy's handler */
+
 /* The stack: the handler, true, then what the function returned or the error. */
 static int pcall_done(lua_State *L, int status, lua_KContext context)
 {
-    (void)context;
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;
+    if (context == IN_TASK)
+        tasks_back_to_turn(vm_board(L));
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
         return lua_error(L);
     lua_pop(L, 1);
@@ -120,7 +124,9 @@ static int base_pcall(lua_State *L)
     lua_insert(L, 1);
     lua_pushboolean(L, 1);
     lua_insert(L, 2);
-    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, 0, pcall_done);
+    struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
+    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
+    tasks_back(vm_board(L), was); /* an error may have left an enemy's handler */
     return pcall_done(L, status, 0);
 }
 

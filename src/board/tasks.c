@@ -4,15 +4,18 @@
  */
 #include "tasks.h"
 #include <lauxlib.h>
+#include <string.h>
 #include "machine.h"
 
 static const struct column columns[] = {
     COLUMN(tasks, serial),
     COLUMN(tasks, owner),
+    COLUMN(tasks, scene),
     COLUMN(tasks, wait),
     COLUMN(tasks, flags),
     COLUMN(tasks, born),
     DERIVED(tasks, thread, "the thread in the registry"),
+    DERIVED(tasks, from, "the text in the registry"),
     DERIVED(tasks, next, "the live slots by serial"),
     DERIVED(tasks, prev, "the live slots by serial"),
     DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
@@ -20,11 +23,13 @@ static const struct column columns[] = {
     REGISTER(tasks, serials),
     DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
     DERIVED_REGISTER(tasks, skipped, "0 when a turn begins"),
+    DERIVED_REGISTER(tasks, now_owner, "0 between frames"),
+    DERIVED_REGISTER(tasks, now_scene, "0 between frames"),
 };
 
 const struct chip tasks_chip = { "tasks", columns, sizeof columns / sizeof *columns, false, false };
 
-static const char threads_key = 0; /* registry: slot + 1 -> thread */
+static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> where it comes from */
 
 static void push_threads(lua_State *L)
 {
@@ -80,6 +85,28 @@ static void check_depth(struct board *b, int64_t owner)
     }
 }
 
+/* The scene that what this owner owns runs in. Bullets and shots have none: whoever gives them a task does. */
+static int64_t scene_in(const struct board *b, int64_t owner)
+{
+    uint32_t i = handle_slot(owner);
+
+    if (!owner || !board_there(b, owner))
+        return 0;
+    switch (handle_kind(owner)) {
+    case H_TASK:
+        return b->tasks.flags[i] & TASK_SCENE ? owner : b->tasks.scene[i];
+    case H_ENEMY:
+        return b->enemies.owner[i];
+    case H_SPRITE:
+        return b->sprites.owner[i];
+    case H_BULLET:
+    case H_SHOT:
+        return b->tasks.now_scene;
+    default:
+        return 0;
+    }
+}
+
 static int32_t take(struct board *b, int64_t owner, uint8_t flags)
 {
     struct tasks *t = &b->tasks;
@@ -87,14 +114,18 @@ static int32_t take(struct board *b, int64_t owner, uint8_t flags)
     check_depth(b, owner);
     int32_t i = slots_take(&t->s);
 
-    if (i == NO_SLOT)
+    if (i == NO_SLOT) {
+        board_full(b, &t->s);
         return i;
+    }
     t->serial[i] = ++t->serials;
     t->owner[i] = owner;
+    t->scene[i] = scene_in(b, owner);
     t->wait[i] = 0;
     t->flags[i] = flags;
     t->born[i] = b->core.clock;
     t->thread[i] = NULL;
+    t->from[i] = NULL;
     link_last(t, (uint32_t)i);
     script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
@@ -105,10 +136,37 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
     push_threads(L);
     lua_pushnil(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
+    if (b->tasks.from[i]) {
+        lua_pushnil(L);
+        lua_rawseti(L, -2, -(lua_Integer)i - 1);
+    }
     lua_pop(L, 1);
     script_fold(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
     unlink_task(&b->tasks, i);
     slots_drop(&b->tasks.s, i);
+}
+
+/* Of a function of @std's, at `at`, keeps the author's line that starts it as task i: the table of threads is on top. */
+static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
+{
+    char place[VM_PLACE];
+    lua_Debug ar;
+
+    lua_pushvalue(L, at);
+    if (!lua_getinfo(L, ">S", &ar) || strncmp(ar.source, "@@std/", 6))
+        return;
+    vm_where(L, place, sizeof place);
+    if (!place[0] || !strncmp(place, "@std/", 5))
+        return;
+    b->tasks.from[i] = lua_pushstring(L, place);
+    lua_rawseti(L, -2, -(lua_Integer)i - 1);
+}
+
+const char *tasks_from(const struct board *b, lua_State *L)
+{
+    const struct tasks *t = &b->tasks;
+
+    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
 }
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
@@ -120,7 +178,9 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
         return board_handle(b, H_TASK, NO_SLOT);
     }
     luaL_checkstack(L, 4, "too many arguments");
+    int f = lua_gettop(L) - n;
     push_threads(L);
+    keep_place(b, L, f, (uint32_t)i);
     lua_State *co = lua_newthread(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     lua_pop(L, 1);
@@ -131,9 +191,9 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     return board_handle(b, H_TASK, i);
 }
 
-int64_t tasks_scope(struct board *b, int64_t owner)
+int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
 {
-    return board_handle(b, H_TASK, take(b, owner, TASK_SCOPE));
+    return board_handle(b, H_TASK, take(b, owner, scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
 }
 
 bool tasks_owner_alive(const struct board *b, int64_t owner)
@@ -158,12 +218,56 @@ bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
 
 void tasks_stop(struct board *b, uint32_t slot)
 {
+    uint8_t was = b->tasks.flags[slot];
+
     b->tasks.flags[slot] |= TASK_STOP;
+    if (!(was & TASK_SCENE) || was & TASK_STOP)
+        return;
+    vm_charge(b->vm.running, b->enemies.s.live + b->sprites.s.live);
+    int64_t h = board_handle(b, H_TASK, (int32_t)slot);
+    enemies_drop_of(&b->enemies, h);
+    sprites_drop_of(&b->sprites, h);
 }
 
 int64_t tasks_owner(const struct board *b)
 {
-    return b->tasks.current == NO_SLOT ? 0 : b->tasks.owner[b->tasks.current];
+    return b->tasks.now_owner;
+}
+
+bool tasks_brings(const struct board *b, bool stay, int64_t *owner)
+{
+    *owner = stay ? 0 : b->tasks.now_scene;
+    return tasks_owner_alive(b, *owner);
+}
+
+struct tasks_now tasks_behalf(struct board *b, int64_t scene)
+{
+    struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+
+    tasks_back(b, (struct tasks_now){ scene ? scene : was.owner, scene });
+    return was;
+}
+
+void tasks_back(struct board *b, struct tasks_now was)
+{
+    b->tasks.now_owner = was.owner;
+    b->tasks.now_scene = was.scene;
+}
+
+/* What the scripts of this task do is on behalf of its owner, its end included. */
+static void behalf_of(struct board *b, uint32_t i)
+{
+    tasks_back(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
+}
+
+static const struct tasks_now nobody = { 0, 0 };
+
+void tasks_back_to_turn(struct board *b)
+{
+    if (b->tasks.current == NO_SLOT)
+        tasks_back(b, nobody);
+    else
+        behalf_of(b, (uint32_t)b->tasks.current);
 }
 
 uint32_t tasks_serial(const struct board *b)
@@ -205,9 +309,11 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
     b->vm.running = co;
+    behalf_of(b, i);
     vm_watch(b, co);
     int status = lua_resetthread(co);
     b->vm.running = L;
+    tasks_back(b, nobody);
     if (status != LUA_OK)
         fail(b, L, co, status);
 }
@@ -222,11 +328,13 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
     t->skipped = 0;
+    behalf_of(b, i);
     b->vm.running = co;
     vm_watch(b, co);
     int status = lua_resume(co, L, n, &results);
     b->vm.running = L;
     t->current = NO_SLOT;
+    tasks_back(b, nobody);
     if (status != LUA_OK && status != LUA_YIELD)
         fail(b, L, co, status);
     if (status == LUA_OK)
@@ -242,7 +350,9 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
 
-    if (t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i])) {
+    if (!tasks_owner_alive(b, t->owner[i]))
+        tasks_stop(b, i);
+    if (t->flags[i] & TASK_STOP) {
         close_task(b, L, i);
         return true;
     }

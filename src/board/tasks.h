@@ -4,6 +4,10 @@
  *
  * Tasks get their turns in the order they were started. A task's thread is kept alive by the Lua registry; what the board
  * needs to know of it are columns here. A scope is a task without a body: it only owns others.
+ *
+ * A scene is a scope that also owns the enemies spawned and the sprites put by all that runs in it: by its tasks, by those
+ * of enemies, sprites, bullets and shots that came from it, and by its enemies' own handlers. They go when it ends, and
+ * what would come into one that has ended does not come.
  */
 #ifndef BOARD_TASKS_H
 #define BOARD_TASKS_H
@@ -20,7 +24,8 @@ enum {
     TASK_SCOPE = 1,
     TASK_STOP = 2 /* flags: to be closed at its turn */,
     TASK_BEGUN = 4,
-    TASK_SKIPS = 8 /* waits for nothing: on its way to a practice mark */
+    TASK_SKIPS = 8 /* waits for nothing: on its way to a practice mark */,
+    TASK_SCENE = 16
 };
 
 enum {
@@ -32,15 +37,23 @@ struct tasks {
     struct slots s;
     uint32_t *serial; /* counts up with every start: the order of turns */
     int64_t *owner;   /* handle, 0: the board */
+    int64_t *scene;   /* handle of the one it runs in, 0: none; of a scene the one round it */
     int64_t *wait;    /* turns to let pass */
     uint8_t *flags;
     uint32_t *born;
-    lua_State **thread;    /* NULL: a scope */
+    lua_State **thread; /* NULL: a scope */
+    const char **from;  /* "FILE:LINE: " of the author's line that started a task of @std's; NULL: of a script's own */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
-    uint32_t serials; /* given out so far */
-    int32_t current;  /* slot that has its turn, NO_SLOT: none */
-    uint32_t skipped; /* waits it has passed over in this turn */
+    uint32_t serials;             /* given out so far */
+    int32_t current;              /* slot that has its turn, NO_SLOT: none */
+    uint32_t skipped;             /* waits it has passed over in this turn */
+    int64_t now_owner, now_scene; /* of what the running script starts, and of what it spawns and puts */
+};
+
+/* On whose behalf a script runs. */
+struct tasks_now {
+    int64_t owner, scene;
 };
 
 extern const struct chip tasks_chip;
@@ -51,12 +64,12 @@ void tasks_empty(struct tasks *t);
 /* Starts the function and n arguments on top of L's stack (popped) as a task; returns its handle, a dead one when there
  * is no room. */
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n);
-int64_t tasks_scope(struct board *b, int64_t owner);
+int64_t tasks_scope(struct board *b, int64_t owner, bool scene);
 
 /* Every task's turn. For vm_call: errors of a task become a fault. */
 int tasks_run(lua_State *L);
 
-/* Stops a task or scope: closed at its turn, dead from now on. */
+/* Stops a task or scope: closed at its turn, dead from now on. What a scene owns goes at once. */
 void tasks_stop(struct board *b, uint32_t slot);
 
 /* Is this owner (0: the board) still there, it and all it is owned by? */
@@ -68,6 +81,20 @@ bool tasks_frozen(const struct board *b, uint32_t slot);
 
 /* The owner for things the running script starts. */
 int64_t tasks_owner(const struct board *b);
+
+/* The owner of an enemy or a sprite that the running script brings; false: it has ended, and nothing is to come. */
+bool tasks_brings(const struct board *b, bool stay, int64_t *owner);
+
+/* An enemy's own handler runs in the enemy's scene; without one, on behalf of whoever caused it. Returns what tasks_back
+ * puts back afterwards. */
+struct tasks_now tasks_behalf(struct board *b, int64_t scene);
+void tasks_back(struct board *b, struct tasks_now was);
+
+/* What it is in a task itself: for an error that a task caught on its way out of an enemy's handler. */
+void tasks_back_to_turn(struct board *b);
+
+/* Where the author's line stands that led to the task of @std's that has its turn in L; NULL: no such task. */
+const char *tasks_from(const struct board *b, lua_State *L);
 
 /* Serial of the running task, 0: none. */
 uint32_t tasks_serial(const struct board *b);

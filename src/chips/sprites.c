@@ -5,7 +5,15 @@
 
 static const struct column columns[] = {
     COLUMN(sprites, x),     COLUMN(sprites, y),     COLUMN(sprites, sprite), COLUMN(sprites, bank),
-    COLUMN(sprites, layer), COLUMN(sprites, flags), COLUMN(sprites, born),
+    COLUMN(sprites, layer), COLUMN(sprites, flags), COLUMN(sprites, born),   COLUMN(sprites, owner),
 };
 
 const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };
+
+void sprites_drop_of(struct sprites *s, int64_t owner)
+{
+    EACH_LIVE (i, &s->s)
+        if (s->owner[i] == owner)
+            slots_drop(&s->s, i);
+    slots_trim(&s->s);
+}

@@ -30,8 +30,12 @@ struct sprites {
     uint8_t *layer;
     uint8_t *flags;
     uint32_t *born; /* clock */
+    int64_t *owner; /* at whose end it goes, 0: nobody; the board's to name */
 };
 
 extern const struct chip sprites_chip;
+
+/* Removes what has that owner. */
+void sprites_drop_of(struct sprites *s, int64_t owner);
 
 #endif

@@ -53,6 +53,7 @@ static int setup(void **state)
 
     p->b = calloc(1, sizeof *p->b);
     p->b->hand = calloc(1, sizeof *p->b->hand);
+    p->b->tasks.current = NO_SLOT;
     p->block = aligned_alloc(4096, HEAP);
     assert_true(vm_open(p->b, p->block, HEAP));
     p->ours = p->b->vm.L;
