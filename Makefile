@@ -31,11 +31,13 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
+# stdio.c passes alarms on from thread to thread. Before glibc 2.34 that is a library of its own; WebAssembly has none.
+THREADS  := $(if $(findstring wasm,$(CC)),,-pthread)
 # Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
 HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     = $(HARDEN_L) $(LUA_L) -lm
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
@@ -55,7 +57,7 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all null play install deps format clean help programs test golden demos
+.PHONY: FORCE all null play install deps format clean help programs test golden demos
 .PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
 all: deps-play
@@ -65,6 +67,7 @@ help:
 	@echo "make play     build and play the built-in game (without a display: render its demo to PNG)"
 	@echo "make test     all tests          make golden   render the golden frames anew"
 	@echo "make all      build/curtain and build/curtain-null     make null   only the latter, without SDL2"
+	@echo "make GAME=DIR build/curtain     one file for a friend: the program with that game built in"
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make msan     readers of files under MemorySanitizer    make valgrind  ... what of it goes through Lua"
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
@@ -80,7 +83,7 @@ deps:
 deps-%:
 	@tools/deps.sh $(subst -, ,$*)
 
-null: deps-play
+null: deps-null
 	@$(MAKE) --no-print-directory build/curtain-null
 
 build/curtain: $(OUT)/curtain
@@ -122,7 +125,14 @@ $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
-$(OUT)/game.rom: $(OUT)/curtain-bare $(GAME_SRC)
+# Which game it is, and of which files: written when that is another, so that the ROM is packed anew.
+GAME_IS := $(GAME): $(sort $(GAME_SRC))
+$(OUT)/game.is: FORCE
+	@mkdir -p $(@D)
+	@echo '$(GAME_IS)' | cmp -s - $@ || echo '$(GAME_IS)' > $@
+FORCE:
+
+$(OUT)/game.rom: $(OUT)/curtain-bare $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
 
@@ -159,6 +169,8 @@ install: all
 	install -m 755 build/curtain build/curtain-null $(DESTDIR)$(PREFIX)/bin
 	install -m 644 README.md docs/*.md docs/*.txt $(DESTDIR)$(PREFIX)/share/doc/curtain
 	cp -R docs/accuracy docs/images docs/speed $(DESTDIR)$(PREFIX)/share/doc/curtain
+	install -d $(DESTDIR)$(PREFIX)/share/curtain
+	cp -R examples roms $(DESTDIR)$(PREFIX)/share/curtain
 
 # ---- art: the pictures of the games in roms/ are made by a program ----
 
@@ -302,7 +314,7 @@ $(PROVE:%=$(OUT)/prove/%): $(OUT)/prove/%: $(OUT)/tools/prove/%.o $(OUT)/tools/p
 		$(OUT)/tools/prove/oracle.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm -lpthread -o $@
+	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm $(THREADS) -o $@
 
 $(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
@@ -312,7 +324,7 @@ $(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
 $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $^ -lm -lpthread -o $@
+	$(Q)$(CC) $(ALL_C) $^ -lm $(THREADS) -o $@
 
 # With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
 prove: deps-test

@@ -366,10 +366,12 @@ DEFAULT long plat_load(const char *name, void *buf, size_t cap)
 
 static bool write_all(FILE *f, const void *buf, size_t len)
 {
-    bool good = fwrite(buf, 1, len, f) == len;
-    good = fflush(f) == 0 && good;
-    good = to_disk(f) && good;
-    return fclose(f) == 0 && good;
+    bool good = fwrite(buf, 1, len, f) == len && fflush(f) == 0 && to_disk(f);
+    int why = errno;
+    bool closed = fclose(f) == 0;
+    if (!good)
+        errno = why; /* of the first that failed */
+    return closed && good;
 }
 
 /* By way of a file beside it, so that it is old or new whatever happens. */

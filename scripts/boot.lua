@@ -25,9 +25,9 @@ end
 
 local function watch_pause(_, players, other)
   while true do
-    wait(1) -- first of all: the press that chose the game is not meant for it
+    wait(1)
     for p = 1, players do
-      if not over and pad.pressed("start", p) then
+      if not over and pad.take("start", 0, p) then
         pause(p, other)
         break
       end

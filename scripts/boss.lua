@@ -8,6 +8,7 @@ local FLIGHT = 60  -- frames it takes
 
 local bosses = {}  -- name -> definition
 local names = {}   -- in the order they were declared
+local busy         -- the task that fights, and its boss's name; it may be stopped at any time
 local status       -- what the hud shows of the fight: enemy, title, spell, hp, ends, left; nil between fights
 
 local function checked(entry, ids)
@@ -80,8 +81,17 @@ local function play(b, e, phase)
   return won
 end
 
+-- One boss at a time: a phase's end clears the field, and the hud shows one clock.
+local function claim(b)
+  if busy and task.alive(busy.task) then
+    sys.fail("boss.fight", ('boss "%s": "%s" is fighting; two fights at once are not there yet'):format(b.name, busy.name))
+  end
+  busy = { task = sys.task(), name = b.name }
+end
+
 -- True if every phase was beaten. A boss whose last phase was not beaten leaves instead of dying.
 local function fight(b, phases)
+  claim(b)
   sys.mark("boss", b.name, "", b.title)
   local e, all, won = spawn(b), true, false
   local field <close> = at_end(function() e:remove() end) -- when the fight is cut short
@@ -103,6 +113,7 @@ local function fight(b, phases)
   end
   status = nil
   if e.alive then leave(e, won) end
+  busy = nil
   return all
 end
 

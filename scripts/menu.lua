@@ -7,10 +7,11 @@ local ARROW = hud.glyph(140, ">")
 local IDLE = 30 * 60 -- frames after which a screen that nobody answers gives up
 local RANKS = 10     -- rows of the score table
 
--- A switch of player p, or of anybody.
+-- A press of player p, or of anybody: of this frame, for what came before was not meant for this screen; and taken, for
+-- it is not meant for the game either.
 local function pressed(button, p)
-  if p then return pad.pressed(button, p) end
-  return pad.pressed(button, 1) or pad.pressed(button, 2)
+  if p then return pad.take(button, 0, p) end
+  return pad.take(button, 0, 1) or pad.take(button, 0, 2)
 end
 
 local function stepped(button, p)

@@ -5,7 +5,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-    $(pkg-config --libs lua5.4) -lm || exit 2
+    $(pkg-config --libs lua5.4) -lm -pthread || exit 2
 
 # USB HID usages of keys.
 BACKSPACE=42 Z=29 P=19 T=23 B=5 DOT=55 BEFORE=47 AFTER=48 F5=62

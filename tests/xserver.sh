@@ -16,8 +16,16 @@ done
 child= xvfb= wm=
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
-# soon COMMAND...: tries for 10 s
-soon() { for _ in $(seq 200); do "$@" && return 0; sleep 0.05; done; return 1; }
+# soon COMMAND...: tries until it holds; gives up after minutes of trying, which no busy machine needs
+soon() { for _ in $(seq 4000); do "$@" && return 0; sleep 0.05; done; return 1; }
+# Hundredths of a second of the processor's time that the program has used: how far it has gone round, on any machine.
+used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/dev/null || echo 999999999; }
+# rounds N: until it has gone on for that much.
+rounds() {
+    local from
+    from=$(used)
+    until [ $(($(used) - from)) -gt "$1" ]; do sleep 0.05; done
+}
 says() { grep -qx -- "$1" "$scratch/out"; }
 gone() { ! kill -0 "$child" 2>/dev/null; }
 
@@ -49,7 +57,7 @@ start() {
 # The window that is still there a moment after it got the keys.
 focused() {
     local first
-    found && first=$win && timeout 5 xdotool windowfocus --sync "$win" 2>/dev/null &&
+    found && first=$win && timeout 100 xdotool windowfocus --sync "$win" 2>/dev/null &&
         xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
 }
 found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }

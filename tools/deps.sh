@@ -1,7 +1,9 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [play] [test] [fuzz] [nightly] [bench] [cross]     without arguments: all but nightly and cross
+#     tools/deps.sh [null] [play] [test] [fuzz] [nightly] [bench] [cross]     without arguments: all but nightly and cross
+#
+# null: what curtain-null is built with; play: that, and SDL2.
 set -eu
 [ $# -gt 0 ] || set -- play test fuzz bench
 
@@ -14,12 +16,12 @@ need() { # PACKAGE...: these are missing
 
 for what; do
     case $what in
-    play)
+    null | play)
         have cc || need gcc
         header stdio.h || need libc6-dev
         have pkg-config || need pkg-config
         header lua5.4/lua.h || need liblua5.4-dev
-        header SDL2/SDL.h || need libsdl2-dev
+        [ "$what" = null ] || header SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
         ;;
     test)
@@ -76,7 +78,7 @@ for what; do
         have git || need git
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of play, test, fuzz, nightly, bench, cross" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, fuzz, nightly, bench, cross" >&2
         exit 2
         ;;
     esac

@@ -20,6 +20,7 @@ local function fly(kind)
       if p.focus and p.safe == 0 and p.grazes % 7 == 3 then p.lives = math.min(9, p.lives + 1) end
       board.note(p.score + p.lives + p.power)
       board.note(p.kind)
+      board.note(pad.take("bomb", 2, p))
       wait(2)
     end
   end

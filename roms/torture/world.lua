@@ -164,7 +164,10 @@ local function numbers()
     board.note(angle.to({ x = 1, y = 2 }, p.alive and p or { x = 5, y = 6 }))
     board.note(angle.of(3, n) + angle.difference(10, n) + angle.sin(n) + angle.cos(n))
     player.each(function(q) board.note(q.x + q.y + q.safe) end)
-    board.note(board.frame() + board.live "bullets" + board.refused "bullets")
+    board.note(board.frame() + board.live "bullets")
+    for _, chip in ipairs { "bullets", "shots", "enemies", "sprites", "motions", "steps", "tasks" } do
+      board.note(board.refused(chip))
+    end
     board.note(board.dip "coins")
     if n % 30 == 29 then board.difficulty(board.difficulty() == "soft" and "hard" or "soft") end
     save.set("count", (save.get("count", 0) + 1) % 1000)

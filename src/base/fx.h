@@ -24,9 +24,13 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+/* What a compiler does not tell by a macro, sums.h finds when the program runs. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
+    defined(__NO_SIGNED_ZEROS__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "build without -ffast-math and its parts: results must be the same everywhere"
 #endif
+_Static_assert(sizeof 0.1 == sizeof(double),
+               "build without -fsingle-precision-constant: results must be the same everywhere");
 /* 1 (s390x): float in double, which changes no double, and there is no float; 16: _Float16 alone. */
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || !(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16)
 #error "doubles must be IEEE 754 binary64, evaluated without excess precision (on i386: -msse2 -mfpmath=sse)"

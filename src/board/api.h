@@ -140,6 +140,19 @@ void names_near(lua_State *L, enum api_names what, const char *name);
 /* How far apart two words are: letters to add, drop, change or swap; 99 when it is not worth a suggestion. */
 int words_apart(const char *a, const char *b);
 
+/* What is said of a name that is kept for what is not there yet. */
+#define NOT_YET "is not there yet; the name is kept for it"
+
+/* Is it such a name? of: a table of the API ("board"; "": the globals) with how '.', a function ("bullet.fire") with '{'
+ * for an argument, a thing ("bullet") with ':' for a property or a verb. */
+bool api_later(const char *of, char how, const char *name);
+
+/* The i-th row of the list of such names, words with a blank between; NULL: there are no more. */
+const char *api_later_row(int i, const char **of, char *how);
+
+/* A read of such a field of the API's tables is a fault from now on; all tables must be there. */
+void api_watch_fields(lua_State *L);
+
 /* An argument's default as a number. */
 double api_default(const struct api_param *p);
 

@@ -2,6 +2,7 @@
  * api_board.c - board and rom.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
 #include "api.h"
@@ -137,19 +138,23 @@ static int rom_text(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+/* Upvalue 1: what the table is called. */
 static int read_only(lua_State *L)
 {
-    return vm_fault(L, FAULT_SCRIPT, "rom is read only");
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
+
+    return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
 }
 
 /* Leaves a read-only view of the table on top of the stack in its place. */
-static void seal(lua_State *L)
+static void seal(lua_State *L, const char *name)
 {
     lua_newtable(L);
     lua_createtable(L, 0, 3);
     lua_rotate(L, -3, -1);
     lua_setfield(L, -2, "__index");
-    lua_pushcfunction(L, read_only);
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, read_only, 1);
     lua_setfield(L, -2, "__newindex");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
@@ -160,13 +165,15 @@ static void rect(lua_State *L, const char *name, int x, int y, int w, int h)
 {
     const char *const keys[] = { "x", "y", "w", "h" };
     const int values[] = { x, y, w, h };
+    char full[16];
 
     lua_createtable(L, 0, 4);
     for (int i = 0; i < 4; i++) {
         lua_pushinteger(L, values[i]);
         lua_setfield(L, -2, keys[i]);
     }
-    seal(L);
+    snprintf(full, sizeof full, "rom.%s", name);
+    seal(L, full);
     lua_setfield(L, -2, name);
 }
 
@@ -179,7 +186,7 @@ void api_rom_open(lua_State *L)
     lua_setfield(L, -2, "title");
     rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
     rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
-    seal(L);
+    seal(L, "rom");
     lua_setglobal(L, "rom");
 }
 

@@ -161,6 +161,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
     int32_t i = bullets_fire(pool, &s, b->core.clock);
+    if (i == NO_SLOT)
+        board_full(b, &pool->s);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
     lua_pushinteger(L, board_handle(b, h, i));
@@ -185,7 +187,7 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 /* ---- groups ---- */
 
 static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-static const struct api_param tag_f[] = { { "tag", A_STR, REQ, 0, 0, NULL, NULL },
+static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
                                           { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
 /* The slot of a group's handle is its tag; 0 is all bullets. */
@@ -227,7 +229,7 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint16_t tag = api_tag(L, "bullet.each", v[0].at);
+    uint32_t tag = v[0].given ? api_tag(L, "bullet.each", v[0].at) : 0;
 
     return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[1].at);
 }
@@ -252,7 +254,7 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
         if (!in_group(&b->bullets, i, tag) || (circle && !geom_circles(x, y, v[1].f, v[2].f, v[3].f)))
             continue;
         if (v[4].given)
-            sparks_burst(&b->sparks, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
+            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
         bullets_drop(&b->bullets, i);
         n++;
     }
@@ -432,8 +434,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != P_LAST)
-        vm_fault(L, FAULT_SCRIPT, "group: %s can only be written (a group reads only count)",
-                 group_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
     EACH_LIVE (i, &b->bullets.s)
         n += in_group(&b->bullets, i, tag);
     vm_charge(L, b->bullets.s.live);
@@ -569,6 +570,8 @@ static void unknown_key(lua_State *L, int step, int at)
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
+    if (api_later("motion.def step", '{', name))
+        api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
         int apart = words_apart(name, step_keys[k].name);
         if (apart < best)
@@ -741,7 +744,10 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, DEF, "a motion has at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
+    uint32_t long_ones = b->steps.s.refused; /* that found a motion's place but no steps */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
+    if (m == NO_SLOT)
+        board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
     if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
         names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);
@@ -766,7 +772,7 @@ static const struct api_entry entries[] = {
     { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
       "every live bullet with that tag (without one: all) as one thing to write to" },
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(bullet) for each with that tag, in slot order" },
+      "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "bullet.clear", bullet_clear_run, PARAMS(bullet_clear), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark" },
     { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,

@@ -139,7 +139,9 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
     int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
     int64_t h = board_handle(b, H_ENEMY, i);
-    if (i != NO_SLOT) {
+    if (i == NO_SLOT)
+        board_full(b, &b->enemies.s);
+    else {
         b->enemies.by[i] = tasks_serial(b);
         b->enemies.owner[i] = owner;
         if (v[S_HP].given)
@@ -314,10 +316,10 @@ static const struct api_entry entries[] = {
       "boss's phase "
       "it came from does not take it along" },
     { "enemy.each", enemy_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(enemy) for each with that tag (nil: all)" },
+      "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
     { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
-      "starts a move to x, y and returns at once" },
+      "starts a move to x, y and returns at once; in each frame it is at the nearest 1/65536 px of its way" },
     { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 2, API_CHANGES | API_METHOD, NULL, "damage, unless it is safe" },
     { "enemy:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
       "dies with score (p's; without p the nearest player's), spark and on_death" },

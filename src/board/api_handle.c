@@ -28,13 +28,23 @@ bool api_property(const struct api_thing *t, const char *name)
     return prop_named(t, name, &unused) != NULL;
 }
 
+/* Groups and motions are no things that come and go. */
+static bool may_die(enum handle_kind kind)
+{
+    return kind != H_GROUP && kind != H_MOTION;
+}
+
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
     int best = 99;
 
+    if (api_later(t->name, ':', name))
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, NOT_YET);
     for (int i = 0; i < t->n; i++)
         words_consider(name, t->props[i].value.name, &best, &found);
+    if (may_die((enum handle_kind)kind))
+        words_consider(name, "alive", &best, &found);
     api_push_methods(L, kind);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
@@ -45,6 +55,19 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
         return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
                         name, found);
     return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
+}
+
+/* A write to what there is and cannot be written: a property, a verb, alive. */
+static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
+{
+    api_push_methods(L, kind);
+    if (lua_getfield(L, -1, name) == LUA_TFUNCTION)
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s is a verb: call it with a colon, as thing:%s(...)", t->name, name,
+                        name);
+    lua_pop(L, 2);
+    if (api_property(t, name) || (may_die((enum handle_kind)kind) && !strcmp(name, "alive")))
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
+    return no_property(L, t, kind, name);
 }
 
 static int get_property(lua_State *L)
@@ -64,7 +87,7 @@ static int get_property(lua_State *L)
     if (lua_getfield(L, -1, name) == LUA_TFUNCTION)
         return 1;
     bool alive = board_alive(b, h);
-    if (!strcmp(name, "alive") && handle_kind(h) != H_GROUP && handle_kind(h) != H_MOTION)
+    if (!strcmp(name, "alive") && may_die(handle_kind(h)))
         return lua_pushboolean(L, alive), 1;
     const struct api_prop *prop = prop_named(t, name, &p);
     if (handle_kind(h) == H_PLAYER && !prop) {
@@ -83,12 +106,15 @@ static int get_property(lua_State *L)
     return 1;
 }
 
+/* A register stops at 0, whatever is taken from it. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
-    struct api_param p = { name, A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL };
+    struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
     struct api_value v = { 0 };
+    int whole = 0;
 
-    api_check(L, "player", &p, 3, &v);
+    if (lua_type(L, 3) != LUA_TNUMBER || lua_tointegerx(L, 3, &whole) >= 0 || !whole)
+        api_check(L, "player", &p, 3, &v);
     b->player.regs[slot * REGISTERS + (uint32_t)reg] = (int32_t)v.i;
     return 0;
 }
@@ -115,10 +141,8 @@ static int set_property(lua_State *L)
         if (reg >= 0)
             return alive ? set_register(L, b, handle_slot(h), reg, name) : 0;
     }
-    if (!prop)
-        return no_property(L, t, (int)handle_kind(h), name);
-    if (prop->write != PROP_WRITE)
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
+    if (!prop || prop->write != PROP_WRITE)
+        return read_only(L, t, (int)handle_kind(h), name);
     api_check(L, t->name, &prop->value, 3, &v);
     if (alive)
         t->set(L, b, handle_slot(h), p, &v);

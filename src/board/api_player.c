@@ -1,6 +1,7 @@
 /*
  * api_player.c - player, pad, score.
  */
+#include <stdio.h>
 #include <string.h>
 #include "api_parts.h"
 
@@ -41,10 +42,12 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
 
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        struct api_param p = { "registers", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL };
+        char name[48] = "registers";
+        struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
         struct api_value v = { 0 };
         if (lua_type(L, -2) != LUA_TSTRING)
             api_error(L, "player.def", "registers: expected names with whole numbers");
+        snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
         api_check(L, "player.def", &p, lua_gettop(L), &v);
         lua_pop(L, 1);
         if (api_property(&player_thing, lua_tostring(L, -1)))
@@ -142,6 +145,9 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
     if (b->player.in[i])
         player_leave(&b->player, i);
+    if (player_retired(&b->player, i))
+        return vm_fault(L, FAULT_SCRIPT, "player %d has been in %d games: the board has to be powered anew", (int)i + 1,
+                        GENERATIONS - 1);
     b->player.in[i] = 1;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
         player_start(b, p, &x, &y);
@@ -151,6 +157,7 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     b->core.extended[i] = 0;
     b->core.over = 0;
+    input_forget(&b->input, i, PRESS_GAME); /* what was pressed before is not for its ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
@@ -258,6 +265,10 @@ const struct api_thing player_thing = { "player", props, PROPS, get, set };
 static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
                                            { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 
+static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
+                                         { "n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL },
+                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
 static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
 {
     lua_pushboolean(L, v[1].i && pads[v[1].i - 1] >> v[0].i & 1);
@@ -272,6 +283,13 @@ static int pad_down(lua_State *L, struct board *b, struct api_value *v)
 static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
 {
     return read_pad(L, b->input.pressed, v);
+}
+
+static int pad_take(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(
+        L, v[2].i && input_take(&b->input, (uint32_t)v[2].i - 1, (uint32_t)v[0].i, (uint32_t)v[1].i, board_presses(b)));
+    return 1;
 }
 
 static int pad_released(lua_State *L, struct board *b, struct api_value *v)
@@ -335,13 +353,17 @@ static const struct api_entry entries[] = {
     { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a ship" },
     { "player.get", player_get, PARAMS(index_only), 1, 0, "player", "player 1 or 2, in the game or not" },
     { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", "the living player nearest to a point" },
-    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL, "calls f(player) for each in the game" },
+    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
+      "calls f(player) for each in the game; f cannot wait" },
     { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", "is the button held?" },
     { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", "did it go down this frame?" },
+    { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",
+      "takes a press at most n frames old, once: the oldest that nobody took; n = 0: of this frame" },
     { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", "did it come up this frame?" },
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
       "pressed, then again every 5 frames once held for 20" },
-    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL, "points for a player; extends come by themselves" },
+    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
+      "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
     { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
       "a lasting table's rows, best first: { name=, score= }" },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",

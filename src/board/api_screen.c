@@ -24,7 +24,9 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     int32_t i = tasks_brings(b, v[10].i, &owner) ? slots_take(&s->s) : NO_SLOT;
 
-    if (i != NO_SLOT) {
+    if (i == NO_SLOT)
+        board_full(b, &s->s);
+    else {
         s->sprite[i] = (uint16_t)v[0].i;
         s->x[i] = v[1].f;
         s->y[i] = v[2].f;
@@ -172,7 +174,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
 
     if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
-        sparks_burst(&b->sparks, &s);
+        board_sparks(b, &s);
     return 0;
 }
 

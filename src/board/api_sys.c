@@ -171,6 +171,8 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[0].given ? v[0].i : 0;
+    for (uint32_t p = 0; p < PADS && v[0].given; p++)
+        input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
     return 0;
 }
 
@@ -203,6 +205,17 @@ static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushboolean(L, b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS);
+    return 1;
+}
+
+/* nil: no task has its turn. */
+static int sys_task(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    if (b->tasks.current == NO_SLOT)
+        lua_pushnil(L);
+    else
+        lua_pushinteger(L, board_handle(b, H_TASK, b->tasks.current));
     return 1;
 }
 
@@ -293,6 +306,7 @@ static const struct api_entry entries[] = {
       "from now on this task waits for nothing" },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
     { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
+    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", "the task that has its turn" },
     { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },

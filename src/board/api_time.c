@@ -25,8 +25,9 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "wait", "only a task can wait; start one with task.go");
     if (!lua_isyieldable(L))
-        return api_error(L, "wait",
-                         "cannot wait inside a function that C calls (an `each`, a sort, a gsub, a <close>)");
+        return api_error(
+            L, "wait",
+            "cannot wait inside a function that C calls (bullet.each and its like, a sort, a gsub, a <close>)");
     if (b->tasks.flags[b->tasks.current] & TASK_SKIPS)
         return time_pass(L, b);
     if (!v[0].i)

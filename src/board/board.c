@@ -6,8 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
+#include "../base/sums.h"
 #include "events_run.h"
 #include "hit.h"
+#include "host.h"
 
 static const struct column core_columns[] = {
     REGISTER(core, frame),
@@ -234,12 +236,17 @@ static void end_texts(struct practice *p)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
-                          char *err, size_t err_size)
+static struct board *power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                           char *err, size_t err_size)
 {
     struct board *b = (struct board *)ram;
+    const char *wrong = sums_wrong();
     size_t need;
 
+    if (wrong) {
+        snprintf(err, err_size, "%s", wrong);
+        return NULL;
+    }
     if (!board_size(rom, &need, err, err_size))
         return NULL;
     assert(size >= need && ((uintptr_t)ram & 15) == 0);
@@ -263,6 +270,17 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     }
     b->hand->out.log = b->hand->log;
     b->hand->out.log_size = b->hand->log_size;
+    return b;
+}
+
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
+                          char *err, size_t err_size)
+{
+    struct host host;
+
+    host_aside(&host);
+    struct board *b = power(ram, size, rom, start, count, err, err_size);
+    host_back(&host);
     return b;
 }
 
@@ -326,7 +344,7 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
-const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct hand *h = b->hand;
 
@@ -337,7 +355,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     b->vm.interrupted = 0;
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
-    input_latch(&b->input, pads);
+    input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count(&b->player);
         enemies_count(&b->enemies);
@@ -361,7 +379,16 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     }
     over(b, PHASE_REST);
     h->out.log_size = h->log_size;
-    return &h->out;
+}
+
+const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+{
+    struct host host;
+
+    host_aside(&host);
+    tick(b, pads);
+    host_back(&host);
+    return &b->hand->out;
 }
 
 const struct board_out *board_last(const struct board *b)
@@ -451,6 +478,11 @@ int64_t board_live(const struct board *b, const char *part)
     int i = part_named(part);
 
     return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->live;
+}
+
+int64_t board_points(const struct board *b, int i)
+{
+    return b->player.score[i];
 }
 
 int64_t board_refused(const struct board *b, const char *part)

@@ -5,6 +5,9 @@
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
  * and runs the game's entry script. From then on a frame is one board_tick; the picture is board_draw, which takes
  * const RAM. RAM points into itself and into the ROM, so a snapshot is good only in the same process and place.
+ *
+ * What the host has set (locale, rounding, flushing, traps) changes no run: board_power, board_tick and board_eval put it
+ * aside and leave it as it was (host.h).
  */
 #ifndef BOARD_BOARD_H
 #define BOARD_BOARD_H
@@ -94,15 +97,24 @@ struct board_mark {
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
+/* A pool had no room, for the first time in this run: what the log says of it, "FILE:LINE: ..." of the script that asked. */
+enum { FULLS = 8 /* pools that can be full */ };
+struct board_full {
+    const char *part; /* "bullets" */
+    char line[256];
+};
+
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
     char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
     const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
-    const char *log;      /* what print wrote this tick, lines ending in \n, at most 4 KiB */
+    const char *log;      /* what print wrote this tick, and what was full; lines ending in \n, at most 4 KiB */
     size_t log_size;
     struct board_mark mark[MARKS];
     int marks;
+    struct board_full full[FULLS];
+    int fulls;
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
 };
 
@@ -112,7 +124,7 @@ struct board;
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
- * ROM that cannot run. A script fault while loading is not NULL: it stands in board_last(b)->fault. */
+ * ROM that cannot run, and where the build computes otherwise than others (sums.h). A script fault while loading is not NULL: it stands in board_last(b)->fault. */
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
                           char *err, size_t err_size);
 
@@ -174,12 +186,15 @@ void board_count(struct board *b, bool on);
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
+/* Points of player i (0 or 1): those of its game, and after it those of the last one. */
+int64_t board_points(const struct board *b, int i);
+
 /* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
 size_t board_lua_most(const struct board *b);
 
 /* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
- * called when each phase is over, in this order (while the game is frozen, motion is left out). It must not touch the
- * board. NULL: nobody asks, as after power-on and after a restore. */
+ * called when each phase is over, in this order (while the game is frozen, motion is left out), with the host's settings
+ * put aside. It must not touch the board. NULL: nobody asks, as after power-on and after a restore. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
     PHASE_MOTION,  /* everything moves, and bullets are tested against players; what left the keep box is gone */

@@ -11,6 +11,7 @@
 #include "api.h"
 #include "api_parts.h"
 #include "events_run.h"
+#include "host.h"
 #include "lualib.h"
 #include "script.h"
 
@@ -144,8 +145,10 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     struct hand *h = b->hand;
     struct board_out was = h->out;
     bool counting = b->vm.counting;
+    struct host host;
 
     assert(h->fault.kind == FAULT_NONE);
+    host_aside(&host);
     h->line = line;
     h->log_size = 0;
     b->vm.work = 0;
@@ -160,5 +163,6 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     h->log_size = 0;
     h->out = was;
     h->out.log_size = 0;
+    host_back(&host);
     return fine;
 }

@@ -149,12 +149,12 @@ static void enemy_sparks(struct board *b, uint32_t i)
     uint16_t spark = b->enemy_kinds.spark[b->enemies.kind[i]];
 
     if (spark)
-        sparks_burst(&b->sparks, &(struct spark_burst){ .x = b->enemies.x[i],
-                                                        .y = b->enemies.y[i],
-                                                        .speed = 2 << 16,
-                                                        .spread = UINT32_MAX,
-                                                        .kind = (uint16_t)(spark - 1),
-                                                        .n = 12 });
+        board_sparks(b, &(struct spark_burst){ .x = b->enemies.x[i],
+                                               .y = b->enemies.y[i],
+                                               .speed = 2 << 16,
+                                               .spread = UINT32_MAX,
+                                               .kind = (uint16_t)(spark - 1),
+                                               .n = 12 });
 }
 
 /* Calls an enemy's own handler with the n values on top of the stack (popped). */

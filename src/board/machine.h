@@ -126,7 +126,19 @@ void board_mark(struct board *b, enum board_mark_kind kind, const char *name, co
 /* Is this board there to tell the list of its pieces? */
 bool board_lists(const struct board *b);
 
-/* Player i's score goes up; lives come at the manifest's extends. */
+/* Whose presses are taken now: the game's, or those of the screen that freezes it. */
+static inline enum press_side board_presses(const struct board *b)
+{
+    return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
+}
+
+/* sparks_burst; says it when there is no room. */
+void board_sparks(struct board *b, const struct spark_burst *burst);
+
+/* After a pool refused something: the first time in a run, the log says so. */
+void board_full(struct board *b, const struct slots *s);
+
+/* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 
 /* Folds v into the script digest. */

@@ -69,7 +69,7 @@ void manifest_default(struct manifest *m)
     m->motions = 256;
     m->tasks = 1024;
     m->lua_kib = 4096;
-    m->players = 2;
+    m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
 }

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../base/heap.h"
+#include "host.h"
 
 enum {
     MAX_TEXT = 1 << 20,   /* bytes of rom.lua */
@@ -690,10 +691,27 @@ static void id_from(const char *folder, char id[32])
     memset(id + i, 0, 32 - i);
 }
 
+/* Runs the text; false and one sentence when it is no manifest. */
+static bool read_text(struct reader *r, void *work, char *err, size_t err_size)
+{
+    struct memory memory = { heap_init(work, MANIFEST_WORK), NULL, 0 };
+    lua_State *lua = lua_newstate(allocate, &memory);
+
+    memory.lua = lua;
+    lua_pushcfunction(lua, run);
+    lua_pushlightuserdata(lua, r);
+    int status = lua_pcall(lua, 1, 0, 0);
+    if (status != LUA_OK)
+        explain(lua, status, memory.line, r->file, err, err_size);
+    lua_close(lua);
+    return status == LUA_OK;
+}
+
 bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
                    struct art *art, void *work, char *err, size_t err_size)
 {
     struct reader r = { text, n, file, m, art };
+    struct host host;
     char why[256];
 
     manifest_default(m);
@@ -704,17 +722,11 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
         snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_TEXT);
         return false;
     }
-    struct memory memory = { heap_init(work, MANIFEST_WORK), NULL, 0 };
-    lua_State *lua = lua_newstate(allocate, &memory);
-    memory.lua = lua;
-    lua_pushcfunction(lua, run);
-    lua_pushlightuserdata(lua, &r);
-    int status = lua_pcall(lua, 1, 0, 0);
-    if (status != LUA_OK)
-        explain(lua, status, memory.line, file, err, err_size);
-    lua_close(lua);
-    if (status != LUA_OK || manifest_check(m, why, sizeof why))
-        return status == LUA_OK;
+    host_aside(&host);
+    bool good = read_text(&r, work, err, err_size);
+    host_back(&host);
+    if (!good || manifest_check(m, why, sizeof why))
+        return good;
     snprintf(err, err_size, "%s: %s", file, why);
     return false;
 }

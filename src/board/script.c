@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/heap.h"
+#include "host.h"
 
 static const char no_power[] =
     "the operator ^ is not available (results differ between machines); use x*x or math.sqrt";
@@ -274,11 +275,16 @@ static bool compile(const char *text, size_t n, const char *chunk, void *work, s
 bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                     size_t err_size)
 {
+    struct host host;
+
     if (n > 0 && text[0] == LUA_SIGNATURE[0]) {
         snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
         return false;
     }
-    return compile(text, n, chunk, work, work_size, err, err_size);
+    host_aside(&host);
+    bool good = compile(text, n, chunk, work, work_size, err, err_size);
+    host_back(&host);
+    return good;
 }
 
 bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,

@@ -4,6 +4,7 @@
  */
 #include "tasks.h"
 #include <lauxlib.h>
+#include <string.h>
 #include "machine.h"
 
 static const struct column columns[] = {
@@ -14,6 +15,7 @@ static const struct column columns[] = {
     COLUMN(tasks, flags),
     COLUMN(tasks, born),
     DERIVED(tasks, thread, "the thread in the registry"),
+    DERIVED(tasks, from, "the text in the registry"),
     DERIVED(tasks, next, "the live slots by serial"),
     DERIVED(tasks, prev, "the live slots by serial"),
     DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
@@ -27,7 +29,7 @@ static const struct column columns[] = {
 
 const struct chip tasks_chip = { "tasks", columns, sizeof columns / sizeof *columns, false, false };
 
-static const char threads_key = 0; /* registry: slot + 1 -> thread */
+static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> where it comes from */
 
 static void push_threads(lua_State *L)
 {
@@ -112,8 +114,10 @@ static int32_t take(struct board *b, int64_t owner, uint8_t flags)
     check_depth(b, owner);
     int32_t i = slots_take(&t->s);
 
-    if (i == NO_SLOT)
+    if (i == NO_SLOT) {
+        board_full(b, &t->s);
         return i;
+    }
     t->serial[i] = ++t->serials;
     t->owner[i] = owner;
     t->scene[i] = scene_in(b, owner);
@@ -121,6 +125,7 @@ static int32_t take(struct board *b, int64_t owner, uint8_t flags)
     t->flags[i] = flags;
     t->born[i] = b->core.clock;
     t->thread[i] = NULL;
+    t->from[i] = NULL;
     link_last(t, (uint32_t)i);
     script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
@@ -131,10 +136,37 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
     push_threads(L);
     lua_pushnil(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
+    if (b->tasks.from[i]) {
+        lua_pushnil(L);
+        lua_rawseti(L, -2, -(lua_Integer)i - 1);
+    }
     lua_pop(L, 1);
     script_fold(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
     unlink_task(&b->tasks, i);
     slots_drop(&b->tasks.s, i);
+}
+
+/* Of a function of @std's, at `at`, keeps the author's line that starts it as task i: the table of threads is on top. */
+static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
+{
+    char place[VM_PLACE];
+    lua_Debug ar;
+
+    lua_pushvalue(L, at);
+    if (!lua_getinfo(L, ">S", &ar) || strncmp(ar.source, "@@std/", 6))
+        return;
+    vm_where(L, place, sizeof place);
+    if (!place[0] || !strncmp(place, "@std/", 5))
+        return;
+    b->tasks.from[i] = lua_pushstring(L, place);
+    lua_rawseti(L, -2, -(lua_Integer)i - 1);
+}
+
+const char *tasks_from(const struct board *b, lua_State *L)
+{
+    const struct tasks *t = &b->tasks;
+
+    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
 }
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
@@ -146,7 +178,9 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
         return board_handle(b, H_TASK, NO_SLOT);
     }
     luaL_checkstack(L, 4, "too many arguments");
+    int f = lua_gettop(L) - n;
     push_threads(L);
+    keep_place(b, L, f, (uint32_t)i);
     lua_State *co = lua_newthread(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     lua_pop(L, 1);

@@ -41,7 +41,8 @@ struct tasks {
     int64_t *wait;    /* turns to let pass */
     uint8_t *flags;
     uint32_t *born;
-    lua_State **thread;    /* NULL: a scope */
+    lua_State **thread; /* NULL: a scope */
+    const char **from;  /* "FILE:LINE: " of the author's line that started a task of @std's; NULL: of a script's own */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
     uint32_t serials;             /* given out so far */
@@ -91,6 +92,9 @@ void tasks_back(struct board *b, struct tasks_now was);
 
 /* What it is in a task itself: for an error that a task caught on its way out of an enemy's handler. */
 void tasks_back_to_turn(struct board *b);
+
+/* Where the author's line stands that led to the task of @std's that has its turn in L; NULL: no such task. */
+const char *tasks_from(const struct board *b, lua_State *L);
 
 /* Serial of the running task, 0: none. */
 uint32_t tasks_serial(const struct board *b);

@@ -14,7 +14,13 @@
 #include "machine.h"
 #include "script.h"
 
-/* Level 0 is a C function, or in a hook the function that was interrupted. */
+struct board *vm_board(lua_State *L)
+{
+    return *(struct board **)lua_getextraspace(L);
+}
+
+/* Level 0 is a C function, or in a hook the function that was interrupted. A task of the library's own stands where the
+ * author's line stood that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
 {
     lua_Debug ar;
@@ -29,6 +35,9 @@ void vm_where(lua_State *L, char *place, size_t size)
         if (!std)
             return;
     }
+    const char *from = tasks_from(vm_board(L), L);
+    if (from)
+        snprintf(place, size, "%s", from);
 }
 
 enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
@@ -56,11 +65,6 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
     if (!q && size)
         note_shortage(b);
     return q;
-}
-
-struct board *vm_board(lua_State *L)
-{
-    return *(struct board **)lua_getextraspace(L);
 }
 
 /* ---- faults ---- */
@@ -316,8 +320,7 @@ static int l_require(lua_State *L)
     return 1;
 }
 
-/* Never fails: what does not fit into the frame's log is cut off. */
-static void log_text(struct board *b, const char *s, size_t n)
+void vm_log(struct board *b, const char *s, size_t n)
 {
     struct hand *h = b->hand;
 
@@ -336,12 +339,12 @@ int vm_print(lua_State *L)
         size_t size;
         const char *s = lualib_tolstring(L, i, &size);
         if (i > 1)
-            log_text(b, "\t", 1);
-        log_text(b, s, size);
+            vm_log(b, "\t", 1);
+        vm_log(b, s, size);
         vm_charge(L, WORK_CALL);
         lua_pop(L, 1);
     }
-    log_text(b, "\n", 1);
+    vm_log(b, "\n", 1);
     return 0;
 }
 
@@ -349,6 +352,8 @@ static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
+    if (api_later("", '.', name))
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
 
@@ -387,6 +392,8 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_call(L, 1, 1);
     lua_pushglobaltable(L);
     if (!strcmp(name, "prelude")) {
+        if (!lua_istable(L, -2))
+            vm_fault(L, FAULT_SCRIPT, "%s.lua: expected a table of functions to be returned", path);
         lua_pushnil(L);
         while (lua_next(L, -3)) {
             lua_pushvalue(L, -2);
@@ -431,6 +438,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
+    api_watch_fields(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);

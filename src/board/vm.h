@@ -54,7 +54,7 @@ struct board *vm_board(lua_State *L);
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
-/* Where the nearest caller outside @std stands, or the nearest at all: "FILE:LINE: ", or "". Changes nothing of L. */
+/* Where the nearest caller outside @std stands, or who started the library's task, or the nearest at all: "FILE:LINE: ", or "". Changes nothing of L. */
 void vm_where(lua_State *L, char *place, size_t size);
 
 /* Puts "FILE:LINE: " before the message on top of the stack if it has none. */
@@ -74,6 +74,9 @@ void vm_trace(struct board *b, lua_State *L, lua_State *from);
 
 /* One step of the collector; between frames only. */
 int vm_collect(lua_State *L);
+
+/* Writes into the frame's log; what does not fit is cut off. */
+void vm_log(struct board *b, const char *s, size_t n);
 
 /* print: writes its arguments, the whole stack, into the frame's log. */
 int vm_print(lua_State *L);

@@ -69,6 +69,7 @@ enum option {
     OPTION_NEAREST,
     OPTION_BISECT,
     OPTION_RESTAMP,
+    OPTION_RERECORD,
     OPTION_NULL,
     OPTION_VERBOSE,
     OPTION_HELP,
@@ -111,6 +112,12 @@ static const struct {
                         "first frame, part, slot and column that differ. - is standard input" },
     [OPTION_RESTAMP] = { "--restamp", NULL, FOR_VERIFY,
                          "write demos that hold anew, in the newest format and as of this ROM" },
+    [OPTION_RERECORD] = { "--rerecord", NULL, FOR_VERIFY,
+                          "play the pads of demos of another core version or build to their end and write them anew, "
+                          "as "
+                          "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
+                          "moments "
+                          "and length are known to be the same; 1: not; 2: not written" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; verify: hashes, moment and buttons of a "
@@ -391,6 +398,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->bisect);
     case OPTION_RESTAMP:
         return set_switch(&a->restamp);
+    case OPTION_RERECORD:
+        return set_switch(&a->rerecord);
     case OPTION_NULL:
         return set_switch(&a->null);
     case OPTION_VERBOSE:
@@ -470,6 +479,22 @@ static void goes_with(unsigned set_of, char *out, size_t size)
     }
 }
 
+/* Each of these makes another command of verify. */
+static bool check_verify(unsigned seen, char *err, size_t err_size)
+{
+    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD };
+    const char *first = NULL;
+
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+        if (!(seen >> ways[i] & 1))
+            continue;
+        if (first)
+            return fail(err, err_size, "%s does not go with %s", options[ways[i]].name, first);
+        first = options[ways[i]].name;
+    }
+    return true;
+}
+
 static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
 {
     char with[64];
@@ -490,7 +515,7 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
         if (!a->stage && practice >> o & 1)
             return fail(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
-    return true;
+    return check_verify(seen, err, err_size);
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */

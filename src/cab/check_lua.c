@@ -185,7 +185,9 @@ static void unknown_global(struct check *c, const char *path, const struct fact_
         return;
     }
     hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
-    if (g->use == USE_WRITE && meant[0] == '\0')
+    if (api_later("", '.', g->name) && g->use != USE_WRITE)
+        findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)", g->name, g->name, NOT_YET);
+    else if (g->use == USE_WRITE && meant[0] == '\0')
         findings_add(&c->found, path, g->line,
                      "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);
     else
@@ -200,6 +202,8 @@ static void unknown_field(struct check *c, const char *path, const struct fact_g
     hint(meant, g->field, known_near(&c->known, g->name, g->field), NULL);
     if (instead != NULL)
         findings_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
+    else if (api_later(g->name, '.', g->field))
+        findings_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
     else
         findings_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }

@@ -55,12 +55,45 @@ static void note_fault(struct run *r, const struct board_fault *fault)
         findings_add_sentence(&r->c->found, r->what, fault->message);
 }
 
+/* Does a script ask board.refused for it? Then the game knows that it may be full. */
+static bool is_watched(const struct check *c, const char *part)
+{
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct facts *f = &c->scripts[i].facts;
+        for (int k = 0; k < f->n_calls; k++) {
+            const struct fact_call *call = &f->calls[k];
+            if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
+                (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Pools that are full for the first time. Sparks are for the eye: one that is not there nobody misses. */
+static void note_full(struct run *r, const struct board_out *out)
+{
+    for (int i = 0; i < out->fulls; i++)
+        if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
+            findings_add_sentence(&r->c->found, r->what, out->full[i].line);
+}
+
+static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
+{
+    const struct board_out *out = guard_tick(&r->guard, pads);
+
+    note_full(r, out);
+    return out;
+}
+
 static bool power(struct run *r, const struct board_start *start)
 {
     char err[512];
 
-    if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err))
+    if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
+        note_full(r, board_last(r->guard.board));
         return true;
+    }
     findings_add_sentence(&r->c->found, "rom.lua", err);
     return false;
 }
@@ -96,7 +129,7 @@ static void run_idle(struct run *r)
     if (!power(r, &start))
         return;
     for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
-        guard_tick(&r->guard, nothing);
+        tick(r, nothing);
     finish(r);
 }
 
@@ -127,7 +160,7 @@ static void run_piece(struct run *r, const struct piece *piece)
     if (!power(r, &start))
         return;
     for (int f = 0; f < PIECE_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
-        const struct board_out *out = guard_tick(&r->guard, sweep[f / SWEEP % 2]);
+        const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
         over = piece->kind == PIECE_PHASE && piece_over(out);
         for (int i = 0; i < out->marks; i++)
             over = over || out->mark[i].kind == MARK_CLEAR;
@@ -185,7 +218,7 @@ static uint32_t play(struct run *r)
         if (f == last || board_last(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
-        guard_tick(&r->guard, pads);
+        tick(r, pads);
     }
 }
 

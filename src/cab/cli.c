@@ -9,7 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../base/sums.h"
 #include "../board/api.h"
+#include "../board/host.h"
 #include "args.h"
 #include "cab.h"
 #include "check.h"
@@ -219,13 +221,16 @@ static int version(void)
     return stdout_done(EXIT_DONE);
 }
 
-int cli_main(int argc, char **argv)
+static int run(int argc, char **argv)
 {
     struct args a;
     char err[512];
 
     if (!args_parse(&a, argc, argv, err, sizeof err))
         return game_report(EXIT_INPUT, "%s", err);
+    const char *wrong = sums_wrong();
+    if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
+        return game_report(EXIT_HOST, "%s", wrong);
     switch (a.command) {
     case COMMAND_RENDER:
         return headless_render(&a);
@@ -248,4 +253,14 @@ int cli_main(int argc, char **argv)
     default:
         return play(&a, a.words != argv);
     }
+}
+
+int cli_main(int argc, char **argv)
+{
+    struct host host;
+
+    host_aside(&host); /* what it prints is the same everywhere, too */
+    int code = run(argc, argv);
+    host_back(&host);
+    return code;
 }

@@ -148,6 +148,30 @@ uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashe
     return differ;
 }
 
+/* A whole number of up to twelve digits, as a score is, written as printf does. */
+static bool read_points(const char *text, int64_t *points)
+{
+    size_t n = strspn(text, "0123456789");
+
+    if (n < 1 || n > 12 || text[n] || (text[0] == '0' && n > 1))
+        return false;
+    *points = strtoll(text, NULL, 10);
+    return true;
+}
+
+bool demo_points(const struct demo *d, int player, int64_t *points)
+{
+    char who[16];
+    int n = snprintf(who, sizeof who, DEMO_POINTS, player + 1);
+
+    for (uint32_t i = d->moments; d->complete && i-- > 0 && d->moment[i].frame == d->frames;) {
+        const struct board_mark *m = &d->moment[i].mark;
+        if (m->kind == MARK_LISTED && strncmp(m->name, who, (size_t)n) == 0)
+            return read_points(m->name + n, points);
+    }
+    return false;
+}
+
 /* The first DIP switch that has no such value as the demo's; -1: none. */
 static int bad_dip(const struct demo *d, const struct manifest *m)
 {

@@ -97,6 +97,9 @@ uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t 
  * 0 where there is neither: in the frame that faulted, after the end. */
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
+/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not say. */
+bool demo_points(const struct demo *d, int player, int64_t *points);
+
 /* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's
  * manifest allows. */
 bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size);

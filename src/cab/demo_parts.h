@@ -17,6 +17,10 @@ enum {
 
 #define DEMO_MAGIC "CDEM"
 
+/* Points at the end of a recording: the name of a moment of kind MARK_LISTED, which has none of its own, is this (with the
+ * player, 1 or 2) and the number. */
+#define DEMO_POINTS "points %d "
+
 /* Room for so many more; false: no memory, nothing changed. */
 bool demo_room_frames(struct demo *d, uint32_t more);
 bool demo_room_second(struct demo *d);

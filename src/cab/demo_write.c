@@ -4,6 +4,7 @@
  * The writer keeps the whole recording in memory (some two kilobytes a second), so going back is cutting it and writing
  * the file anew.
  */
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -475,6 +476,19 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     return write_all(w);
 }
 
+/* What everybody had in the end: which hashes cannot tell once the core is another. */
+static bool take_points(struct demo *d, const struct board *b)
+{
+    for (int p = 0; p < PADS && d->seconds; p++) {
+        struct demo_moment m = { .frame = d->frames, .mark.kind = MARK_LISTED };
+        if (!demo_room_moment(d))
+            return false;
+        snprintf(m.mark.name, sizeof m.mark.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
+        d->moment[d->moments++] = m;
+    }
+    return true;
+}
+
 bool demo_end(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
@@ -486,6 +500,8 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     if (!fault)
         board_hashes_again(b, w->copies, w->hashes);
     stop(w);
+    if (!take_points(d, b))
+        return out_of_memory(w);
     if (d->frames > demo_row_frame(d, d->seconds ? d->seconds - 1 : 0)) {
         if (!fault && !add_row(w))
             return out_of_memory(w);
@@ -496,6 +512,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     d->fault = fault ? fault->kind : FAULT_NONE;
     if (!w->path[0])
         return true;
+    write_moments(&s, d, &w->told, d->frames, &w->crc);
     write_end(&s, d, &w->crc);
     return deliver(w, &s, false);
 }

@@ -222,9 +222,9 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
             return refuse(err, err_size, "--register: %s is given twice", name);
     }
     long long v = strtoll(equals + 1, &end, 10);
-    if (*end || v < INT32_MIN || v > INT32_MAX)
-        return refuse(err, err_size, "--register: %s: expected a whole number from %d to %d, got \"%s\"", name,
-                      INT32_MIN, INT32_MAX, equals + 1);
+    if (*end || v < 0 || v > INT32_MAX)
+        return refuse(err, err_size, "--register: %s: expected a whole number from 0 to %d, got \"%s\"", name,
+                      INT32_MAX, equals + 1);
     p->reg[p->registers++].value = (int32_t)v;
     return true;
 }

@@ -218,11 +218,12 @@ static int round_to(int v, int lo, int hi)
     return v < lo ? hi : v > hi ? lo : v;
 }
 
+/* A register stops at 0. */
 static int32_t add_within(int32_t v, int by)
 {
     int64_t sum = (int64_t)v + by;
 
-    return (int32_t)(sum < INT32_MIN ? INT32_MIN : sum > INT32_MAX ? INT32_MAX : sum);
+    return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
 }
 
 static void change(struct practice_menu *m, int way, int times)

@@ -80,16 +80,96 @@ static bool play(struct replay *r, const struct demo *d, struct demo_writer *aga
     }
 }
 
-int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-               struct verdict *v, char *err, size_t err_size)
+/* The part of a demo that has the points; MAX_PARTS: none. */
+static int part_of_points(const struct demo *d)
+{
+    int i = 0;
+
+    while (i < d->parts && strcmp(d->part[i], "player") != 0)
+        i++;
+    return i < d->parts ? i : MAX_PARTS;
+}
+
+/* Does a demo say what part i was after a frame? */
+static bool is_told(const struct demo *d, uint32_t frame, int i)
+{
+    return demo_hashes(d, frame) || (d->printing >> i & 1 && demo_prints(d, frame));
+}
+
+/* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.
+ * *points is the part that has them, MAX_PARTS when that has differed. */
+static void look(struct replay *r, const struct demo *d, uint32_t f, int *points, struct rerun *o)
+{
+    struct verdict v = { .kind = VERDICT_HOLDS };
+
+    if (o->first.kind != VERDICT_HOLDS && *points == MAX_PARTS)
+        return;
+    if (!compare(r, d, f, &v) && o->first.kind == VERDICT_HOLDS)
+        o->first = v;
+    if (*points == MAX_PARTS)
+        return;
+    if (v.parts >> *points & 1) {
+        *points = MAX_PARTS;
+    } else if (is_told(d, f, *points)) {
+        o->held = true;
+        o->alike = f;
+        for (int p = 0; p < PADS; p++)
+            o->points[p] = board_points(r->guard.board, p);
+    }
+}
+
+static bool play_whole(struct replay *r, const struct demo *d, struct demo_writer *again, struct rerun *o)
+{
+    int points = part_of_points(d);
+    uint16_t pads[PADS];
+
+    *o = (struct rerun){ .first.kind = VERDICT_HOLDS };
+    for (uint32_t f = 0;; f++) {
+        if (!replay_fault(r))
+            look(r, d, f, &points, o);
+        if (ends(r, d, f, &o->end))
+            break;
+        demo_pads(d, f, pads);
+        guard_tick(&r->guard, pads);
+        if (!demo_frame(again, r->guard.board, pads))
+            return false;
+    }
+    if (o->first.kind == VERDICT_HOLDS)
+        o->first = o->end;
+    return true;
+}
+
+/* Powers the board on, and a recording if there is to be one. */
+static int begin(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again, char *err,
+                 size_t err_size)
 {
     int code = power(r, cart, d, err, err_size);
 
+    if (code == EXIT_DONE && again && !demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags))
+        return out_of_memory(err, err_size);
+    return code;
+}
+
+int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+               struct verdict *v, char *err, size_t err_size)
+{
+    int code = begin(r, cart, d, again, err, err_size);
+
     if (code != EXIT_DONE)
         return code;
-    if (again && !demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags))
-        return out_of_memory(err, err_size);
     if (!play(r, d, again, v) || (again && !demo_end(again, r->guard.board)))
+        return out_of_memory(err, err_size);
+    return EXIT_DONE;
+}
+
+int replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                 struct rerun *o, char *err, size_t err_size)
+{
+    int code = begin(r, cart, d, again, err, err_size);
+
+    if (code != EXIT_DONE)
+        return code;
+    if (!play_whole(r, d, again, o) || !demo_end(again, r->guard.board))
         return out_of_memory(err, err_size);
     return EXIT_DONE;
 }

@@ -39,6 +39,19 @@ struct replay {
 int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                struct verdict *v, char *err, size_t err_size);
 
+/* A replay on to the end, whatever differs on the way. */
+struct rerun {
+    struct verdict first; /* what replay_run would have said */
+    struct verdict end;   /* VERDICT_HOLDS: it has all its frames, and the fault if it ends in one; else how it ended */
+    bool held; /* the part with the points was as recorded in frame .alike, and in none after it is that known */
+    uint32_t alike;
+    int64_t points[PADS]; /* in that frame */
+};
+
+/* The same, of a replay that goes on to the demo's end or a fault. */
+int replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                 struct rerun *o, char *err, size_t err_size);
+
 /* The fault the board is in, or NULL. */
 const struct board_fault *replay_fault(const struct replay *r);
 

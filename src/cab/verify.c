@@ -4,6 +4,7 @@
  */
 #include "verify.h"
 
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 #include "bisect.h"
 #include "cli.h"
 #include "game.h"
+#include "moments.h"
 #include "replay.h"
 
 struct verify {
@@ -18,7 +20,7 @@ struct verify {
     struct game game;
     struct replay replay;
     struct demo demo;
-    struct demo_writer again; /* of --restamp */
+    struct demo_writer again; /* of --restamp and --rerecord */
     char doubt[160];          /* " (recorded on another build)", or nothing */
     bool batch;               /* names come from standard input */
 };
@@ -75,7 +77,8 @@ static void list_parts(const struct demo *d, uint32_t parts, char *out, size_t s
     }
 }
 
-static void say_parts(const struct verify *v, const char *path, const struct verdict *w)
+/* "frame 12: input, player differ" */
+static void parts_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
 {
     char parts[MAX_PARTS * 18], frames[40];
     const char *verb = w->parts & (w->parts - 1) ? "differ" : "differs";
@@ -85,22 +88,30 @@ static void say_parts(const struct verify *v, const char *path, const struct ver
         snprintf(frames, sizeof frames, "frame %u", (unsigned)w->frame);
     else
         snprintf(frames, sizeof frames, "frames %u to %u", (unsigned)w->first, (unsigned)w->frame);
-    say(v, path, "%s: %s %s", frames, parts, verb);
+    snprintf(out, size, "%s: %s %s", frames, parts, verb);
 }
 
-static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
+static void verdict_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
 {
     unsigned frame = (unsigned)w->frame;
 
     if (w->kind == VERDICT_DIFFERS)
-        say_parts(v, path, w);
+        parts_text(v, w, out, size);
     else if (w->kind == VERDICT_FAULT)
-        say(v, path, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(&v->replay)->message);
+        snprintf(out, size, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(&v->replay)->message);
     else if (w->kind == VERDICT_NO_FAULT)
-        say(v, path, "frame %u: the fault it was recorded with does not happen", frame);
+        snprintf(out, size, "frame %u: the fault it was recorded with does not happen", frame);
     else
-        say(v, path, "holds, %u frames%s%s", frame, v->demo.fault ? ", ends in the fault it was recorded with" : "",
-            v->a->restamp ? ", restamped" : "");
+        snprintf(out, size, "holds, %u frames%s", frame,
+                 v->demo.fault ? ", ends in the fault it was recorded with" : "");
+}
+
+static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
+{
+    char text[1400];
+
+    verdict_text(v, w, text, sizeof text);
+    say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
 }
 
 /* ---- more of it: --verbose ---- */
@@ -231,8 +242,8 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
-/* Writes a demo that holds anew: newest format, this ROM and core version, all prints and moments. */
-static int restamp(struct verify *v, const char *path)
+/* Writes the replay as the demo: newest format, this ROM and core version, all prints and moments. */
+static int write_again(struct verify *v, const char *path)
 {
     char err[1200];
 
@@ -250,13 +261,167 @@ static int judge(struct verify *v, const char *path)
     if (code != EXIT_DONE)
         return refuse(v, code, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
-        code = restamp(v, path);
+        code = write_again(v, path);
     if (code != EXIT_DONE)
         return code;
     say_verdict(v, path, &w);
     if (v->a->verbose)
         say_more(v, &w);
     return w.kind == VERDICT_HOLDS ? EXIT_DONE : EXIT_DIFFERS;
+}
+
+/* ---- demos of another core version or build, recorded anew ---- */
+
+struct tale { /* what became of a run, for a line */
+    char text[1900];
+    size_t n;
+    bool same; /* all that was told is known to be as it was */
+};
+
+static void tell(struct tale *t, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    int n = vsnprintf(t->text + t->n, sizeof t->text - t->n, format, args);
+    va_end(args);
+    t->n = n < 0 ? t->n : t->n + (size_t)n < sizeof t->text ? t->n + (size_t)n : sizeof t->text - 1;
+}
+
+/* "1200", and of a second player who has any "1200 and 300". */
+static void points_text(const int64_t points[PADS], char *out, size_t size)
+{
+    int n = snprintf(out, size, "%" PRId64, points[0]);
+
+    if (points[1])
+        snprintf(out + n, size - (size_t)n, " and %" PRId64, points[1]);
+}
+
+static bool points_of(const struct demo *d, int64_t points[PADS])
+{
+    return demo_points(d, 0, &points[0]) && demo_points(d, 1, &points[1]);
+}
+
+/* The score in the end. Demos of old programs do not tell it, so it is known as long as the hashes of the part that has
+ * it are the same. */
+static void tell_points(const struct verify *v, const struct rerun *o, struct tale *t)
+{
+    uint32_t last = v->demo.frames - (v->demo.fault && v->demo.frames);
+    int64_t was[PADS], is[PADS];
+    char before[48], now[48];
+
+    for (int p = 0; p < PADS; p++)
+        is[p] = board_points(v->replay.guard.board, p);
+    points_text(is, now, sizeof now);
+    bool told = points_of(&v->demo, was);
+    if (told ? memcmp(was, is, sizeof was) == 0 : o->held && o->alike >= last) {
+        tell(t, "; score %s as before", now);
+        return;
+    }
+    t->same = false;
+    points_text(told ? was : o->points, before, sizeof before);
+    if (told)
+        tell(t, "; score %s -> %s", before, now);
+    else if (o->held)
+        tell(t, "; score not told -> %s (known up to frame %u: %s)", now, (unsigned)o->alike, before);
+    else
+        tell(t, "; score not told -> %s", now);
+}
+
+enum { MOMENTS_TOLD = 4 }; /* on the line; --verbose prints all */
+
+static void tell_moments(const struct verify *v, const struct moment_changes *c, struct tale *t)
+{
+    char text[96];
+
+    if (v->demo.format < 3) {
+        tell(t, "; moments not told");
+        t->same = false;
+        return;
+    }
+    t->same &= c->n == 0;
+    tell(t, c->n ? "; moments: " : "; moments as before");
+    for (uint32_t i = 0; i < c->n && i < MOMENTS_TOLD; i++) {
+        moments_text(&c->list[i], text, sizeof text);
+        tell(t, "%s%s", i ? ", " : "", text);
+    }
+    if (c->n > MOMENTS_TOLD)
+        tell(t, " and %u more", (unsigned)c->n - MOMENTS_TOLD);
+}
+
+static void tell_end(const struct verify *v, const struct rerun *o, struct tale *t)
+{
+    if (o->end.kind == VERDICT_NO_FAULT) {
+        t->same = false;
+        if (o->first.kind != VERDICT_NO_FAULT) /* else it stands in front */
+            tell(t, "; the fault it was recorded with does not happen");
+    }
+    tell(t, "; length %u as before", (unsigned)v->demo.frames);
+}
+
+/* The file has been written. */
+static int say_again(const struct verify *v, const char *path, const struct rerun *o)
+{
+    struct tale t = { .same = true };
+    struct moment_changes c;
+    char text[1400];
+
+    if (!moments_compare(&c, &v->demo, &v->again.demo)) {
+        free(c.list);
+        return refuse(v, EXIT_HOST, "%s: out of memory", path);
+    }
+    verdict_text(v, &o->first, text, sizeof text);
+    tell(&t, "rerecorded: %s", text);
+    if (o->first.kind != VERDICT_HOLDS) {
+        tell_points(v, o, &t);
+        tell_moments(v, &c, &t);
+        tell_end(v, o, &t);
+    }
+    say(v, path, "%s", t.text);
+    for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
+        moments_text(&c.list[i], text, sizeof text);
+        printf("  %s\n", text);
+    }
+    free(c.list);
+    return t.same ? EXIT_DONE : EXIT_DIFFERS;
+}
+
+/* Why a replay that differs is not the run on today's core; NULL: it is. */
+static const char *no_rerun(const struct verify *v, const struct rerun *o)
+{
+    if (!v->doubt[0])
+        return "it is of this very build";
+    if (v->demo.flags & DEMO_TOUCHED)
+        return "the board was touched from outside, which a demo does not hold";
+    return o->end.kind == VERDICT_FAULT ? "the rest of it would be lost" : NULL;
+}
+
+static int leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
+{
+    char text[1400];
+
+    verdict_text(v, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
+    if (o->end.frame != v->demo.frames)
+        say(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames, (unsigned)o->end.frame,
+            why);
+    else
+        say(v, path, "%s; not rerecorded: %s", text, why);
+    return EXIT_INPUT;
+}
+
+static int rerecord(struct verify *v, const char *path)
+{
+    struct rerun o;
+    char err[512];
+    int code = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
+
+    if (code != EXIT_DONE)
+        return refuse(v, code, "%s: %s", path, err);
+    const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
+    if (why)
+        return leave_alone(v, path, &o, why);
+    code = write_again(v, path);
+    return code == EXIT_DONE ? say_again(v, path, &o) : code;
 }
 
 static int verify_loaded(struct verify *v, const char *path)
@@ -270,7 +435,7 @@ static int verify_loaded(struct verify *v, const char *path)
     v->doubt[0] = 0;
     if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
-    return judge(v, path);
+    return v->a->rerecord ? rerecord(v, path) : judge(v, path);
 }
 
 static int verify_demo(struct verify *v, const char *path)

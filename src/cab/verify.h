@@ -1,5 +1,6 @@
 /*
- * verify.h - the command `verify`: replays demos and says whether they hold; stamps them anew; compares two tracks.
+ * verify.h - the command `verify`: replays demos and says whether they hold; stamps or records them anew; compares
+ * two tracks.
  * floor: cab    used by: cli
  *
  * A demo is a line on standard output, as soon as it is known:
@@ -8,6 +9,15 @@
  *     PATH: frame F: PARTS differ[ (DOUBT)]              or: frames F to G, where there are no prints
  *     PATH: frame F: a fault that is not in the demo: WHAT[ (DOUBT)]
  *     PATH: frame F: the fault it was recorded with does not happen[ (DOUBT)]
+ *
+ * With --rerecord, when it was written, one of
+ *
+ *     PATH: rerecorded: holds, N frames[...][ (DOUBT)]
+ *     PATH: rerecorded: DIFFERENCE; score A -> B; moments: WHAT F -> G, ...; length N as before[ (DOUBT)]
+ *
+ * and when it was not (code 2)
+ *
+ *     PATH: DIFFERENCE[; length N -> F]; not rerecorded: WHY[ (DOUBT)]
  *
  * What cannot be replayed is one sentence on plat_log; with names from standard input `PATH: WHY` in the same stream.
  */

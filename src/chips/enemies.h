@@ -68,7 +68,9 @@ void enemies_drop(struct enemies *e, uint32_t i);
 /* Removes what has that owner, but for the dying, who go when their handlers have been told. */
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
-/* Moves enemy i to (x, y) in the next `over` calls of enemies_move; it arrives exactly. */
+/* Moves enemy i to (x, y) in the next `over` calls of enemies_move, 1 <= over < 2^31; it arrives exactly. After k of n
+ * it is at the place nearest to from + (to - from) * share on either axis, ties to the even one; share is k/n (linear),
+ * (k/n)^2 (in), 1 - (1 - k/n)^2 (out); both: 2 (k/n)^2 in the first half, then 1 - 2 (1 - k/n)^2. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */

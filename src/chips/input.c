@@ -9,6 +9,7 @@ static const struct column columns[] = {
     COLUMN(input, released),
     COLUMN(input, repeated),
     COLUMNS(input, since, PAD_BUTTONS),
+    COLUMNS(input, presses, PRESS_SIDES *PAD_BUTTONS),
 };
 
 const struct chip input_chip = { "input", columns, sizeof columns / sizeof *columns, true, false };
@@ -25,7 +26,26 @@ static uint16_t without_opposites(uint16_t pads)
     return (uint16_t)v;
 }
 
-void input_latch(struct input *in, const uint16_t pads[PADS])
+static uint64_t *presses(struct input *in, uint32_t p, uint32_t button, enum press_side side)
+{
+    return &in->presses[(p * PRESS_SIDES + (uint32_t)side) * PAD_BUTTONS + button];
+}
+
+/* Presses of at most n frames. */
+static uint64_t younger(uint32_t n)
+{
+    return ((uint64_t)2 << n) - 1;
+}
+
+static void keep_presses(struct input *in, uint32_t p, enum press_side side)
+{
+    for (uint32_t i = 0; i < PAD_BUTTONS; i++) {
+        uint64_t *kept = presses(in, p, i, side);
+        *kept = (*kept << 1 & younger(PRESS_KEPT)) | (in->pressed[p] >> i & 1u);
+    }
+}
+
+void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side)
 {
     for (int p = 0; p < PADS; p++) {
         unsigned now = without_opposites(pads[p]), was = in->held[p];
@@ -40,5 +60,24 @@ void input_latch(struct input *in, const uint16_t pads[PADS])
                 in->repeated[p] |= (uint16_t)(1u << i);
             *since = down ? *since + 1 : 0;
         }
+        keep_presses(in, (uint32_t)p, side);
     }
+}
+
+bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side)
+{
+    uint64_t *kept = presses(in, p, button, side), oldest = (uint64_t)1 << n;
+
+    if (!(*kept & younger(n)))
+        return false;
+    while (!(*kept & oldest))
+        oldest >>= 1;
+    *kept &= ~oldest;
+    return true;
+}
+
+void input_forget(struct input *in, uint32_t p, enum press_side side)
+{
+    for (uint32_t i = 0; i < PAD_BUTTONS; i++)
+        *presses(in, p, i, side) = 0;
 }

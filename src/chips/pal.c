@@ -64,6 +64,7 @@ void pal_rest(struct pal *p)
     memset(p->cycle_every, 0, sizeof p->cycle_every);
 }
 
+/* k/n of the way; adding half before cutting off rounds ties away from `from`. */
 static uint32_t mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
 {
     uint32_t out = 0;

@@ -52,10 +52,15 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     memcpy(p->regs + i * REGISTERS, kinds->start + kind * REGISTERS, REGISTERS * sizeof *p->regs);
 }
 
+bool player_retired(const struct player *p, uint32_t i)
+{
+    return p->gen[i] == GENERATIONS;
+}
+
 void player_leave(struct player *p, uint32_t i)
 {
     p->in[i] = 0;
-    p->gen[i] = p->gen[i] >= GENERATIONS ? 1 : p->gen[i] + 1;
+    p->gen[i] += p->gen[i] < GENERATIONS;
     player_place(p, i, PARK, PARK);
 }
 

@@ -27,7 +27,7 @@ struct player_kinds {
 struct player {
     struct slots s;
     uint8_t *in;   /* 1: in the game */
-    uint32_t *gen; /* counts up when it leaves: handles of the game before are dead */
+    uint32_t *gen; /* counts up to GENERATIONS when it leaves: handles of the game before are dead */
     uint16_t *kind;
     fx *x, *y;
     fx *was_x, *was_y; /* before this frame's move: hits are swept from there */
@@ -40,6 +40,9 @@ struct player {
 };
 
 extern const struct chip player_chip, player_kinds_chip;
+
+/* Has player i been in 2^30 - 2 games? Then it must not enter again: a handle would come to mean another game's. */
+bool player_retired(const struct player *p, uint32_t i);
 
 /* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives, score and registers. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);

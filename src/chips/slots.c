@@ -81,14 +81,24 @@ static bool grow_high(struct slots *s)
     return true;
 }
 
+/* The slots of a block that are free and not held, a bit each, from the first one on that has a generation left. */
+static uint64_t room_in(const struct slots *s, uint32_t block)
+{
+    uint64_t room = ~s->used[block];
+
+    if (block * 64 < s->held_top)
+        room &= ~s->held[block];
+    while (room && s->gen[block * 64 + lowest_bit(room)] == GENERATIONS)
+        room &= room - 1;
+    return room;
+}
+
 int32_t slots_take(struct slots *s)
 {
     for (;; s->low++) {
         if (s->low * 64 == s->high && !grow_high(s))
             break;
-        uint64_t room = ~s->used[s->low];
-        if (s->low * 64 < s->held_top)
-            room &= ~s->held[s->low];
+        uint64_t room = room_in(s, s->low);
         if (!room)
             continue;
         uint32_t i = s->low * 64 + lowest_bit(room);
@@ -116,7 +126,7 @@ int32_t slots_append(struct slots *s)
 /* Slot i is free for its next tenant. */
 static void vacate(struct slots *s, uint32_t i)
 {
-    s->gen[i] = s->gen[i] == GENERATIONS ? 1 : s->gen[i] + 1;
+    s->gen[i]++;
     if (i / 64 < s->low)
         s->low = i / 64;
 }

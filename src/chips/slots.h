@@ -6,7 +6,9 @@
  * itself. The column table lays the chip out, hashes it, saves and restores it; tests and docs walk the same table.
  *
  * A pool (`used` is not NULL): a live thing keeps its slot, a new one takes the lowest free slot, and a slot's
- * generation goes up when its tenant dies. A list (`used` is NULL): entries [0, live) are in use, in the order they
+ * generation goes up when its tenant dies. A slot whose generation has reached the last one, after 2^30 - 2 tenants, is
+ * retired: no tenant ever has that generation, so no handle can come to mean another thing, and the pool is full one
+ * slot earlier. A list (`used` is NULL): entries [0, live) are in use, in the order they
  * were added.
  *
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used hold below high,
@@ -79,9 +81,9 @@ struct slots {
     uint32_t high; /* slots ever used */
     uint32_t live;
     uint32_t refused;           /* how often there was no room; scripts can read it */
-    uint32_t low;               /* no word of `used` before this one has a bit that is free and not held */
+    uint32_t low;               /* no word of `used` before this one has a slot that slots_take can give */
     uint64_t *used;             /* a bit a slot; NULL: a list */
-    uint32_t *gen;              /* 1 .. 2^30-1 */
+    uint32_t *gen;              /* 1 .. GENERATIONS; GENERATIONS: retired */
     uint64_t *held;             /* a bit a slot below held_top */
     uint32_t held_top, holding; /* 0, 0 when nothing is held */
 };
@@ -104,7 +106,8 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap);
  */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
 
-/* The lowest free slot of a pool, or NO_SLOT (refused counts up). A top that grew is the caller's to park. */
+/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's to
+ * park. */
 int32_t slots_take(struct slots *s);
 
 /* The next entry of a list, or NO_SLOT. */

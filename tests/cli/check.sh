@@ -102,6 +102,20 @@ LUA
 
 # ---- scripts ----
 
+lua 'names that are kept for later' <<'LUA'
+local sounds = {}
+on.start(function() sound.play("hit") end)
+board.stop(3)
+laser.def("beam", sounds)
+sound = sounds
+----
+main.lua:3: on.start is not there yet; the name is kept for it
+main.lua:3: undeclared global "sound" (sound is not there yet; the name is kept for it)
+main.lua:4: board.stop is not there yet; the name is kept for it
+main.lua:5: undeclared global "laser" (laser is not there yet; the name is kept for it)
+main.lua:6: undeclared global "sound" (did you mean "sounds"?)
+5 problems
+LUA
 lua 'undeclared globals' <<'LUA'
 local count = 1
 counter = conut
@@ -227,6 +241,29 @@ task.go(function() wait(20) local t = nil print(t.x) end)
 ----
 main.lua:2: attempt to index a nil value (local 't')
 1 problem
+LUA
+lua 'pools that are full, in the line that asked; sparks are not missed' <<'LUA'
+bullet.def("d", { sprite = "dot", hit = "none" })
+spark.def("s", { sprite = "dot", life = 900 })
+local function fire(turn)
+  bullet.fire { kind = "d", x = 9, y = 9, speed = 0, motion = motion.def { { turn = turn, over = 900 } } }
+end
+task.go(function()
+  spark.burst { kind = "s", x = 9, y = 9, n = 65535 }
+  for i = 1, 40 do fire(i / 10) end
+  wait(10)
+  pattern.ring { kind = "d", x = 9, y = 9, speed = 0, n = 300 }
+end)
+----
+main.lua:5: the pool of motions is full (16; motions in rom.lua): what is given a program that finds no room flies straight
+main.lua:11: the pool of bullets is full (256; bullets in rom.lua): what finds no room is not made
+2 problems
+LUA
+good 'a full pool that a script asks for' <<'LUA'
+task.go(function()
+  for i = 1, 300 do motion.def { { wait = i } } end
+  print(board.refused("motions"))
+end)
 LUA
 lua 'a fault whose line has a finding already' <<'LUA'
 task.go(function() wait(20) print(nothing) end)

@@ -15,11 +15,15 @@ seen.enemy, seen.boss, seen.player = record(enemy), record(boss), record(player)
 
 local try = require "try"
 
-local down, pressed = pad.down, pad.pressed
+local down, pressed, take = pad.down, pad.pressed, pad.take
 function pad.down(button, p) return button == "fire" or down(button, p) end
 function pad.pressed(button, p)
   if button == "start" or button == "select" then return pressed(button, p) end
   return board.frame() % 20 == 0 or pressed(button, p)
+end
+function pad.take(button, n, p)
+  if button == "start" or button == "select" then return take(button, n, p) end
+  return board.frame() % 20 <= n or take(button, n, p)
 end
 
 on.hit(function(p) if board.frame() > 400 then p.safe = 60 end end)

@@ -83,6 +83,7 @@ task.go(function()
       palette.fade { to = 0x203040, over = 20, first = 0, last = 99 }
       bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
       seen = seen + 1
+      fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))
       save.set("seen", seen)
       score.enter("all", { name = "AB" .. seen, score = i * 31 })
     end

@@ -190,7 +190,7 @@ play
 record r 200
 cp r.demo was.demo
 cp old-r.demo two.demo
-head -c -30 r.demo >short.demo
+head -c -90 r.demo >short.demo
 cp short.demo short.was
 play 75 'board.note(1)'
 record other 200

@@ -15,9 +15,9 @@ if [ "${1:-}" = --one ]; then
     mkdir -p "$corpus" "$OUT/crashes" "$OUT/log"
     [ ! -d "tests/fuzz/seeds/$target" ] || seeds=("tests/fuzz/seeds/$target")
     ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
-        timeout -k 5 $((seconds * 2 + 120)) "$OUT/fuzz/$target" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=2048 \
-        -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$OUT/crashes/$target-" "$corpus" "${seeds[@]}" \
-        >"$OUT/log/$target" 2>&1
+        tests/patient.py "$OUT/log/$target" \
+        "$OUT/fuzz/$target" -max_total_time="$seconds" -timeout=300 -rss_limit_mb=2048 \
+        -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$OUT/crashes/$target-" "$corpus" "${seeds[@]}"
     rc=$?
     # "#123 DONE cov: 45 ft: 67 corp: 8/90b ..." and "stat::number_of_executed_units: 123"
     awk -v name="$target" -v rc=$rc -v seconds="$seconds" '

@@ -41,6 +41,7 @@ planted() { # NAME WORDS SED
 }
 planted "another drift" "0.37 px" '/^| \*\*▶ Q15.16/s/0\.38 px/0.37 px/'
 planted "another share" "61.4 %" 's/61\.3 %/61.4 %/'
+planted "another edge" "0x20000002" "/^D: /s/0x20000001/0x20000002/"
 planted "another default" "▶ Q11.20" '/^| Q11.20/s/Q11.20/▶ Q11.20/'
 sed -E 's/≈[0-9.,]+/≈1.23/' docs/accuracy.md >"$scratch/planted.md"
 timed() { ! cmp -s docs/accuracy.md "$scratch/planted.md" && same_page "$scratch/planted.md"; }
@@ -62,7 +63,7 @@ unswept() {
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/lab" "$tree"/src/board/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
         $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
-        "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm || return 2
+        "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }
 refuse "planted: an engine that does not sweep" "does not hold: hit test" unswept

@@ -5,15 +5,15 @@
 . "$(dirname "$0")/../check.sh"
 curtain=$OUT/curtain-null
 demos() { ls roms/*/demos/*.demo tests/demos/*.demo; }
-rom() { case $1 in tests/*) echo tests/demos/frozen.rom ;; *) echo "${1%/demos/*}" ;; esac; }
+rom() { case $1 in tests/*) echo "${1%-*}.rom" ;; *) echo "${1%/demos/*}" ;; esac; }
 key() { echo "$(basename "$(rom "$1")" .rom)-$(basename "$1" .demo)"; }
 
 # What the page must say of each demo: "KEY N: `HASH`".
 for demo in $(demos); do
-    n=$("$curtain" verify "$(rom "$demo")" "$demo" | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')
-    echo "$(key "$demo") $("$curtain" hash "$(rom "$demo")" --demo "$demo" --every "$n" | tail -n 1 | sed 's/ \(.*\)/: `\1`/')"
+    n=$(python3 tests/cli/demo_read.py "$demo" | sed -n 's/^end \([0-9]*\) .*/\1/p')
+    echo "$(key "$demo") $("$curtain" hash "$(rom "$demo")" --demo "$demo" --every "$n" 2>/dev/null | tail -n 1 | sed 's/ \(.*\)/: `\1`/')"
 done >"$scratch/now" 2>"$scratch/doubts"
-enough() { [ "$(wc -l <"$scratch/now")" -ge 4 ] && ! grep -vE '^[a-z]+-[a-z0-9-]+ [1-9][0-9]*: `[0-9a-f]{16}`$' "$scratch/now"; }
+enough() { [ "$(wc -l <"$scratch/now")" -ge 4 ] && ! grep -vE '^[a-z0-9]+-[a-z0-9-]+ [1-9][0-9]*: `[0-9a-f]{16}`$' "$scratch/now"; }
 check "every demo has its last hash" enough
 
 # Both tables of the page, a row a line, fields without their blanks.

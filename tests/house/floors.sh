@@ -24,5 +24,7 @@ refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab
 refuse "planted: the board includes the platform" "only src/cab" planted src/board/video.c '"../../platform/platform.h"'
 refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/keys.h"'
 refuse "planted: stb in the board" "stb is for" planted src/board/video.c '<stb/stb_image.h>'
+refuse "planted: the host's rounding" "for src/board/host.h alone" planted src/base/fx.h '<fenv.h>'
+refuse "planted: the host's locale" "for src/board/host.h alone" planted src/cab/verify.c '<locale.h>'
 refuse "planted: a clock below the cabinet" "there is no <time.h>" planted src/base/rng.h '<time.h>'
 done_testing

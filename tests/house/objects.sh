@@ -30,7 +30,8 @@ cat >"$scratch/allowed" <<'EOL'
 memcpy memmove memset memcmp memchr: bytes
 strlen strcmp strncmp strcpy strchr strstr strspn strpbrk: text
 snprintf vsnprintf: messages, into the caller's buffer
-strtod: correctly rounded; the host never calls setlocale
+strtod: correctly rounded; host.c puts the locale aside
+fegetenv fesetenv newlocale uselocale freelocale: host.c, which puts aside what the host has set
 qsort: of names that all differ, so that how it sorts cannot show
 sqrt fmod ldexp frexp floor fabs: exact or correctly rounded by IEEE 754
 __assert_fail abort: the C programmer was wrong
@@ -57,10 +58,17 @@ low_calls() {
     nm -uA $(linked | grep -v /src/board/) | awk '$NF ~ /^lua|strtod$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
 }
 
+# What the host has set is known to host.c alone.
+host_calls() {
+    nm -uA $(linked | grep -v /src/board/host.o) "$@" |
+        awk '$NF ~ /^(fe(get|set|test|clear|raise|hold|update).*|.*locale|localeconv)$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
+}
+
 check "the link map names every object below the cabinet" all_linked
 check "no writable memory below the cabinet" writable $(linked)
 check "nothing below the cabinet calls what it must not" calls $(linked)
 check "Lua and the reading of numbers are for the board alone" low_calls
+check "what the host has set is for host.c alone" host_calls
 
 # planted WHAT TEXT: hit.c with the text at its end, compiled and looked at
 planted() {
@@ -70,6 +78,7 @@ planted() {
     case $1 in
     writable) writable "$scratch/planted.o" ;;
     calls) calls $(linked | grep -v /hit.o) "$scratch/planted.o" ;;
+    host) host_calls "$scratch/planted.o" ;;
     esac
 }
 check "hit.c as it is has none" planted writable ""
@@ -93,6 +102,12 @@ refuse "planted: a sine of the host" "calls sin" planted calls '#include <math.h
 double planted(double x) { return sin(x); }'
 refuse "planted: pow" "calls pow" planted calls '#include <math.h>
 double planted(double x, double y) { return pow(x, y); }'
+refuse "planted: the host's decimal point" "calls localeconv" planted host '#include <locale.h>
+char planted(void) { return *localeconv()->decimal_point; }'
+refuse "planted: another rounding" "calls fesetround" planted host '#include <fenv.h>
+int planted(void) { return fesetround(FE_UPWARD); }'
+refuse "planted: a locale for the process" "calls setlocale" planted calls '#include <locale.h>
+void *planted(void) { return setlocale(LC_ALL, ""); }'
 refuse "planted: Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
 void *planted(void) { return luaL_newstate(); }'
 done_testing

@@ -68,7 +68,7 @@ another() {
         -o "$scratch/bench" "$tree/src/board/hit_shots.c" \
         $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
         $(find "$OUT/src" -name '*.o' ! -name hit_shots.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm || return 2
+        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread || return 2
     "$scratch/bench" battle
 }
 refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another

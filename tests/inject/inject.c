@@ -40,11 +40,12 @@ static void __attribute__((destructor)) end(void)
 {
     const char *file = getenv("INJECT_COUNT");
     char text[32];
+    const long seen = calls; /* the count's own file is none of them */
     int fd = file ? (int)(victim = -1, open(file, O_WRONLY | O_CREAT | O_TRUNC, 0600)) : -1;
 
     if (fd < 0)
         return;
-    int n = snprintf(text, sizeof text, "%ld\n", calls);
+    int n = snprintf(text, sizeof text, "%ld\n", seen);
     (void)!write(fd, text, (size_t)n);
     close(fd);
 }
@@ -84,28 +85,36 @@ void *realloc(void *p, size_t n)
     return __libc_realloc(p, n);
 }
 
-int open(const char *path, int flags, ...)
-{
-    va_list args;
+/* open and fopen have other names in a program that takes files of any size. */
+#define OPENS(name)                                                                                                    \
+    int name(const char *path, int flags, ...)                                                                         \
+    {                                                                                                                  \
+        va_list args;                                                                                                  \
+                                                                                                                       \
+        va_start(args, flags);                                                                                         \
+        mode_t mode = flags & O_CREAT ? va_arg(args, mode_t) : 0;                                                      \
+        va_end(args);                                                                                                  \
+        if (fails("open"))                                                                                             \
+            NO(-1, EMFILE);                                                                                            \
+        return ((int (*)(const char *, int, ...))real(#name))(path, flags, mode);                                      \
+    }
+OPENS(open)
+OPENS(open64)
 
-    va_start(args, flags);
-    mode_t mode = flags & O_CREAT ? va_arg(args, mode_t) : 0;
-    va_end(args);
-    if (fails("open"))
-        NO(-1, EMFILE);
-    return ((int (*)(const char *, int, ...))real("open"))(path, flags, mode);
-}
-
-FILE *fopen(const char *path, const char *mode)
-{
-    if (fails("fopen"))
-        NO(NULL, ENOSPC);
-    return ((FILE * (*)(const char *, const char *)) real("fopen"))(path, mode);
-}
+#define FOPENS(name)                                                                                                   \
+    FILE *name(const char *path, const char *mode)                                                                     \
+    {                                                                                                                  \
+        if (fails("fopen"))                                                                                            \
+            NO(NULL, ENOSPC);                                                                                          \
+        return ((FILE * (*)(const char *, const char *)) real(#name))(path, mode);                                     \
+    }
+FOPENS(fopen)
+FOPENS(fopen64)
 
 size_t fwrite(const void *p, size_t size, size_t n, FILE *f)
 {
-    size_t (*write_)(const void *, size_t, size_t, FILE *) = (size_t(*)(const void *, size_t, size_t, FILE *))real("fwrite");
+    size_t (*write_)(const void *, size_t, size_t, FILE *) =
+        (size_t(*)(const void *, size_t, size_t, FILE *))real("fwrite");
 
     if (fails("fwrite")) {
         write_(p, size, n / 2, f);

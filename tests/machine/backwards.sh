@@ -10,7 +10,22 @@ export SDL_AUDIODRIVER=dummy
 window_png() { found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null; }
 pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
 is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
-key() { xdotool key --delay 100 "$1"; sleep 0.6; } # no two presses in one poll, also of a busy machine
+# No two presses in one poll: a press is over when the window shows what it did, or the program has gone round for long and
+# it does nothing.
+key() {
+    window_png before.png
+    local from
+    from=$(used)
+    xdotool key --delay 100 "$1"
+    until [ $(($(used) - from)) -gt 60 ] || { window_png after.png && ! cmp -s <(pixels before.png) <(pixels after.png); }; do sleep 0.1; done
+    sleep 0.3
+}
+# It has gone round for a while, and its picture stays the same.
+stands() {
+    window_png one.png || return 1
+    rounds 20
+    window_png two.png && cmp -s <(pixels one.png) <(pixels two.png)
+}
 # shown NAME FRAME WHAT: the window is the golden picture NAME; its middle is FRAME's
 shown() {
     if [ -n "${CURTAIN_UPDATE:-}" ]; then
@@ -43,7 +58,7 @@ mkdir -p "$golden"
 if start "Glass Tide" "$OUT/curtain" play "$rom" --demo "$demo" --scale 1; then
     for _ in 1 2 3 4 5; do # wherever it is; the press counts once it is seen
         key p
-        window_png one.png && sleep 0.3 && window_png two.png && cmp -s <(pixels one.png) <(pixels two.png) && break
+        stands && break
     done
     for _ in 1 2 3 4; do key bracketright; done
     at=$(moments "$demo" | sed -n 4p)

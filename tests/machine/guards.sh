@@ -3,7 +3,7 @@
 # same line each time.
 #
 # Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame, and a
-# look after 20 ms), a few of them also with the real one. The timeouts are a net; no test depends on the time.
+# look after 20 ms), a few of them also with the real one. One that does not end prints no line: the runner sees it.
 . "$(dirname "$0")/../tap.sh"
 short=$OUT/curtain-short
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
@@ -12,7 +12,7 @@ MEMORY='out of Lua memory (board.lua_kib = 1024 in rom.lua)'
 
 # run PROGRAM OUTPUT: 5 frames of the game in g; the report on OUTPUT, the exit code after it.
 run() {
-    timeout 300 "$1" hash g --frames 5 >/dev/null 2>"$2"
+    "$1" hash g --frames 5 >/dev/null 2>"$2"
     echo "exit $?" >>"$2"
 }
 
@@ -221,7 +221,7 @@ same 'heavy ticks under the limit are only slow' 0 $?
 "$curtain" hash g --frames 200 --parts >two 2>&1
 same 'and hash as without the alarm' "$(cat two)" "$(cat one)"
 heavy 60000000
-timeout 300 "$short" hash g --frames 20 >/dev/null 2>one
+"$short" hash g --frames 20 >/dev/null 2>one
 echo "exit $?" >>one
 same 'the alarm did ring: over the limit is a fault' \
     $'main.lua:1: endless loop: more than 50000000 instructions in one frame\nexit 2' "$(cat one)"

@@ -6,7 +6,7 @@ repo=$(cd "$(dirname "$0")/../.." && pwd)
 tmp=${PROVE_TMP:-}
 CC=${CC:-cc}
 FLAGS="-std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE"
-LIBS="-lmpfr -lgmp -lm -lpthread"
+LIBS="-lmpfr -lgmp -lm -pthread"
 PROGRAMS="roots sines polar directions products"
 
 # two COMMAND...: a word of standard input a run, two at a time.

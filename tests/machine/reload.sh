@@ -24,7 +24,7 @@ pressed | ./player play changed --seed 5 >other 2>err
 holds 'the two games differ' test -z "$(comm -12 <(part straight 100 200 | sort) <(part other 100 200 | sort))"
 
 # shown N: until so many pictures are there
-shown() { for _ in $(seq 400); do [ "$(wc -l <out)" -ge "$1" ] && return 0; sleep 0.025; done; return 1; }
+shown() { for _ in $(seq 20000); do [ "$(wc -l <out)" -ge "$1" ] && return 0; sleep 0.025; done; return 1; }
 # edited N COMMAND ARGUMENT...: plays g; after picture N the command is run
 edited() {
     local n=$1 command=$2

@@ -2,6 +2,7 @@
  * test_chips.c - each chip by itself, with exact numbers: slots, input, bullets and every motion step, enemies' moves,
  * players, sparks, text, palette, nvram.
  */
+#include "../unit/big.h"
 #include "rig.h"
 
 static fx px(double v)
@@ -99,10 +100,61 @@ static void test_slots(void **state)
     assert_null(t.s.held);
     slots_trim(&t.s);
     assert_int_equal(t.s.top, 0);
-    int32_t i = slots_take(&t.s);
-    t.s.gen[i] = GENERATIONS;
-    slots_drop(&t.s, (uint32_t)i);
-    assert_int_equal(t.s.gen[i], 1); /* 0 is never alive */
+}
+
+/* Slots near their last generation, among others: none is given a second time under the same one, and a pool of slots
+ * that have had their last tenant is full. */
+static void test_retired_slots(void **state)
+{
+    static uint8_t room[8192], copy[8192];
+    uint32_t last[CAP] = { 0 }, refused = 0, left[CAP];
+    uint8_t *next = room;
+    struct thing t;
+    struct rng rng;
+
+    (void)state;
+    slots_layout(&thing_chip, &t, CAP, &next);
+    for (int i = 0; i < CAP; i++)
+        assert_int_equal(slots_take(&t.s), i);
+    rng_seed(&rng, 2);
+    for (uint32_t i = 0; i < CAP; i++) { /* none to three tenants are left */
+        left[i] = (uint32_t)rng_below(&rng, 4);
+        t.s.gen[i] = GENERATIONS - 1 - left[i];
+        last[i] = t.s.gen[i];
+        slots_drop(&t.s, i);
+    }
+    for (uint32_t live = 0, rounds = 0; rounds < 4000; rounds++) {
+        int32_t lowest = 0;
+        while (lowest < CAP && (slots_has(&t.s, (uint32_t)lowest, last[lowest]) || !left[lowest]))
+            lowest++;
+        int32_t i = slots_take(&t.s);
+        assert_int_equal(i, lowest < CAP ? lowest : NO_SLOT);
+        if (i == NO_SLOT) {
+            assert_int_equal(t.s.refused, ++refused);
+        } else {
+            assert_true(t.s.gen[i] > last[i] && t.s.gen[i] < GENERATIONS);
+            last[i] = t.s.gen[i];
+            left[i]--;
+            live++;
+        }
+        assert_int_equal(t.s.live, live);
+        for (uint32_t k = 0; k < CAP; k++)
+            if (slots_has(&t.s, k, last[k]) && rng_below(&rng, 3) == 0) {
+                slots_drop(&t.s, k);
+                live--;
+            }
+        if (rng_below(&rng, 2)) {
+            struct thing was = t; /* as the board's struct is copied */
+            slots_save(&thing_chip, &t, copy);
+            memset(room, 0xa5, sizeof room);
+            t = was;
+            slots_restore(&thing_chip, &t, copy);
+        }
+        slots_trim(&t.s);
+    }
+    assert_true(refused > 1000);
+    for (uint32_t k = 0; k < CAP; k++)
+        assert_int_equal(left[k], 0);
 }
 
 /* ---- input ---- */
@@ -503,11 +555,156 @@ static void test_enemies(void **state)
 
 /* ---- players ---- */
 
+/* Where an enemy is after k of n frames, against wide integers: the place nearest to from + (to - from) * share, ties to
+ * the even one, where share is k/n, (k/n)^2, 1 - (1 - k/n)^2, and for "both" 2(k/n)^2 up to the middle, then
+ * 1 - 2(1 - k/n)^2. */
+static bool nearest_place(fx from, fx to, uint32_t k, uint32_t n, enum ease ease, fx place)
+{
+    struct big whole = big_mul(big_int(n), big_int(n)), part, rest = big_mul(big_int(n - k), big_int(n - k));
+
+    switch (ease) {
+    case EASE_IN:
+        part = big_mul(big_int(k), big_int(k));
+        break;
+    case EASE_OUT:
+        part = big_sub(whole, rest);
+        break;
+    case EASE_BOTH:
+        part = 2 * (uint64_t)k < n ? big_mul(big_int(2), big_mul(big_int(k), big_int(k)))
+                                   : big_sub(whole, big_mul(big_int(2), rest));
+        break;
+    default:
+        part = big_mul(big_int(k), big_int(n));
+    }
+    struct big way = big_mul(big_sub(big_int(to), big_int(from)), part);
+    return big_rounds_to(big_add(big_mul(big_int(from), whole), way), whole, place, (int64_t)FX_MIN - 1,
+                         (int64_t)FX_MAX + 1);
+}
+
+static void test_enemy_ways(void **state)
+{
+    static const uint32_t times[] = { 1,     2,     3,     4,     7,       60,         1000,     46341,
+                                      65534, 65535, 65536, 65537, 1000000, 1000000000, INT32_MAX };
+    static const fx ends[] = { 0, 1, -1, 65536, 16383 << 16, -(16383 << 16), (16383 << 16) - 1, FX_MAX, FX_MIN };
+    const struct box world = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct enemies *e = &r.b->enemies;
+    r.b->enemy_kinds.s.live = 1;
+    uint32_t i = (uint32_t)enemies_spawn(e, &r.b->enemy_kinds, 0, 0, 0, 0);
+    rng_seed(&rng, 6);
+    for (int round = 0; round < 400000; round++) {
+        enum ease ease = (enum ease)(round % 4);
+        uint32_t n = round % 3 ? times[rng_below(&rng, 15)] : 1 + (uint32_t)rng_below(&rng, 1u << rng_below(&rng, 31));
+        uint32_t k = rng_below(&rng, 3) ? 1 + (uint32_t)rng_below(&rng, n)
+                                        : (uint32_t[]){ 1, n, (n + 1) / 2, n - (n > 1) }[rng_below(&rng, 4)];
+        fx p[4];
+        for (int c = 0; c < 4; c++) {
+            fx any = (fx)rng_below(&rng, 2 * (16383u << 16)) - (16383 << 16), near = (fx)rng_below(&rng, 64) - 32;
+            p[c] = rng_below(&rng, 4) ? rng_below(&rng, 2) ? any : near : ends[rng_below(&rng, 9)];
+        }
+        e->x[i] = p[0], e->y[i] = p[1];
+        enemies_go(e, i, p[2], p[3], n, ease);
+        e->made[i] = k - 1;
+        enemies_move(e, &world);
+        if (!nearest_place(p[0], p[2], k, n, ease, e->x[i]) || !nearest_place(p[1], p[3], k, n, ease, e->y[i]))
+            fail_msg("ease %d, frame %u of %u: from %d, %d to %d, %d it is at %d, %d", (int)ease, k, n, p[0], p[1],
+                     p[2], p[3], e->x[i], e->y[i]);
+        assert_int_equal(e->over[i], k == n ? 0 : n);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* The last tenants of slots, whose handles must stay dead; and the last game of a player. */
+static void test_last_generations(void **state)
+{
+    static const char text[] =
+        "bullet.def('dot', { sprite = 'dot', hit = 'none' }) shot.def('bolt', { sprite = 'dot', hit = 'none' })\n"
+        "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 1 })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "local sys = string.sys\n"
+        "local function make()\n"
+        "  return { bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 }, shot.fire { kind = 'bolt', x = 9, y = 9, "
+        "speed = 0 },\n"
+        "    enemy.spawn { kind = 'foe', x = 9, y = 9 }, sprite.put { sprite = 'dot', x = 9, y = 9 } }\n"
+        "end\n"
+        "local function sleeper() return task.go(function() wait(forever) end) end\n"
+        "task.go(function()\n"
+        "  wait(1)\n" /* the generations have been set */
+        "  local a, s = make(), sleeper()\n"
+        "  sys.join(1, 'ship')\n"
+        "  local p = player.get(1)\n"
+        "  for i, h in ipairs(a) do assert(h.alive, i) h:remove() end\n"
+        "  assert(p.alive and task.alive(s)) task.stop(s)\n"
+        "  wait(1)\n"
+        "  local b, z = make(), sleeper()\n"
+        "  for i, h in ipairs(b) do assert(h.alive and h ~= a[i] and not a[i].alive, i) end\n"
+        "  assert(task.alive(z) and z ~= s and not task.alive(s))\n"
+        "  sys.leave(1) sys.leave(1)\n"
+        "  assert(not p.alive and not player.get(1).alive)\n"
+        "  sys.join(1, 'ship')\n"
+        "end)\n";
+    const uint16_t none[PADS] = { 0 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_with_sys(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 1);
+    struct slots *pools[] = { &r.b->bullets.s, &r.b->shots.s, &r.b->enemies.s, &r.b->sprites.s, &r.b->tasks.s };
+    int32_t slot[5];
+    for (int i = 0; i < 5; i++) { /* the slot that comes next */
+        slot[i] = slots_take(pools[i]);
+        slots_drop(pools[i], (uint32_t)slot[i]);
+        slots_trim(pools[i]); /* who takes it next parks the others */
+        pools[i]->gen[slot[i]] = GENERATIONS - 1;
+    }
+    r.b->player.gen[0] = GENERATIONS - 1;
+    rig_run(&r, 1);
+    board_tick(r.b, none);
+    assert_non_null(rig_fault(&r));
+    assert_string_equal(rig_fault(&r)->message,
+                        "main.lua:23: player 1 has been in 1073741822 games: the board has to be powered anew");
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(pools[i]->gen[slot[i]], GENERATIONS);
+        assert_false(slots_has(pools[i], (uint32_t)slot[i], GENERATIONS));
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void test_score(void **state)
+{
+    (void)state;
+    char text[] =
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'ship')\n"
+        "local p = player.get(1)\n"
+        "local function is(n) assert(p.score == n, p.score) end\n"
+        "score.add(-1, 1) is(0) score.add(5, 1) is(5) score.add(-6, 1) is(0) score.add(-1000000000000, 1) is(0)\n"
+        "score.add(999999999998, 1) score.add(1, 1) is(999999999999) score.add(1, 1) is(999999999999)\n"
+        "score.add(1000000000000, 1) is(999999999999) score.add(-999999999998, 1) is(1)\n"
+        "score.add(-1000000000000, 1) is(0) score.add(1000000000000, 1) is(999999999999)\n";
+    struct rig_game g;
+    struct rig r;
+
+    rig_with_sys(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 static void test_player(void **state)
 {
     static const char text[] =
         "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
-        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = -2 } })\n"
+        "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = 2 } })\n"
         "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
     const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },
@@ -545,7 +742,7 @@ static void test_player(void **state)
     player_place(p, 0, px(50), px(60));
     assert_int_equal(p->was_y[0], px(60));
     player_join(p, &b->player_kinds, 1, 1, px(20), px(30));
-    assert_int_equal(p->regs[REGISTERS], -2); /* by name */
+    assert_int_equal(p->regs[REGISTERS], 2); /* by name */
     assert_int_equal(p->regs[REGISTERS + 1], 7);
     assert_int_equal(p->lives[1], 2);
     assert_int_equal(p->safe[1], 120);
@@ -673,6 +870,35 @@ static void test_fix(void **state)
 
 /* ---- palette ---- */
 
+/* After k of n frames |2 (rgb - from) n - 2 (to - from) k| <= n, and where it is n the colour is the one nearer to `to`. */
+static void test_fades(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    struct pal *p = &r.b->pal;
+    rng_seed(&rng, 8);
+    for (int round = 0; round < 20000; round++) {
+        uint32_t from = (uint32_t)rng_below(&rng, 1 << 24), to = (uint32_t)rng_below(&rng, 1 << 24);
+        uint16_t n = (uint16_t)(1 + rng_below(&rng, round % 2 ? 60 : 65535)), k = (uint16_t)(1 + rng_below(&rng, n));
+        pal_set(p, 3, from);
+        pal_fade(p, 3, to, n);
+        p->at[3] = (uint16_t)(k - 1);
+        pal_step(p);
+        for (int shift = 0; shift < 24; shift += 8) {
+            int a = from >> shift & 255, b = to >> shift & 255, c = p->rgb[3] >> shift & 255;
+            int off = 2 * (c - a) * n - 2 * (b - a) * k; /* in halves of 1/n */
+            assert_true(b >= a ? off <= n && off > -n : off >= -n && off < n);
+        }
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 static void test_pal(void **state)
 {
     struct rig_game g;
@@ -691,10 +917,7 @@ static void test_pal(void **state)
     static const uint32_t fade[] = { 0x4000bf, 0x80007f, 0xbf0040, 0xff0000, 0xff0000 };
     for (int i = 0; i < 5; i++) {
         rig_run(&r, 1);
-        for (int shift = 0; shift < 24; shift += 8) { /* halves may go either way */
-            int got = (int)(p->rgb[2] >> shift & 255), want = (int)(fade[i] >> shift & 255);
-            assert_true(got - want >= -1 && got - want <= 1);
-        }
+        assert_int_equal(p->rgb[2], fade[i]);
     }
     assert_int_equal(p->rgb[2], 0xff0000);
     pal_fade(p, 2, 0x123456, 0);
@@ -818,10 +1041,22 @@ static void test_nvram(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slots),  cmocka_unit_test(test_input),  cmocka_unit_test(test_bullets),
-        cmocka_unit_test(test_motion), cmocka_unit_test(test_styles), cmocka_unit_test(test_enemies),
-        cmocka_unit_test(test_player), cmocka_unit_test(test_sparks), cmocka_unit_test(test_fix),
-        cmocka_unit_test(test_pal),    cmocka_unit_test(test_nvram),
+        cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_fades),
+        cmocka_unit_test(test_score),
+        cmocka_unit_test(test_enemy_ways),
+        cmocka_unit_test(test_last_generations),
+        cmocka_unit_test(test_retired_slots),
+        cmocka_unit_test(test_input),
+        cmocka_unit_test(test_bullets),
+        cmocka_unit_test(test_motion),
+        cmocka_unit_test(test_styles),
+        cmocka_unit_test(test_enemies),
+        cmocka_unit_test(test_player),
+        cmocka_unit_test(test_sparks),
+        cmocka_unit_test(test_fix),
+        cmocka_unit_test(test_pal),
+        cmocka_unit_test(test_nvram),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -172,13 +172,18 @@ static void test_registers(void **state)
     assert_int_equal(r.b->player.regs[0], 2);
     assert_int_equal(r.b->player.regs[1], 7);
     rig_free(&r);
-    add_register(&start, "power", -2000000000);
+    add_register(&start, "power", 2000000000);
     rig_power(&r, &game, &start);
     for (int round = 1; round <= 2; round++) {
         until_round(&r, 1);
         assert_int_equal(r.b->player.regs[0], 2);
-        assert_int_equal(r.b->player.regs[1], -2000000000);
+        assert_int_equal(r.b->player.regs[1], 2000000000);
     }
+    rig_free(&r);
+    start.practice.reg[0].value = -5; /* as an old demo may ask */
+    rig_power(&r, &game, &start);
+    rig_run(&r, 2);
+    assert_int_equal(r.b->player.regs[1], 0);
     rig_free(&r);
 }
 
@@ -530,7 +535,7 @@ static void run_twice(const char *mark, bool invincible, uint32_t frames)
     start.practice.lives = 2;
     start.practice.invincible = invincible;
     add_register(&start, "bombs", 9);
-    add_register(&start, "power", -3);
+    add_register(&start, "power", 3);
     rig_folder(&torture, "torture");
     rig_power(&a, &torture, &start);
     rig_power(&b, &torture, &start);
@@ -700,7 +705,7 @@ static void test_menu(void **state)
     assert_true(got.practice.invincible);
     assert_int_equal(got.practice.registers, 2);
     assert_string_equal(got.practice.reg[0].name, "bombs");
-    assert_int_equal(got.practice.reg[0].value, -8);
+    assert_int_equal(got.practice.reg[0].value, 0); /* it stops there */
     assert_string_equal(got.practice.reg[1].name, "power");
     assert_int_equal(got.practice.reg[1].value, 8);
     practice_began(&menu, &got);

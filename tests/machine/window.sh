@@ -42,7 +42,7 @@ for scale in 1 2 3; do
 done
 if start "port probe" "$probe" show 240 160 2; then
     for size in 501x333 777x481 479x700 240x161 719x479 1000x163; do
-        timeout 5 xdotool windowsize --sync "$win" ${size/x/ }
+        timeout 100 xdotool windowsize --sync "$win" ${size/x/ }
         check "pixels in a window of $size" same_pixels 240 160 ${size/x/ }
     done
     stop
@@ -93,7 +93,7 @@ if start "port probe" "$probe" show 240 160 2; then
     xdotool windowfocus "$(xdotool search --maxdepth 0 '.*' 2>/dev/null | head -1)" 2>/dev/null
     check "a window that loses the keyboard lets go" soon says "key 27 up"
     xdotool keyup x
-    timeout 5 xdotool windowfocus --sync "$win"
+    timeout 100 xdotool windowfocus --sync "$win"
     xdotool type q
     check "typed text arrives" soon says "text q"
     xdotool mousemove --window "$win" 101 51 click 1
@@ -133,12 +133,12 @@ play_at() { # SCALE [WIN_W WIN_H]
     local scale=$1 w=${2:-$((240 * $1))} h=${3:-$((320 * $1))} shot frame
     rm -rf "$scratch/play" && mkdir -p "$scratch/play" && cd "$scratch/play" || exit 2
     start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale "$scale" --mute --record one.demo || return
-    [ $# = 1 ] || timeout 5 xdotool windowsize --sync "$win" "$w" "$h"
+    [ $# = 1 ] || timeout 100 xdotool windowsize --sync "$win" "$w" "$h"
     xdotool key --delay 150 Return key --delay 150 z # the title is left: keys play the game
-    sleep 1
+    rounds 20
     for key in p period F12; do
         xdotool key --delay 100 $key
-        sleep 0.2
+        rounds 5
     done
     check "a screenshot at ${w}x$h" soon grep -q "^wrote " "$scratch/err"
     shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
@@ -159,10 +159,10 @@ cd "$scratch" || exit 2
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then
     for key in Return Return z z z z; do
         xdotool key --delay 120 $key
-        sleep 0.4
+        rounds 8
     done
     xdotool keydown z keydown Left
-    sleep 2
+    rounds 40
     xdotool keyup z keyup Left
     stop
     "$curtain" hash "$play_rom" --demo keys.demo --parts | tail -1 >parts

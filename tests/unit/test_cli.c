@@ -112,6 +112,8 @@ static void test_values(void **state)
     reads("verify game - -0 --restamp");
     assert_true(a.null && a.restamp && !a.bisect && a.n_words == 2);
     assert_string_equal(a.words[1], "-");
+    reads("verify game a --rerecord -v");
+    assert_true(a.rerecord && a.verbose && !a.restamp && !a.bisect && a.n_words == 2);
     reads("verify --bisect - b");
     assert_true(a.bisect && !a.restamp);
     assert_string_equal(a.words[0], "-");
@@ -196,6 +198,10 @@ static void test_misfits(void **state)
     refuses("rendr --frames 1", "unknown command \"rendr\" (did you mean render?)");
     refuses("mygame other", "unknown command \"mygame\" (curtain help lists them)");
     refuses("pack", "pack: expected DIR (curtain help pack)");
+    refuses("verify g d --restamp --rerecord", "--rerecord does not go with --restamp");
+    refuses("verify --rerecord --bisect a b", "--rerecord does not go with --bisect");
+    refuses("verify --restamp a b --bisect", "--restamp does not go with --bisect");
+    refuses("play g --rerecord", "--rerecord does not go with play (it goes with verify)");
     refuses("verify g", "verify: expected ROM DEMO... (curtain help verify)");
     refuses("hash g h", "hash: \"h\" is one argument too many (curtain help hash)");
 }
@@ -462,7 +468,7 @@ static void test_cut_demo(void **state)
     snprintf(path, sizeof path, "%s/a.demo", dir);
     long n = plat_load(path, bytes, sizeof bytes);
     snprintf(path, sizeof path, "%s/cut.demo", dir);
-    assert_true(plat_save(path, bytes, (size_t)n - 21)); /* the end mark, and one byte */
+    assert_true(plat_save(path, bytes, (size_t)n - 20 - 2 * 28 - 1)); /* the end mark, the points, and one byte */
     runs("verify @/g @/cut.demo", EXIT_INPUT);
     says(log_text, "/cut.demo: cut short: it has 120 frames and no end mark\n");
     assert_int_equal(run("hash @/g --demo @/cut.demo --every 120"), EXIT_DONE);

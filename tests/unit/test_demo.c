@@ -476,7 +476,7 @@ static void test_nonsense(void **state)
     (void)state;
     record(&w, &start, 100);
     size_t n = file_bytes(), head = record_at(0) + 8, first = record_at(1) + 8, second = record_at(2) + 8;
-    size_t end = record_at(4) + 8;
+    size_t end = record_at(4 + PADS) + 8; /* behind the points */
     refused(0, "not a demo");
     refused(7, "not a demo");
     refused(8, "cut short in its header");
@@ -626,7 +626,7 @@ static void test_moments(void **state)
     assert_true(demo_end(&w, b));
     loads(&d);
     same(&d, &w.demo);
-    assert_int_equal(d.moments, 343 / 7 + 343 / 21);
+    assert_int_equal(d.moments, 343 / 7 + 343 / 21 + PADS); /* and the points */
     assert_int_equal(d.moment[0].frame, 7);
     assert_int_equal(d.moment[3].frame, 21);
     assert_int_equal(strlen(d.moment[0].mark.name), sizeof d.moment[0].mark.name - 1); /* cut to fit */
@@ -647,10 +647,80 @@ static void test_moments(void **state)
         assert_true(demo_end(&w, b));
         loads(&d);
         same(&d, &w.demo);
-        assert_int_equal(d.moments, (to + 100) / 7 + (to + 100) / 21);
+        assert_int_equal(d.moments, (to + 100) / 7 + (to + 100) / 21 + PADS);
         demo_free(&d);
         demo_free(&w.demo);
     }
+}
+
+/* A recording ends with what everybody had. */
+static void test_points(void **state)
+{
+    static const int64_t points[][PADS] = { { 0, 0 }, { 120300, 0 }, { 7, 999999999999 } };
+    static const uint32_t frames[] = { 0, 60, 61 };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+    struct rng r;
+    int64_t got;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
+        struct board *b = power(&start);
+        memcpy(b->player.score, points[i], sizeof points[i]);
+        rng_seed(&r, 1);
+        assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+        play(&w, b, &r, frames[i]);
+        loads(&d);
+        assert_false(demo_points(&d, 0, &got)); /* not ended yet */
+        demo_free(&d);
+        assert_true(demo_end(&w, b));
+        loads(&d);
+        same(&d, &w.demo);
+        for (int p = 0; p < PADS; p++)
+            assert_true(demo_points(&d, p, &got) && got == points[i][p]);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+static void test_points_lies(void **state)
+{
+    static const char *const texts[] = { "",
+                                         "points",
+                                         "points 1",
+                                         "points 1 ",
+                                         "points 1 x",
+                                         "points 1 -5",
+                                         "points 1 05",
+                                         "points 2 5",
+                                         "points 1 5 ",
+                                         "points 1 1234567890123",
+                                         "Points 1 5" };
+    struct demo_moment list[3] = { 0 };
+    struct demo d = { .moment = list, .moments = 2, .frames = 9, .complete = true };
+    int64_t got;
+
+    (void)state;
+    list[0] = (struct demo_moment){ 8, { .kind = MARK_LISTED, .name = "points 1 5" } };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        list[1] = (struct demo_moment){ 9, { .kind = MARK_LISTED } };
+        snprintf(list[1].mark.name, sizeof list[1].mark.name, "%s", texts[i]);
+        if (demo_points(&d, 0, &got))
+            fail_msg("\"%s\" is taken for points", texts[i]);
+    }
+    list[1] = list[0];
+    assert_false(demo_points(&d, 0, &got)); /* not of the last frame */
+    list[1].frame = 9;
+    list[1].mark.kind = MARK_REGISTER;
+    assert_false(demo_points(&d, 0, &got));
+    list[1].mark.kind = MARK_LISTED;
+    assert_true(demo_points(&d, 0, &got) && got == 5);
+    list[2] = (struct demo_moment){ 9, { .kind = MARK_WAVE, .name = "wisp" } };
+    d.moments = 3;
+    assert_true(demo_points(&d, 0, &got) && got == 5);
+    d.complete = false;
+    assert_false(demo_points(&d, 0, &got));
 }
 
 static void test_moment_lies(void **state)
@@ -876,9 +946,10 @@ static void test_after_fault(void **state)
     play(&w, b, &r, 59);
     board_tick(b, select);
     assert_true(demo_frame(&w, b, select) && demo_end(&w, b));
-    size_t n = file_bytes(), end = record_at(3);
+    size_t n = file_bytes(), end = record_at(3 + PADS);
     assert_int_equal(file[end], 'E');
     assert_int_equal(n, end + 20);
+    end = record_at(3);                                           /* in place of the points */
     memmove(file + end, file + record_at(2), end - record_at(2)); /* the second once more, as the next one */
     n = end + (end - record_at(2));
     file[end + 8] = 60;
@@ -989,7 +1060,8 @@ int main(void)
         cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
         cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
         cmocka_unit_test(test_print_lies),  cmocka_unit_test(test_practice),      cmocka_unit_test(test_moments),
-        cmocka_unit_test(test_moment_lies), cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),
+        cmocka_unit_test(test_points),      cmocka_unit_test(test_points_lies),   cmocka_unit_test(test_moment_lies),
+        cmocka_unit_test(test_old_format),  cmocka_unit_test(test_save),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

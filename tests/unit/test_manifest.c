@@ -79,7 +79,7 @@ static void test_defaults(void **state)
     assert_int_equal(r->m.motions, 256);
     assert_int_equal(r->m.tasks, 1024);
     assert_int_equal(r->m.lua_kib, 4096);
-    assert_int_equal(r->m.players, 2);
+    assert_int_equal(r->m.players, 1);
     assert_int_equal(r->m.n_extends, 0);
     assert_int_equal(r->m.n_difficulties, 1);
     assert_string_equal(r->m.difficulties[0], "normal");
@@ -102,7 +102,7 @@ static const char lanterns[] =
     "  sprites = { wisp = { sheet = 'small', y = 16, w = 24, h = 20, frames = 4, every = 5 },\n"
     "              rice = { sheet = 'small', x = 16, w = 13, h = 12, rotations = 32 },\n"
     "              queen = { sheet = 'big', w = 48, h = 56, origin = { 24, -30 } } },\n"
-    "  difficulties = { 'easy', 'normal', 'hard' }, difficulty = 'hard', players = 1,\n"
+    "  difficulties = { 'easy', 'normal', 'hard' }, difficulty = 'hard', players = 2,\n"
     "  dip = { rate = { min = -1, max = 10, default = 3 }, coins = { 'free', 'one' }, n = { min = 2, max = 2 } },\n"
     "  extends = { 100000, 9007199254740992 } }\n";
 
@@ -132,7 +132,7 @@ static void test_all(void **state)
     assert_int_equal(m->motions, 0);
     assert_int_equal(m->tasks, 9);
     assert_int_equal(m->lua_kib, 512);
-    assert_int_equal(m->players, 1);
+    assert_int_equal(m->players, 2);
     assert_int_equal(m->n_extends, 2);
     assert_true(m->extends[1] == INT64_C(9007199254740992));
     assert_int_equal(m->n_difficulties, 3);

@@ -110,7 +110,9 @@ play() { # GAME (a packed one) DEMO
     runs curtain-null hash "$1" --demo "$2" --parts >"$dir/tracks/$key" || return 1
     cmp -s "$cross/$reference/tracks/$key" "$dir/tracks/$key" ||
         { echo "$2: $(first_difference "$cross/$reference/tracks/$key" "$dir/tracks/$key")"; return 1; }
-    runs curtain-null verify "$1" "$2" || return 1
+    # One of an older core version may differ, in the same frame and parts everywhere.
+    runs curtain-null verify "$1" "$2" >"$dir/verdicts/$key" || grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
+    same_files "$2: verdict" "$cross/$reference/verdicts/$key" "$dir/verdicts/$key" || return 1
     frames=$(tail -n 1 "$dir/tracks/$key" | cut -d ' ' -f 1)
     runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every" -o "$dir/pictures/$key" || return 1
     same_files "$2: pictures" "$cross/$reference/pictures/$key" "$dir/pictures/$key"
@@ -118,13 +120,13 @@ play() { # GAME (a packed one) DEMO
 
 play_all() {
     local demo rom keys=$cross/$reference/keys.demo
-    mkdir -p "$dir"/{roms,tracks,pictures}
+    mkdir -p "$dir"/{roms,tracks,pictures,verdicts}
     runs curtain-null version >"$dir/version" && runs prove/digest --each >"$dir/digest" || return 1
     same_files "the functions of base" "$cross/$reference/digest" "$dir/digest" || return 1
     for rom in $(ls -d roms/*/demos | sed 's,/demos$,,') tests/cross/keys; do
         runs curtain-null pack "$rom" -o "$dir/roms/$(basename "$rom").rom" || return 1
     done
-    cp tests/demos/frozen.rom "$dir/roms/" || return 1
+    cp tests/demos/*.rom "$dir/roms/" || return 1
     same_files "packed games" "$cross/$reference/roms" "$dir/roms" || return 1
     if [ "$name" = $reference ]; then
         runs curtain-null hash "$dir/roms/keys.rom" --record "$keys" --frames 600 --every 600 >"$dir/said" || return 1
@@ -132,7 +134,7 @@ play_all() {
     for demo in $demos "$keys"; do
         case $demo in
         roms/*) rom=$(basename "${demo%/demos/*}") ;;
-        tests/*) rom=frozen ;;
+        tests/*) rom=$(basename "${demo%-*}") ;;
         *) rom=keys ;;
         esac
         play "$dir/roms/$rom.rom" "$demo" || return 1

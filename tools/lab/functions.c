@@ -4,6 +4,7 @@
  * floor: tools
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "lab.h"
@@ -26,7 +27,8 @@ struct quantity {
     void (*draw)(struct rng *r, struct sample *s);
     int (*edges)(struct sample *out);
     void (*truth)(const struct sample *s, struct truth out[]);
-    bool wide; /* results may leave 32 bits */
+    bool wide;          /* results may leave 32 bits */
+    const char *inputs; /* its arguments, a letter each: a b t bits of Q15.16, d dir, e the other angle, g degrees */
 };
 
 /* What was found of one rival. */
@@ -331,38 +333,40 @@ static void to_degrees_is(const struct sample *s, struct truth out[])
 static const struct quantity QUANTITIES[] = {
     { "Multiplication", "mul", "a product", "the half-up product where nothing can overflow",
       "a up to 512 px, b up to 1 or 16, either sign", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair,
-      mul_is, false },
+      mul_is, false, "ab" },
     { "Division", "div", "a quotient", "an inverse that is kept, where one number divides many",
       "a up to 512 px, b from 1/16 to 64, either sign", "unit: 1 ulp", &rivals_div, 1, false, draw_div, edges_div,
-      div_is, false },
+      div_is, false, "ab" },
     { "Square root", "sqrt", "a square root", "squares compared instead of roots: no error and no cost",
-      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false },
+      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false,
+      "a" },
     { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, rounded once",
-      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false },
+      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false,
+      "a" },
     { "Length of a vector", "hypot", "a length", "squares compared; larger + ⅜ smaller to sort by distance", VECTORS,
-      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false },
+      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
     { "Sine", "sin", "a sine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_sin, 1, false, draw_angle,
-      edges_turn, sin_is, false },
+      edges_turn, sin_is, false, "d" },
     { "Cosine", "cos", "a cosine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_cos, 1, false,
-      draw_angle, edges_turn, cos_is, false },
+      draw_angle, edges_turn, cos_is, false, "d" },
     { "Direction of a vector", "atan2", "a direction", "1025 entries where 16 bits of angle are enough", VECTORS, ANG,
-      &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false },
+      &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
     { "Speed and direction to a velocity", "polar", "a velocity", "fine motion for what lives for minutes",
       "speeds of 1/16 to 64 px, all angles; errors of both parts", "unit: 1 ulp", &rivals_polar, 2, false, draw_polar,
-      edges_polar, polar_is, false },
+      edges_polar, polar_is, false, "ad" },
     { "Normalising a vector", "normalise", "a unit vector", "the speed and direction kept, not the vector",
       VECTORS "; errors of both parts", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector, unit_is,
-      false },
+      false, "ab" },
     { "Between two values", "lerp", "a value between two", "the 64-bit half-up form where 0 ≤ t ≤ 1",
       "a and b up to 512 px either way, 0 ≤ t < 1", "unit: 1 ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp,
-      lerp_is, false },
+      lerp_is, false, "abt" },
     { "Degrees to an angle", "degrees", "degrees", "times 2³²/360 where ties do not matter",
       "multiples of 0.1° and random numbers up to 360° either way", ANG, &rivals_degrees, 1, true, draw_degrees,
-      edges_degrees, degrees_is, false },
+      edges_degrees, degrees_is, false, "g" },
     { "The turn between two angles", NULL, NULL, NULL, "all pairs of angles", ANG, &rivals_difference, 1, true,
-      draw_difference, edges_difference, difference_is, false },
+      draw_difference, edges_difference, difference_is, false, "de" },
     { "An angle to degrees", NULL, NULL, NULL, "all angles", "unit: 2⁻²⁹°", &rivals_to_degrees, 1, false, draw_angle,
-      edges_turn, to_degrees_is, true },
+      edges_turn, to_degrees_is, true, "d" },
 };
 
 /* ---- measuring ---- */
@@ -474,6 +478,148 @@ static void conclude(const struct quantity *q, int engine, const struct found fo
                  lab_exact() || cheapest);
 }
 
+/* ---- the edges, said: from the arrays that were tried ---- */
+
+enum { MOST_SETS = 26, MOST_INPUTS = 3, SET_BYTES = 8192 };
+
+/* The values that one argument takes at the edges, in the order in which they come. */
+struct column {
+    double of[MOST_EDGES]; /* 32 bits, or degrees: exact */
+    int n;
+};
+
+static char sets[MOST_SETS][SET_BYTES], edge_rows[64][512];
+static int n_sets, n_edge_rows;
+
+static double input_of(const struct sample *s, char which)
+{
+    switch (which) {
+    case 'a':
+        return s->a;
+    case 'b':
+        return s->b;
+    case 't':
+        return s->t;
+    case 'd':
+        return s->dir;
+    case 'e':
+        return (ang)s->a;
+    default:
+        return s->deg;
+    }
+}
+
+static const char *input_text(char which, double v)
+{
+    if (which == 'g')
+        return report_string("%.17g", v);
+    return which == 'd' || which == 'e' ? report_string("0x%08x", (unsigned)v) : report_string("%.0f", v);
+}
+
+static bool has(const struct column *c, double v)
+{
+    int i = 0;
+
+    while (i < c->n && c->of[i] != v)
+        i++;
+    return i < c->n;
+}
+
+static void take_column(struct column *c, char which, int n_edges)
+{
+    c->n = 0;
+    for (int i = 0; i < n_edges; i++)
+        if (!has(c, input_of(&edges[i], which)))
+            c->of[c->n++] = input_of(&edges[i], which);
+}
+
+/* The letter of a set of values, which is added if it is not there. */
+static char set_of(const struct column *c, char which)
+{
+    static char text[SET_BYTES];
+    size_t n = 0;
+    int i = 0;
+
+    for (int k = 0; k < c->n && n < sizeof text - 32; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", k ? " " : "", input_text(which, c->of[k]));
+    while (i < n_sets && strcmp(sets[i], text) != 0)
+        i++;
+    if (i == n_sets)
+        memcpy(sets[n_sets++], text, n + 1);
+    return (char)('A' + i);
+}
+
+static bool was_tried(const char *inputs, const double *v, int n_edges)
+{
+    for (int i = 0; i < n_edges; i++) {
+        int k = 0;
+        while (inputs[k] && input_of(&edges[i], inputs[k]) == v[k])
+            k++;
+        if (!inputs[k])
+            return true;
+    }
+    return false;
+}
+
+/* Adds the combinations that were not tried to a text: " but (0, 0)". */
+static void left_out(const char *inputs, const struct column *c, int n_edges, int all, char *out, size_t size)
+{
+    size_t n = strlen(out);
+
+    for (int i = 0; i < all; i++) {
+        double v[MOST_INPUTS];
+        for (int k = 0, at = i; inputs[k]; at /= c[k++].n)
+            v[k] = c[k].of[at % c[k].n];
+        if (was_tried(inputs, v, n_edges))
+            continue;
+        n += (size_t)snprintf(out + n, size - n, " but (");
+        for (int k = 0; inputs[k]; k++)
+            n += (size_t)snprintf(out + n, size - n, "%s%s", k ? ", " : "", input_text(inputs[k], v[k]));
+        n += (size_t)snprintf(out + n, size - n, ")");
+    }
+}
+
+/* Keeps a row of the appendix: what of which set, and how many combinations of them. */
+static void note_edges(const struct quantity *q, int n_edges)
+{
+    static struct column c[MOST_INPUTS];
+    char *row = edge_rows[n_edge_rows++];
+    size_t n = (size_t)snprintf(row, sizeof edge_rows[0], "%s|", q->title);
+    int all = 1;
+
+    for (int k = 0; q->inputs[k]; k++) {
+        take_column(&c[k], q->inputs[k], n_edges);
+        all *= c[k].n;
+        n += (size_t)snprintf(row + n, sizeof edge_rows[0] - n, "%s%c", k ? " × " : "", set_of(&c[k], q->inputs[k]));
+    }
+    n += (size_t)snprintf(row + n, sizeof edge_rows[0] - n, "|%d|all", n_edges);
+    left_out(q->inputs, c, n_edges, all, row, sizeof edge_rows[0]);
+}
+
+static void print_edges(void)
+{
+    report_text("### The edges");
+    report_text(
+        "What *wrong at edges* was tried with: every combination of the values of these sets, the arguments in the "
+        "order\nof the function's own. Numbers are the bits of Q15.16 (65536 is 1), those with 0x the bits of angles, "
+        "those of\ndegrees are doubles.");
+    report_table(NULL, "function|sets|inputs>|combinations");
+    for (int i = 0; i < n_edge_rows; i++) {
+        const char *cell[4];
+        char *at = edge_rows[i];
+        for (int k = 0; k < 4; k++) {
+            cell[k] = at;
+            at += strcspn(at, "|");
+            if (*at)
+                *at++ = 0;
+        }
+        report_row(false, cell[0], cell[1], cell[2], cell[3], NULL);
+    }
+    report_table_end();
+    for (int i = 0; i < n_sets; i++)
+        report_text("%c: `%s`", 'A' + i, sets[i]);
+}
+
 static void measure(const struct quantity *q, uint64_t seed)
 {
     struct lab_rival time[MOST_RIVALS];
@@ -489,6 +635,7 @@ static void measure(const struct quantity *q, uint64_t seed)
         q->truth(&samples[i], truths[i]);
     }
     int n_edges = q->edges(edges);
+    note_edges(q, n_edges);
     for (int i = 0; i < n; i++) {
         const struct rival *r = &q->rivals->row[i];
         engine = r->kind == ENGINE ? i : engine;
@@ -520,7 +667,8 @@ void section_functions(void)
         "smallest and what is around 0, ½ and 1, or the angles around each eighth of a turn, or both sides of roots' "
         "boundaries,\nor multiples of 22.5 degrees and their neighbours. *misrounded*: the share that is\nnot the "
         "nearest value there is (0.5 ulp is the least a largest error can be); *wrong at edges*: "
-        "how many of them\nare not the nearest value, clamped to the range. Rows of the C library are marked ≈ "
+        "how many of them\nare not the nearest value, clamped to the range ([the edges](#the-edges) are listed below). "
+        "Rows of the C library are marked ≈ "
         "throughout: it is not the same\neverywhere. Where libm has no such function, the rows float32 and double "
         "stand for it; the 106-bit oracle is left\nout of the plots, in which the line joins what nothing beats in "
         "both. "
@@ -531,4 +679,5 @@ void section_functions(void)
         report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);
+    print_edges();
 }

@@ -1,0 +1,96 @@
+/*
+ * api_later.c - names that are kept for what is not there yet: a script that uses one is told so. Who adds what a name is
+ * kept for takes it out of the list; a test sees that none of them is there.
+ */
+#include <string.h>
+#include "api_parts.h"
+
+static const struct {
+    const char *of; /* a table of the API, a function, or a thing; "": the globals */
+    char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
+    const char *names;
+} later[] = {
+    { "", '.', "laser item value option bomb game talk say choose bg screen sound music unlock test" },
+    { "board", '.', "stop ask" },
+    { "boss", '.', "history" },
+    { "bullet", '.', "sweep" },
+    { "enemy", '.', "group" },
+    { "on", '.', "start take bomb continue" },
+    { "query", '.', "box line" },
+    { "shot", '.', "group each" },
+    { "text", '.', "line lang" },
+    { "bullet", ':', "frozen hp around clear" },
+    { "enemy", ':', "frozen orbit wander" },
+    { "group", ':', "frozen hp around shift clear" },
+    { "player", ':', "bomb state" },
+    { "shot", ':', "frozen" },
+    { "boot.run", '{', "continues modes screens" },
+    { "boss.def", '{', "cast music portrait warning" },
+    { "boss.def phase", '{', "armour bg bonus_to clear cut_in down drops last music safe talk" },
+    { "bullet.clear", '{', "all from items lasers" },
+    { "bullet.def", '{', "clearable cloud drops hp on_death score spark spin vanish" },
+    { "bullet.fire", '{', "around delay" },
+    { "enemy.def", '{', "parts rate" },
+    { "enemy.spawn", '{', "follow parts rate" },
+    { "motion.def step", '{', "bounce emit go_to orbit polar wave" },
+    { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
+    { "shot.def", '{', "cancels every pierce" },
+    { "sprite.put", '{', "follow" },
+    { "text.put", '{', "font" },
+};
+
+static bool has_word(const char *words, const char *word)
+{
+    size_t n = strlen(word);
+
+    for (const char *at = words; n && (at = strstr(at, word)) != NULL; at++)
+        if ((at == words || at[-1] == ' ') && (at[n] == ' ' || !at[n]))
+            return true;
+    return false;
+}
+
+bool api_later(const char *of, char how, const char *name)
+{
+    for (size_t i = 0; i < sizeof later / sizeof *later; i++)
+        if (later[i].how == how && !strcmp(later[i].of, of))
+            return has_word(later[i].names, name);
+    return false;
+}
+
+const char *api_later_row(int i, const char **of, char *how)
+{
+    if (i >= (int)(sizeof later / sizeof *later))
+        return NULL;
+    *of = later[i].of;
+    *how = later[i].how;
+    return later[i].names;
+}
+
+/* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
+static int missing_field(lua_State *L)
+{
+    const char *of = lua_tostring(L, lua_upvalueindex(1));
+
+    if (lua_type(L, 2) == LUA_TSTRING && api_later(of, '.', lua_tostring(L, 2)))
+        return vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, lua_tostring(L, 2), NOT_YET);
+    lua_pushnil(L);
+    return 1;
+}
+
+void api_watch_fields(lua_State *L)
+{
+    int top = lua_gettop(L);
+
+    for (size_t i = 0; i < sizeof later / sizeof *later; i++) {
+        if (later[i].how != '.' || !later[i].of[0])
+            continue;
+        if (lua_getglobal(L, later[i].of) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
+            lua_createtable(L, 0, 1);
+            lua_pushstring(L, later[i].of);
+            lua_pushcclosure(L, missing_field, 1);
+            lua_setfield(L, -2, "__index");
+            lua_setmetatable(L, -2);
+        }
+        lua_settop(L, top);
+    }
+}

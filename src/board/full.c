@@ -1,0 +1,65 @@
+/*
+ * full.c - what is said of a pool that is full. Nothing is wrong then: what finds no room is not made, and is counted. But
+ * who did not mean it looks for it long, so the first refusal of a run is a line of the log. That it was said follows from
+ * `refused`, so a run that goes on from a snapshot says it where the other did.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "machine.h"
+
+struct wording {
+    const struct chip *chip;
+    const char *of;      /* what there is too much of */
+    const char *set_by;  /* the capacity's name in rom.lua */
+    const char *instead; /* what happens */
+};
+
+static const char gone[] = "what finds no room is not made";
+
+static const struct wording wordings[] = {
+    { &bullets_chip, "bullets", "bullets", gone },
+    { &shots_chip, "shots", "shots", gone },
+    { &enemies_chip, "enemies", "enemies", gone },
+    { &sprites_chip, "sprites", "sprites", gone },
+    { &sparks_chip, "sparks", "sparks", gone },
+    { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
+    { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
+    { &steps_chip, "motion steps", "motions", "what is given a program that finds no room flies straight" },
+};
+
+static const struct wording *wording_of(const struct board *b, const struct slots *s)
+{
+    for (size_t i = 0; i < sizeof wordings / sizeof *wordings; i++)
+        for (int k = 0; k < PARTS; k++)
+            if (parts[k].chip == wordings[i].chip && (const uint8_t *)s == (const uint8_t *)b + parts[k].at)
+                return &wordings[i];
+    return NULL;
+}
+
+void board_full(struct board *b, const struct slots *s)
+{
+    const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
+    struct hand *h = b->hand;
+    struct board_full *f, unheard;
+    char place[VM_PLACE] = "";
+
+    if (!w)
+        return;
+    if (b->vm.running)
+        vm_where(b->vm.running, place, sizeof place);
+    f = h->out.fulls < FULLS ? &h->out.full[h->out.fulls++] : &unheard;
+    f->part = w->chip->name;
+    snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap,
+             w->set_by, w->instead);
+    vm_log(b, f->line, strlen(f->line));
+    vm_log(b, "\n", 1);
+}
+
+void board_sparks(struct board *b, const struct spark_burst *burst)
+{
+    uint32_t had = b->sparks.s.refused;
+
+    sparks_burst(&b->sparks, burst);
+    if (b->sparks.s.refused != had)
+        board_full(b, &b->sparks.s);
+}

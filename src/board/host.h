@@ -1,0 +1,42 @@
+/*
+ * host.h - what a host may have set that arithmetic and texts depend on, put aside while the board works.
+ * floor: board    used by: board/ cab/ tests/
+ *
+ * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
+ * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between
+ * host_aside and host_back: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
+ * nothing, and leaves all as it was, flags that were raised included. Both together take a quarter of a microsecond and,
+ * with glibc and musl, no memory. The locale of a host without POSIX's thread locales has to be C.
+ */
+#ifndef BOARD_HOST_H
+#define BOARD_HOST_H
+
+#include <fenv.h>
+#include <locale.h>
+#include <stdint.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
+#define HOST_LOCALES
+#endif
+#if defined(__aarch64__) && defined(__GNUC__)
+#define HOST_FPCR
+#endif
+
+struct host {
+    fenv_t numbers;
+#ifdef HOST_FPCR
+    uint64_t control;
+#endif
+#ifdef HOST_LOCALES
+    locale_t words, own; /* the thread's, and what took its place */
+#endif
+};
+
+void host_aside(struct host *h);
+
+/* On the thread that called host_aside. */
+void host_back(const struct host *h);
+
+#endif

@@ -1,0 +1,27 @@
+/*
+ * moments.h - the moments of two recordings of one run, compared.
+ * floor: cab    used by: verify tests/
+ */
+#ifndef CAB_MOMENTS_H
+#define CAB_MOMENTS_H
+
+#include "demo.h"
+
+/* A moment that is in another frame, or in one of the two alone; the other is NULL. */
+struct moment_change {
+    const struct demo_moment *was, *is;
+};
+
+struct moment_changes {
+    struct moment_change *list; /* in the order of frames: of .was, if there is one, else of .is */
+    uint32_t n;
+};
+
+/* The n-th moment of a kind and name is the same thing in both. What a practice start lists and what else says nothing
+ * about a run is left out. False: no memory. Good as long as both demos are; free c->list. */
+bool moments_compare(struct moment_changes *c, const struct demo *was, const struct demo *is);
+
+/* "phase held 3030 -> 3041", "death of player 1 3100 -> never". */
+void moments_text(const struct moment_change *c, char *out, size_t size);
+
+#endif

@@ -1,0 +1,134 @@
+-- main.lua - from the title through two stages and a boss to the score table, with two ships, and on the way as much of the
+-- board and of @std as there is. What a core version adds belongs here before it is frozen; see tests/demos/README.md.
+local function ship(name, speed, bolt)
+  player.def(name, { sprite = "dart", hit = { circle = 1.5 }, graze = 12, speed = speed, focus = speed / 2, lives = 3, safe = 60,
+    registers = { power = 1, bombs = 2 },
+    run = function(p)
+      while true do
+        if pad.down("fire", p) then
+          for i = -1, 1 do shot.fire { kind = bolt, from = p, dx = 4 * i, speed = 6.5, dir = 270 + (p.focus and 2 or 13) * i, by = p } end
+        end
+        if pad.repeated("special", p) then shot.fire { kind = bolt, from = p, aim = true, speed = 3, motion = "spin" } end
+        if p.bombs > 0 and pad.take("bomb", 8, p) then
+          p.bombs, p.safe = p.bombs - 1, 40
+          bullet.clear { from = p, radius = 60, spark = "pop" }
+        end
+        wait(4)
+      end
+    end })
+end
+shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
+shot.def("ball", { sprite = "dot", hit = { circle = 3 }, damage = 3 })
+ship("quick", 3.3, "bolt")
+ship("slow", 2.1, "ball")
+spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
+bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
+bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
+motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
+  { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 }, { speed = 2.75, over = 9 } }
+motion.def { name = "spin", { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
+motion.def { name = "arc", fine = true, { speed = 0.7 }, { turn = 0.9, over = 200 } }
+
+local function volley(e)
+  while true do
+    wait(rng.int(20, 40))
+    pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 2, hard = 3 }, spread = 71.5, aim = true, speed = 1.3 }
+    pattern.stack { from = e, kind = "orb", n = 3, dir = 90, speed = 0.9, speed_to = 1.4 }
+  end
+end
+enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 170, spark = "pop", run = volley })
+enemy.def("eye", { sprite = "dot", hit = { circle = 6 }, hp = 14, score = 400, spark = "pop", on_hit = function(e) spark.burst { kind = "pop", from = e, n = 1, speed = 2 } end,
+  on_death = function(e) pattern.ring { from = e, kind = "orb", n = 5, aim = true, speed = 1.1 } end, run = volley })
+enemy.def("king", { sprite = "dot", hit = { box = { 12, 12 } }, hp = 10, score = 9000, spark = "pop" })
+
+local loop = path.def { { x = -5, y = 20 }, { x = 60, y = 45, over = 53, ease = "out" }, { wait = 17 }, { x = 155, y = 15, over = 61, ease = "both" } }
+local dive = path.def { { x = 30, y = -6 }, { x = 40, y = 60, over = 70, ease = "both" }, { x = 20, y = 150, over = 90, ease = "in" } }
+
+boss.def("king", { title = "King", kind = "king", x = 72, y = 34, phases = {
+  { id = "a", hp = 60, time = 300, rest = 10, run = function(e)
+      task.go(function() pattern.spiral { from = e, kind = "orb", n = forever, arms = 2, step = 11.3, every = 9, speed = 0.9 } end)
+      wait(60)
+      enemy.spawn { kind = "wisp", x = 30, y = 20, run = function(w) -- all of it the phase's, and goes with it
+          sprite.put { sprite = "dart", x = w.x, y = w.y, layer = "middle" }
+          wait(30)
+          enemy.spawn { kind = "eye", from = w, dx = 50 }
+          volley(w)
+        end }
+      enemy.spawn { kind = "eye", x = 110, y = 40, stay = true, run = function(w) w:move { x = 40, y = 20, over = 77, ease = "out" } end }
+      sprite.put { sprite = "dart", x = 100, y = 12, layer = "back", stay = true }
+    end },
+  { id = "b", spell = "Second", hp = 90, time = 400, rest = 10, bonus = 3000, run = function(e)
+      while true do
+        pattern.ring { from = e, kind = "orb", n = 7, dir = rng.dir(), speed = 0.9, motion = "bloom", tag = "petal" }
+        e:move { x = rng.int(30, 110), y = rng.int(25, 50), over = 37, ease = "in" }
+        bullet.fire { kind = "rice", from = e, dir = rng.number(60, 120), speed = 170 } -- leaves in the frame in which it touches
+        wait(48)
+      end
+    end } } })
+
+local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0, extend = 0 }
+for name in pairs(counts) do on[name](function() counts[name] = counts[name] + 1 end) end
+on.phase(function(e, id, won)
+  board.note(id)
+  board.note(won)
+  if e.alive then spark.burst { kind = "pop", from = e, n = 3, speed = 1 } end
+end)
+on.stage(function(name, state) board.note(name .. state) end)
+on.game_over(function() board.note("over") end)
+
+stage.def("one", function()
+  stage.at(30) stage.wave { kind = "wisp", n = 4, every = 19, path = loop, dy = 3.3 }
+  stage.at(120)
+  stage.mark("middle")
+  stage.wave { kind = "eye", n = 2, every = 30, path = dive, dx = 40 }
+  stage.clear(300)
+end)
+stage.def("two", function()
+  stage.at(20) stage.wave { kind = "wisp", n = 3, every = 16, path = loop, mirror = true }
+  stage.mark("king")
+  boss.fight("king")
+  wait(30)
+end)
+
+local function fold(s)
+  local h = 0
+  for i = 1, #s do h = (h * 33 + s:byte(i)) & 0x7fffffff end
+  board.note(h)
+end
+local function library(i)
+  local t, out = {}, {}
+  for k = 1, 12 do t[k] = { k * 37 % 11 + 0.5 / k, k } end
+  table.sort(t, function(a, b) return a[1] < b[1] end)
+  for k, v in ipairs(t) do out[k] = ("%d:%.6f:%g"):format(v[2], math.sin(v[1] * i), math.sqrt(v[1]) / 3) end
+  fold(table.concat(out, ","):gsub("(%d+):(%-?)", "%2<%1>"):upper() .. tostring(i / 7) .. math.atan(i, 3))
+  for k, v in pairs { z = 1, a = 2, [3] = 3, [-1] = 4 } do fold(k .. "=" .. v) end
+end
+
+task.go(function()
+  local petals, seen = bullet.group("petal"), save.get("seen", 0)
+  wait(2) -- boot.run wipes what was there before it
+  local mark
+  palette.cycle { first = 17, last = 30, every = 3 }
+  for i = 1, forever do
+    library(i)
+    if i % 8 == 0 then bullet.fire { kind = "ghost", x = rng.number(0, 140), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(), motion = i % 16 == 0 and "spin" or "arc" } end
+    if i % 100 == 0 then
+      petals.speed, petals.bank = 0.5, 6
+      bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)
+      palette.fade { to = 0x203040, over = 20, first = 200, last = 250 }
+      seen = seen + 1
+      save.set("seen", seen)
+    end
+    local p = player.nearest(3, 4)
+    if p.alive then
+      if not mark or not mark.alive then mark = sprite.put { sprite = "dart", x = 5, y = 5, layer = "front" } end
+      mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
+      local near = query.near { what = "bullet", x = p.x, y = p.y, radius = 20 }
+      fold(#near .. " " .. angle.to(p, { x = 1, y = 2 }) .. " " .. p.x .. " " .. p.grazes .. " " .. p.score)
+    end
+    board.note(counts.graze + counts.kill * 1000)
+    wait(1)
+  end
+end)
+boot.run { stages = { "one", "two" }, players = { "quick", "slow" } }

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# links.sh - what refers to threads is linked with -pthread: glibc has had them in a library of its own until 2.34.
+. "$(dirname "$0")/../check.sh"
+
+targets="programs build/release/bot build/release/curtain-bare build/release/curtain-null
+    $(ls tools/prove/{roots,sines,polar,directions,products,shapes}.c | sed 's,.*/,build/release/prove/,;s,\.c$,,')"
+
+# links [VARIABLE=VALUE...]: the lines by which make links programs
+links() {
+    # shellcheck disable=SC2086
+    make -n -B CONFIG=release "$@" $targets | grep -E ' -o [^ ]+$' | grep -v ' -c '
+}
+
+# Reads such lines; says which program refers to threads and has no -pthread. There are many that do.
+threads() {
+    local line word source n=0 found=0
+    while read -r line; do
+        for word in $line; do
+            case $word in
+            build/release/gen/*) continue ;;
+            build/release/*.o) source=${word#build/release/} source=${source%.o}.c ;;
+            *.c) source=$word ;;
+            *) continue ;;
+            esac
+            grep -q 'pthread_' "$source" 2>/dev/null || continue
+            n=$((n + 1))
+            case " $line " in
+            *' -pthread '*) ;;
+            *) echo "${line##* }: $source refers to threads, and there is no -pthread"; found=1 ;;
+            esac
+            break
+        done
+    done
+    [ $n -gt 50 ] || { echo "only $n programs refer to threads"; found=1; }
+    return $found
+}
+
+all_links() { links "$@" | threads; }
+check "every program that refers to threads is linked with -pthread" all_links
+refuse "planted: without it" "build/release/curtain: platform/stdio.c refers to threads" all_links THREADS=
+check "WebAssembly has none" bash -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
+
+# Scripts that link the engine themselves.
+by_hand() { grep -Hn '(pkg-config --libs lua5.4' "$@" | awk '!/-pthread/ { print; bad = 1 } END { exit bad || !NR }'; }
+check "so are the programs that scripts link" by_hand $(tree 'tests/*.sh' 'tools/*.sh')
+sed 's/ -pthread//' tests/scripted.sh >"$scratch/scripted.sh"
+refuse "planted: a script without it" "scripted.sh:8" by_hand "$scratch/scripted.sh"
+done_testing

@@ -1,0 +1,476 @@
+/*
+ * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are kept
+ * for later, two fights at once, waits where there can be none, and nil for all.
+ */
+#include "rig.h"
+
+static const char kinds[] =
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } }) shot.def('bolt', { sprite = 'dot', hit = { circle = 3 "
+    "} }) "
+    "enemy.def('wall', { sprite = 'dot', hit = { circle = 9 }, hp = 9 }) enemy.def('foe', { sprite = 'dot', hit = "
+    "'none', hp = 9 }) spark.def('glow', { sprite = 'dot', life = 9 }) "
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 3 } }) "
+    "string.route = path.def { { x = 9, y = 9 }, { wait = 999 } }\n";
+
+static struct rig_game g;
+static struct rig rig;
+static char log_text[4096];
+
+/* Runs `text` from line 2 of main.lua as a task for some frames, with player 1 in the game. Returns what was said: the
+ * fault's message, or what was printed. */
+static const char *says(const char *text)
+{
+    const uint16_t none[PADS] = { 0 };
+    char script[4096];
+    size_t n = 0;
+
+    snprintf(
+        script, sizeof script,
+        "%slocal sys, p = string.sys, player.get(1) sys.join(1, 'ship') task.go(function() p = player.get(1) %s end)",
+        kinds, text);
+    rig_with_sys(&g, NULL, script);
+    rig_power_any(&rig, &g, NULL);
+    for (int f = 0; f < 200 && !rig_fault(&rig); f++) {
+        const struct board_out *out = board_tick(rig.b, none);
+        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
+            log_text[n++] = out->log[i];
+    }
+    log_text[n] = 0;
+    if (rig_fault(&rig))
+        snprintf(log_text, sizeof log_text, "%s", rig_fault(&rig)->message);
+    rig_free(&rig);
+    rig_game_free(&g);
+    return log_text;
+}
+
+#define SAYS(text, words) assert_string_equal(says(text), words)
+
+/* ---- read only ---- */
+
+/* A thing of each kind. */
+static const char *const made[HANDLES] = {
+    NULL,
+    "bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 }",
+    "shot.fire { kind = 'bolt', x = 9, y = 9, speed = 0 }",
+    "enemy.spawn { kind = 'foe', x = 9, y = 9 }",
+    "player.get(1)",
+    "sprite.put { sprite = 'dot', x = 9, y = 9 }",
+    "task.go(function() wait(forever) end)",
+    "motion.def { { wait = 1 } }",
+    "bullet.group('t')",
+};
+
+static void test_read_only(void **state)
+{
+    (void)state;
+    int seen = 0;
+    for (int k = 1; k < HANDLES; k++) {
+        const struct api_thing *t = api_things[k];
+        char text[300], want[200];
+        for (int i = -1; i < t->n; i++) {
+            const char *name = i < 0 ? "alive" : t->props[i].value.name;
+            if (i < 0 ? k == H_MOTION || k == H_GROUP : t->props[i].write == PROP_WRITE)
+                continue;
+            snprintf(text, sizeof text, "local t = %s t.%s = 1", made[k], name);
+            snprintf(want, sizeof want, "main.lua:2: %s: %s is read only", t->name, name);
+            SAYS(text, want);
+            seen++;
+        }
+    }
+    assert_int_equal(seen, 6 + 12);
+    SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
+         "main.lua:2: bullet: alive is read only");
+    SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");
+    SAYS("p.bomb = 3", "main.lua:2: player: bomb is not there yet; the name is kept for it");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e.kill = print",
+         "main.lua:2: enemy: kill is a verb: call it with a colon, as thing:kill(...)");
+    SAYS("bullet.group('t').alive = false", "main.lua:2: a group has no property \"alive\"");
+    SAYS("p.alve = false", "main.lua:2: a player has no property \"alve\" (did you mean \"alive\"?)");
+    SAYS("rom.title = 'x'", "main.lua:2: rom.title is read only");
+    SAYS("rom.field.w = 3", "main.lua:2: rom.field.w is read only");
+    SAYS("rom.new = 3", "main.lua:2: rom.new is read only");
+    SAYS("print(bullet.group('t').age)", "main.lua:2: group: age cannot be read of a group (only count can)");
+    SAYS("print(bullet.group('t').speed)", "main.lua:2: group: speed cannot be read of a group (only count can)");
+}
+
+/* ---- registers ---- */
+
+static void test_registers(void **state)
+{
+    (void)state;
+    SAYS("p.power = -5 print(p.power) p.power = 2 p.power = p.power - 3 print(p.power) p.power = p.power - 1.0 "
+         "print(p.power) "
+         "p.power = math.mininteger print(p.power) p.power = 2147483647 print(p.power)",
+         "0\n0\n0\n0\n2147483647\n");
+    SAYS("p.power = -2.5", "main.lua:2: player: power: expected a whole number from 0 to 2147483647, got -2.5");
+    SAYS("p.power = 2147483648",
+         "main.lua:2: player: power: expected a whole number from 0 to 2147483647, got 2147483648");
+    SAYS("p.power = '-5'", "main.lua:2: player: power: expected a whole number from 0 to 2147483647, got \"-5\"");
+    SAYS("score.add(-5, p) print(p.score) score.add(3, p) score.add(-9, p) print(p.score)", "0\n0\n");
+    SAYS("p.lives = -1", "main.lua:2: player: lives: expected a whole number from 0 to 99, got -1");
+    rig_script(&g, NULL, "player.def('a', { sprite = 'dot', hit = { circle = 1 }, registers = { power = -1 } })");
+    rig_power_any(&rig, &g, NULL);
+    assert_non_null(rig_fault(&rig));
+    assert_string_equal(
+        rig_fault(&rig)->message,
+        "main.lua:1: player.def: registers.power: expected a whole number from 0 to 2147483647, got -1");
+    rig_free(&rig);
+    rig_game_free(&g);
+}
+
+/* ---- names for later ---- */
+
+static void test_later(void **state)
+{
+    (void)state;
+    SAYS("sound.play('x')",
+         "main.lua:2: undeclared global \"sound\" (sound is not there yet; the name is kept for it)");
+    SAYS("local f = laser",
+         "main.lua:2: undeclared global \"laser\" (laser is not there yet; the name is kept for it)");
+    SAYS("local f = lasr", "main.lua:2: undeclared global \"lasr\"");
+    SAYS("board.stop(3)", "main.lua:2: board.stop is not there yet; the name is kept for it");
+    SAYS("on.start(print)", "main.lua:2: on.start is not there yet; the name is kept for it");
+    SAYS("print(board.stopp, on[1], text.lines)", "nil\tnil\tnil\n");
+    SAYS("board.stop = print board.stop('mine')", "mine\n");
+    SAYS("bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1, delay = 3 }",
+         "main.lua:2: bullet.fire: delay is not there yet; the name is kept for it");
+    SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3 }",
+         "main.lua:2: pattern.ring: delay is not there yet; the name is kept for it");
+    SAYS("motion.def { { wait = 1 }, { orbit = 30 } }",
+         "main.lua:2: motion.def: step 2: orbit is not there yet; the name is kept for it");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1 } b.frozen = 3",
+         "main.lua:2: bullet: frozen is not there yet; the name is kept for it");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",
+         "main.lua:2: enemy: orbit is not there yet; the name is kept for it");
+}
+
+/* None of them is there: or what is there would be said not to be. */
+static bool is_there(const char *of, char how, const char *name)
+{
+    char full[64];
+
+    snprintf(full, sizeof full, "%s%s%s", of, *of ? (how == ':' ? ":" : ".") : "", name);
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        size_t n = strlen(full);
+        if (how != '{' && (!strcmp(e->name, full) || (!*of && !strncmp(e->name, full, n) && e->name[n] == '.')))
+            return true;
+        for (int k = 0; how == '{' && !strcmp(e->name, of) && k < e->count; k++)
+            if (!strcmp(e->params[k].name, name) && strcmp(name, "drops")) /* enemy.def says it by itself */
+                return true;
+    }
+    for (int k = 1; how == ':' && k < HANDLES; k++)
+        for (int i = 0; !strcmp(api_things[k]->name, of) && i < api_things[k]->n; i++)
+            if (!strcmp(api_things[k]->props[i].value.name, name))
+                return true;
+    return false;
+}
+
+static void test_none_is_there(void **state)
+{
+    const char *of, *names;
+    char how, word[32];
+    int n = 0;
+
+    (void)state;
+    for (int i = 0; (names = api_later_row(i, &of, &how)) != NULL; i++)
+        for (; *names; names += strcspn(names, " "), names += strspn(names, " "), n++) {
+            snprintf(word, sizeof word, "%.*s", (int)strcspn(names, " "), names);
+            if (is_there(of, how, word))
+                fail_msg("%s %c %s is there: it is no name for later", of, how, word);
+            assert_true(api_later(of, how, word));
+        }
+    assert_true(n > 90);
+    assert_true(is_there("", '.', "bullet"));
+    assert_true(is_there("bullet", '.', "fire"));
+    assert_true(is_there("bullet", ':', "aim"));
+    assert_true(is_there("bullet", ':', "speed"));
+    assert_true(is_there("bullet.fire", '{', "speed"));
+    assert_false(api_later("bullet", '.', "fire"));
+    assert_false(api_later("", '.', ""));
+    assert_false(api_later("", '.', "so"));
+    assert_false(api_later("", '.', "ound"));
+}
+
+/* ---- two fights ---- */
+
+#define QUEEN                                                                                                          \
+    "boss.def('queen', { title = 'Q', kind = 'foe', x = 50, y = 50, phases = { { id = 'a', hp = 9, time = 40, rest = " \
+    "0, run = function(e) wait(forever) end } } })\n"                                                                  \
+    "boss.def('king', { title = 'K', kind = 'foe', x = 60, y = 50, phases = { { id = 'a', hp = 9, time = 9, rest = "   \
+    "0, "                                                                                                              \
+    "run = function(e) wait(forever) end } } })\n"
+
+/* The message or the log of a whole script. */
+static const char *script_says(const char *text)
+{
+    const uint16_t none[PADS] = { 0 };
+    size_t n = 0;
+    char script[4096];
+
+    snprintf(script, sizeof script, "%s%s", kinds, text);
+    rig_with_sys(&g, NULL, script);
+    rig_power_any(&rig, &g, NULL);
+    for (int f = 0; f < 600 && !rig_fault(&rig); f++) {
+        const struct board_out *out = board_tick(rig.b, none);
+        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
+            log_text[n++] = out->log[i];
+    }
+    log_text[n] = 0;
+    if (rig_fault(&rig))
+        snprintf(log_text, sizeof log_text, "%s", rig_fault(&rig)->message);
+    rig_free(&rig);
+    rig_game_free(&g);
+    return log_text;
+}
+
+static void test_fights(void **state)
+{
+    (void)state;
+    assert_string_equal(
+        script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
+                          "task.go(function() wait(70)\n"
+                          "  boss.fight 'king' end)\n"),
+        "main.lua:6: boss.fight: boss \"king\": \"queen\" is fighting; two fights at once are not there yet");
+    assert_string_equal(
+        script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
+                          "task.go(function()\n"
+                          "  boss.fight 'queen' end)\n"),
+        "main.lua:6: boss.fight: boss \"queen\": \"queen\" is fighting; two fights at once are not there yet");
+    /* one after the other; and after one whose task was stopped, in the same frame and later */
+    assert_string_equal(script_says(QUEEN "task.go(function() print(boss.fight 'queen', boss.fight 'king') end)\n"),
+                        "false\tfalse\n");
+    for (int wait = 0; wait < 2; wait++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 QUEEN "local t = task.go(function() boss.fight 'queen' end)\n"
+                       "task.go(function() wait(70) task.stop(t) wait(%d) print(boss.fight 'king') end)\n",
+                 wait);
+        assert_string_equal(script_says(text), "false\n");
+    }
+}
+
+/* ---- each ---- */
+
+static void test_each(void **state)
+{
+    static const char *const patterns[] = { "ring { n = 3,",
+                                            "fan { n = 3, spread = 30,",
+                                            "arc { n = 3, sweep = 30,",
+                                            "stack { n = 3, speed_to = 2,",
+                                            "line { n = 3, width = 30,",
+                                            "spiral { n = 3, step = 9, every = 1,",
+                                            "aimed { n = 3, every = 1," };
+    static const char cannot[] =
+        "main.lua:2: wait: cannot wait inside a function that C calls (bullet.each and its like, a "
+        "sort, a gsub, a <close>)";
+
+    (void)state;
+    SAYS("for i = 1, 3 do bullet.fire { kind = 'dot', x = i, y = 9, speed = 0, tag = i < 3 and 't' or nil } end "
+         "local n = 0 bullet.each(nil, function(b) n = n + b.x end) print(n) "
+         "n = 0 bullet.each('t', function(b) n = n + b.x end) print(n) print(bullet.group().count, "
+         "bullet.group('t').count) "
+         "enemy.spawn { kind = 'foe', x = 9, y = 9 } enemy.spawn { kind = 'foe', x = 9, y = 9, tag = 't' } "
+         "n = 0 enemy.each(nil, function() n = n + 1 end) print(n, enemy.count(), enemy.count(nil), enemy.count('t')) "
+         "print(bullet.clear { tag = 't' }, bullet.clear { tag = nil })",
+         "6.0\n3.0\n3\t2\n2\t2\t2\t1\n2\t1\n");
+    SAYS("bullet.each(function() end)", "main.lua:2: bullet.each: tag: expected a string, got a function");
+    /* what C calls cannot wait, a pattern's `each` may: the pattern goes on where it was */
+    SAYS("bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } bullet.each(nil, function() wait(1) end)", cannot);
+    SAYS("enemy.spawn { kind = 'foe', x = 9, y = 9 } enemy.each(nil, function() wait(1) end)", cannot);
+    SAYS("player.each(function() wait(1) end)", cannot);
+    SAYS("table.sort({ 2, 1 }, function() wait(1) end)", cannot);
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "local from, n = board.frame(), 0 pattern.%s kind = 'dot', x = 50, y = 50, speed = 1, each = "
+                 "function(a, i) "
+                 "n = n + i wait(10) bullet.fire(a) end } print(n, bullet.group().count, board.frame() - from >= 30)",
+                 patterns[i]);
+        SAYS(text, "6\t3\ttrue\n");
+    }
+}
+
+/* ---- full pools ---- */
+
+#define GONE     "what finds no room is not made"
+#define STRAIGHT "what is given a program that finds no room flies straight"
+
+static void test_full(void **state)
+{
+    static const struct {
+        const char *text, *words;
+    } of[] = {
+        { "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
+          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+        { "for i = 1, 100 do shot.fire { kind = 'bolt', x = 9, y = 9, speed = 0 } end",
+          "the pool of shots is full (64; shots in rom.lua): " GONE },
+        { "for i = 1, 40 do enemy.spawn { kind = 'foe', x = 9, y = 9 } end",
+          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+        { "for i = 1, 20 do sprite.put { sprite = 'dot', x = 9, y = 9 } end",
+          "the pool of sprites is full (16; sprites in rom.lua): " GONE },
+        { "spark.burst { kind = 'glow', x = 9, y = 9, n = 129 }",
+          "the pool of sparks is full (128; sparks in rom.lua): " GONE },
+        { "for i = 1, 99 do task.go(function() wait(forever) end) end",
+          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+        { "for i = 1, 99 do task.scope() end",
+          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+        { "for i = 1, 99 do motion.def { { wait = i } } end",
+          "the pool of motions is full (32; motions in rom.lua): " STRAIGHT },
+        { "for i = 1, 3 do local steps = {} for k = 1, 200 do steps[k] = { wait = i } end motion.def(steps) end",
+          "the pool of motion steps is full (512; motions in rom.lua): " STRAIGHT },
+        /* @std stands between */
+        { "pattern.ring { kind = 'dot', x = 9, y = 9, speed = 0, n = 300 }",
+          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+        { "stage.wave { kind = 'foe', n = 40, every = 1, path = string.route }",
+          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        char text[2000], want[600];
+        /* said once, whatever comes after; the place is of the line that asked */
+        snprintf(text, sizeof text, "local function ask()\n%s\nend\nfor k = 1, 3 do ask() wait(60) end", of[i].text);
+        snprintf(want, sizeof want, "main.lua:3: %s\n", of[i].words);
+        SAYS(text, want);
+    }
+    SAYS("for i = 1, 257 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
+         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\n");
+    SAYS("for i = 1, 256 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end", "");
+    SAYS("for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end print 'more' bullet.clear()\n"
+         "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end "
+         "print(board.refused('bullets'))",
+         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\nmore\n88\n");
+}
+
+/* A run that goes on from a snapshot says what the other said, and a reset is a new run. */
+static void test_full_again(void **state)
+{
+    static const char text[] =
+        "task.go(function() wait(5) for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = "
+        "0 } end wait(5) if save.get('n', 0) < 2 then save.set('n', save.get('n', 0) + 1) board.reset() "
+        "end end)";
+    const uint16_t none[PADS] = { 0 };
+    char script[2048];
+    int heard[2] = { 0 };
+
+    (void)state;
+    snprintf(script, sizeof script, "%s%s", kinds, text);
+    rig_script(&g, NULL, script);
+    for (int spoilt = 0; spoilt < 2; spoilt++) {
+        rig_power(&rig, &g, NULL);
+        for (int f = 0; f < 60; f++) {
+            const struct board_out *out = board_tick(rig.b, none);
+            rig_sound(&rig);
+            heard[spoilt] += out->fulls;
+            assert_int_equal(out->fulls, f == 5 || f == 16 || f == 27);
+            for (int i = 0; i < out->fulls; i++) {
+                assert_string_equal(out->full[i].part, "bullets");
+                assert_int_equal(strlen(out->full[i].line) + 1, out->log_size);
+                assert_memory_equal(out->full[i].line, out->log, out->log_size - 1);
+            }
+            if (spoilt)
+                rig_spoil(&rig);
+        }
+        rig_free(&rig);
+    }
+    assert_int_equal(heard[0], 3);
+    assert_int_equal(heard[1], 3);
+    rig_power(&rig, &g, NULL);
+    rig_run(&rig, 5);
+    rig_save(&rig);
+    for (int again = 0; again < 3; again++) {
+        assert_int_equal(board_tick(rig.b, none)->fulls, 1);
+        assert_int_equal(board_tick(rig.b, none)->fulls, 0);
+        rig_restore(&rig);
+    }
+    rig_free(&rig);
+    rig_game_free(&g);
+}
+
+/* What a task of the library's does wrong is placed where it was started. */
+static void test_places(void **state)
+{
+    (void)state;
+    assert_string_equal(script_says("stage.def('s', function() wait(1) end)\n"
+                                    "task.go(boss.fight,\n'quen')"),
+                        "main.lua:3: boss.fight: boss \"quen\" is not declared (there is none)");
+    assert_string_equal(
+        script_says(QUEEN "task.go(boss.fight, 'queen')\n"
+                          "task.go(boss.fight, 'king')\n"),
+        "main.lua:5: boss.fight: boss \"king\": \"queen\" is fighting; two fights at once are not there yet");
+    assert_string_equal(script_says("task.go(function() task.go(pattern.ring, { n = 3 }) wait(3) end)"),
+                        "main.lua:2: pattern.ring: kind: expected a name, got nil");
+}
+
+/* ---- what chapter 10 of the manual says of places, grazes and hits ---- */
+
+static void test_manual(void **state)
+{
+    (void)state;
+    SAYS("p.x = -50 print(p.x) wait(1) print(p.x, p.y < rom.field.h - 8) p.y = 9999 wait(1) print(p.y == rom.field.h - "
+         "8)",
+         "-50.0\n8.0\ttrue\ntrue\n");
+    /* a bullet that touches the ship does not graze it, though it is safe; one beside it does */
+    SAYS("p.safe = 60 local b = bullet.fire { kind = 'dot', from = p, speed = 0 } wait(3) print(p.grazes, b.alive) "
+         "b.x = p.x + 12 wait(3) print(p.grazes, p.safe)",
+         "0\ttrue\n1\t54\n");
+    /* of the hits of a frame those after the first are not told, saved or not */
+    for (int saves = 0; saves < 2; saves++) {
+        char text[600];
+        snprintf(
+            text, sizeof text,
+            "local sys = string.sys on.hit(function(p, by) print('hit') if %s then p.safe = 9 end end) "
+            "on.death(function() print('death') end) sys.join(1, 'ship') task.go(function() local p = player.get(1) "
+            "p.safe "
+            "= 0 for i = 1, 3 do bullet.fire { kind = 'dot', from = p, speed = 0 } end wait(1) bullet.clear() end)",
+            saves ? "true" : "false");
+        assert_string_equal(script_says(text), saves ? "hit\n" : "hit\ndeath\n");
+    }
+    /* a shot is spent by one enemy, safe or not, and flies on when that died before */
+    SAYS("enemy.spawn { kind = 'wall', x = 50, y = 50 }.safe = forever local a = shot.fire { kind = 'bolt', x = 50, y "
+         "= 50, "
+         "speed = 0 } wait(1) print(a.alive, enemy.count())",
+         "false\t1\n");
+    SAYS("enemy.spawn { kind = 'wall', x = 50, y = 50, hp = 1 } local a, b = shot.fire { kind = 'bolt', x = 50, y = "
+         "50, speed = 0 "
+         "}, shot.fire { kind = 'bolt', x = 50, y = 50, speed = 0 } wait(1) print(a.alive, b.alive, enemy.count())",
+         "false\ttrue\t0\n");
+}
+
+/* ---- how many play ---- */
+
+static void test_players(void **state)
+{
+    static const char text[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+                               "stage.def('s', function() wait(forever) end)\n"
+                               "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+    const uint16_t none[PADS] = { 0 }, start[PADS] = { PAD_START };
+    struct manifest m;
+
+    (void)state;
+    for (int players = 0; players <= 2; players++) {
+        manifest_default(&m);
+        m.players = players ? players : m.players; /* 0: rom.lua says nothing */
+        rig_script(&g, &m, text);
+        rig_power(&rig, &g, NULL);
+        rig_tick(&rig, none);
+        rig_tick(&rig, start);
+        rig_run(&rig, 3);
+        assert_int_equal(rig.b->player.in[0], players < 2); /* else it is asked first */
+        rig_free(&rig);
+        rig_game_free(&g);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_read_only),     cmocka_unit_test(test_registers),  cmocka_unit_test(test_later),
+        cmocka_unit_test(test_none_is_there), cmocka_unit_test(test_fights),     cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),          cmocka_unit_test(test_full_again), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_manual),        cmocka_unit_test(test_each),
+    };
+
+    return cmocka_run_group_tests_name("told", tests, NULL, NULL);
+}
