@@ -75,8 +75,8 @@ instrumented() {
     planted "planted: a record that is not zeroed is found" src/cab/records.c 'struct record got = { 0 };' 'struct record got;' fuzz_records
 }
 
-grind() { valgrind -q --error-exitcode=77 --track-origins=yes "$@"; }
-grind_given() { seeds "$1" | xargs -d '\n' valgrind -q --error-exitcode=77 --track-origins=yes "$OUT/given/$1"; }
+grind() { valgrind -q --error-exitcode=77 --suppressions=tests/valgrind.supp "$@"; }
+grind_given() { seeds "$1" | xargs -d '\n' valgrind -q --error-exitcode=77 --suppressions=tests/valgrind.supp "$OUT/given/$1"; }
 through_lua() {
     local target name command
     for target in fuzz_manifest fuzz_board; do
