@@ -241,7 +241,7 @@ valgrind: given
 	@OUT=$(OUT) tests/machine/uninitialised.sh lua
 given: deps-play-test-nightly
 	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain-null $(OUT)/given/fuzz_manifest $(OUT)/given/fuzz_board \
-		$(patsubst %,$(OUT)/unit/test_%,cli demo lualib manifest pack script)
+		$(patsubst %,$(OUT)/unit/test_%,cli demo manifest pack script)
 msan-short:
 	@$(MAKE) --no-print-directory -j2 $(MSAN) $(MSAN_GIVEN) $(MSAN_UNIT)
 

@@ -243,9 +243,14 @@ static bool is_special(const char *path)
 /* What replaces a file can be read and run by whom that could. */
 static void keep_mode(FILE *f, const char *path)
 {
+#ifdef PROCESSES
     struct stat st;
     if (stat(path, &st) == 0)
         (void)!fchmod(fileno(f), st.st_mode & 0777);
+#else /* files have no modes */
+    (void)f;
+    (void)path;
+#endif
 }
 
 /* A regular file, opened for reading. A pipe is not waited for. */

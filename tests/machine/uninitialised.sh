@@ -82,7 +82,7 @@ through_lua() {
     for target in fuzz_manifest fuzz_board; do
         clean "$target under valgrind: $(seeds "$target" | wc -l) files" grind_given "$target"
     done
-    for name in cli demo lualib manifest pack script; do
+    for name in cli demo manifest pack script; do
         clean "unit/test_$name under valgrind" grind "$OUT/unit/test_$name"
     done
     for command in "check examples/first" "list examples/first" "pack examples/first -o $tmp/first.rom" \
