@@ -1,5 +1,18 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
+# Goals that start makes of their own go one after another, for these would make the same objects at the same time.
+FRONT := all null play install test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
+         fuzz mutants nightly analyze accuracy bench bench-fx prove cross demos
+ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
+
+.PHONY: $(MAKECMDGOALS) one-by-one
+$(MAKECMDGOALS): one-by-one
+	@:
+one-by-one:
+	@set -e; for goal in $(MAKECMDGOALS); do $(MAKE) --no-print-directory $$goal; done
+
+else
+
 CC      ?= cc
 # For another machine: a compiler of this one, for what a build runs itself, and what runs that machine's programs here.
 BUILD_CC ?= $(CC)
@@ -18,17 +31,21 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
-ALL_C    := $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
 # stdio.c passes alarms on from thread to thread. Before glibc 2.34 that is a library of its own; WebAssembly has none.
 THREADS  := $(if $(findstring wasm,$(CC)),,-pthread)
-LIBS     := $(LUA_L) -lm $(THREADS)
+# Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
+HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
+HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
+ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
 STD_LUA   := $(wildcard scripts/*.lua)
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
-CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o
+CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
+             $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
 GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 
 UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
@@ -41,7 +58,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-extremes torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
 all: deps-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null
@@ -52,6 +69,8 @@ help:
 	@echo "make all      build/curtain and build/curtain-null     make null   only the latter, without SDL2"
 	@echo "make GAME=DIR build/curtain     one file for a friend: the program with that game built in"
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
+	@echo "make msan     readers of files under MemorySanitizer    make valgrind  ... what of it goes through Lua"
+	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
 	@echo "make accuracy measure docs/accuracy.md anew"
@@ -79,7 +98,7 @@ $(OUT)/%.o: %.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) -MMD -MP -c $< -o $@
 
-$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 
 $(OUT)/embed: tools/embed.c
@@ -174,6 +193,12 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
+# A fuzz target that takes what it is given from files, and no more: for valgrind.
+$(OUT)/given/%: tests/fuzz/%.c tests/fuzz/given.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	@mkdir -p $(@D)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+
 # tests/fuzz/run.sh makes these with clang and its flags.
 $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
@@ -203,14 +228,35 @@ UBSAN := CONFIG=ubsan SEMANTIC="-std=c11 -ffp-contract=off" \
 ubsan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(UBSAN) programs
 	@OUT=build/ubsan tests/run.sh sanitizer
-ubsan-extremes:
-	@$(MAKE) --no-print-directory -j2 $(UBSAN) build/ubsan/machine/test_extremes
+ubsan-short:
+	@$(MAKE) --no-print-directory -j2 $(UBSAN) build/ubsan/machine/test_extremes $(UNIT:$(OUT)/%=build/ubsan/%)
+
+# MemorySanitizer sees our code alone: what goes through Lua is looked at by valgrind.
+MSAN := CONFIG=msan CC=clang OPT="-O1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer"
+MSAN_GIVEN := $(patsubst %,build/msan/given/fuzz_%,args bisect config demo facts nvram png records rom)
+MSAN_UNIT  := $(patsubst %,build/msan/unit/test_%,keys png records rom stdio)
+msan: given
+	@OUT=$(OUT) tests/machine/uninitialised.sh whole lua
+valgrind: given
+	@OUT=$(OUT) tests/machine/uninitialised.sh lua
+given: deps-play-test-nightly
+	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain-null $(OUT)/given/fuzz_manifest $(OUT)/given/fuzz_board \
+		$(patsubst %,$(OUT)/unit/test_%,cli demo manifest pack script)
+msan-short:
+	@$(MAKE) --no-print-directory -j2 $(MSAN) $(MSAN_GIVEN) $(MSAN_UNIT)
 
 fuzz: deps-play-fuzz
 	@tests/fuzz/run.sh
 
 mutants: deps-play-test
 	@tests/mutants.sh
+
+analyze: deps-play-nightly
+	@tools/analyze.sh $(ARGS)
+
+# All that takes long, one after another. FUZZ_SECONDS=600 a fuzz target; ARGS="asan fuzz" runs these only.
+nightly: deps-play-test-fuzz-nightly
+	@tests/nightly.sh $(ARGS)
 
 $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
@@ -297,3 +343,5 @@ clean:
 	rm -rf build
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)
+
+endif

@@ -122,18 +122,22 @@ int plat_sound(const int16_t *lr, int frames);
 /* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder
  * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain). Saving makes the folders a name asks for. */
 
-/* Bytes of a file; -1: no such file (a folder is none). */
+/* Bytes of a file; -1: no such file (a folder is none). Of what is no file on a disk, such as a pipe: 0. */
 long plat_size(const char *name);
 
 /* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
-/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. With false, errno may say
- * why; so it may of plat_append. */
+/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. A symbolic link stays one:
+ * what it leads to is replaced. A device or a pipe is written to. With false, errno may say why; so it may of
+ * plat_append. */
 bool plat_save(const char *name, const void *buf, size_t len);
 
 /* Adds to a file's end, on its way to the disk when this returns. */
 bool plat_append(const char *name, const void *buf, size_t len);
+
+/* Removes a file; false: it is still there, or never was. */
+bool plat_remove(const char *name);
 
 struct plat_file {
     const char *name; /* without the folder */

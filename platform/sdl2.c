@@ -7,6 +7,7 @@
  * unless the user sets SDL_RENDER_VSYNC=1. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
  */
 #include <SDL.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include "platform.h"
@@ -46,6 +47,29 @@ static bool failed(const char *what)
     plat_log(line);
     return false;
 }
+
+#ifdef SIGHUP
+/* SDL makes SDL_QUIT of SIGINT and SIGTERM; a terminal that is closed is a reason to save and go as well. */
+static volatile sig_atomic_t hung_up;
+
+static void hang_up(int sig)
+{
+    (void)sig;
+    hung_up = 1;
+}
+
+/* Under nohup the signal is ignored, and stays so. */
+static void heed_hangup(void)
+{
+    if (signal(SIGHUP, hang_up) == SIG_IGN)
+        signal(SIGHUP, SIG_IGN);
+}
+#else
+enum { hung_up = 0 };
+static void heed_hangup(void)
+{
+}
+#endif
 
 /* ---- window ---- */
 
@@ -126,6 +150,8 @@ bool plat_open(const struct plat_want *want)
         plat_close();
         return false;
     }
+    if (!open)
+        heed_hangup();
     if (!open && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         failed("no controllers");
     if (want->rate > 0 && !open)
@@ -343,7 +369,7 @@ void plat_poll(struct plat_input *to)
         to->controllers[i] = in.pad_down[i] | in.pad_seen[i];
     to->mouse = in.mouse_down | in.mouse_seen;
     to->wheel = in.wheel;
-    to->quit = in.quit;
+    to->quit = in.quit || hung_up;
     to->focus = port.window && (SDL_GetWindowFlags(port.window) & SDL_WINDOW_INPUT_FOCUS);
     memcpy(to->text, in.text, sizeof to->text);
     find_mouse(to);

@@ -18,6 +18,7 @@
 #endif
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,10 +212,66 @@ static void folder_to_disk(char *path)
     close(fd);
 }
 
-static bool is_folder(FILE *f)
+enum { MOST_LINKS = 40 };
+
+/* Where a chain of symbolic links leads: the file that is to be written, which need not be there. */
+static bool follow_links(char path[MAX_PATH_BYTES])
+{
+    char to[MAX_PATH_BYTES], joined[2 * MAX_PATH_BYTES];
+    for (int i = 0; i < MOST_LINKS; i++) {
+        ssize_t n = readlink(path, to, sizeof to - 1);
+        if (n < 0)
+            return true;
+        to[n] = 0;
+        char *slash = strrchr(path, '/');
+        int folder = to[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder, path, to) >= MAX_PATH_BYTES)
+            break;
+        memcpy(path, joined, strlen(joined) + 1);
+    }
+    errno = ELOOP;
+    return false;
+}
+
+/* Is something there that is no regular file: a device, a pipe, a folder? */
+static bool is_special(const char *path)
 {
     struct stat st;
-    return fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode);
+    return stat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+/* What replaces a file can be read and run by whom that could. */
+static void keep_mode(FILE *f, const char *path)
+{
+#ifdef PROCESSES
+    struct stat st;
+    if (stat(path, &st) == 0)
+        (void)!fchmod(fileno(f), st.st_mode & 0777);
+#else /* files have no modes */
+    (void)f;
+    (void)path;
+#endif
+}
+
+/* A regular file, opened for reading. A pipe is not waited for. */
+static FILE *open_regular(const char *path)
+{
+    struct stat st;
+    int fd = open(path, O_RDONLY | O_NONBLOCK);
+    if (fd < 0)
+        return 0;
+    FILE *f = fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ? fdopen(fd, "rb") : 0;
+    if (!f)
+        close(fd);
+    return f;
+}
+
+static long size_of(const char *path)
+{
+    struct stat st;
+    if (stat(path, &st) != 0 || S_ISDIR(st.st_mode))
+        return -1;
+    return !S_ISREG(st.st_mode) ? 0 : st.st_size > LONG_MAX ? LONG_MAX : (long)st.st_size;
 }
 
 static bool replace(const char *from, const char *to)
@@ -239,10 +296,37 @@ static void folder_to_disk(char *path)
     (void)path;
 }
 
-static bool is_folder(FILE *f)
+static bool follow_links(char path[MAX_PATH_BYTES])
+{
+    (void)path;
+    return true;
+}
+
+static bool is_special(const char *path)
+{
+    (void)path;
+    return false;
+}
+
+static void keep_mode(FILE *f, const char *path)
 {
     (void)f;
-    return false;
+    (void)path;
+}
+
+static FILE *open_regular(const char *path)
+{
+    return fopen(path, "rb");
+}
+
+static long size_of(const char *path)
+{
+    FILE *f = fopen(path, "rb");
+    if (!f)
+        return -1;
+    long size = fseek(f, 0, SEEK_END) == 0 ? ftell(f) : -1;
+    fclose(f);
+    return size;
 }
 
 /* ISO C lets rename refuse a name that is taken. */
@@ -267,34 +351,16 @@ static long process(void)
 
 /* ---- files ---- */
 
-static FILE *open_named(const char *name, const char *mode)
-{
-    char path[MAX_PATH_BYTES];
-    if (!path_of(path, name))
-        return 0;
-    if (mode[0] != 'r')
-        make_folders(path);
-    FILE *f = fopen(path, mode);
-    if (f && is_folder(f)) {
-        fclose(f);
-        return 0;
-    }
-    return f;
-}
-
 DEFAULT long plat_size(const char *name)
 {
-    FILE *f = open_named(name, "rb");
-    if (!f)
-        return -1;
-    long size = fseek(f, 0, SEEK_END) == 0 ? ftell(f) : -1;
-    fclose(f);
-    return size;
+    char path[MAX_PATH_BYTES];
+    return path_of(path, name) ? size_of(path) : -1;
 }
 
 DEFAULT long plat_load(const char *name, void *buf, size_t cap)
 {
-    FILE *f = open_named(name, "rb");
+    char path[MAX_PATH_BYTES];
+    FILE *f = path_of(path, name) ? open_regular(path) : 0;
     if (!f)
         return -1;
     size_t n = fread(buf, 1, cap, f);
@@ -305,26 +371,25 @@ DEFAULT long plat_load(const char *name, void *buf, size_t cap)
 
 static bool write_all(FILE *f, const void *buf, size_t len)
 {
-    bool good = fwrite(buf, 1, len, f) == len;
-    good = fflush(f) == 0 && good;
-    good = to_disk(f) && good;
-    return fclose(f) == 0 && good;
+    bool good = fwrite(buf, 1, len, f) == len && fflush(f) == 0 && to_disk(f);
+    int why = errno;
+    bool closed = fclose(f) == 0;
+    if (!good)
+        errno = why; /* of the first that failed */
+    return closed && good;
 }
 
-DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
+/* By way of a file beside it, so that it is old or new whatever happens. */
+static bool save_whole(char path[MAX_PATH_BYTES], const void *buf, size_t len)
 {
-    char path[MAX_PATH_BYTES], temp[MAX_PATH_BYTES + 32];
-    if (!path_of(path, name))
-        return false;
-    int why = make_folders(path);
+    char temp[MAX_PATH_BYTES + 32];
     snprintf(temp, sizeof temp, "%s.%ld.tmp", path, process());
     FILE *f = fopen(temp, "wb");
-    if (!f) {
-        errno = why ? why : errno;
+    if (!f)
         return false;
-    }
+    keep_mode(f, path);
     if (!write_all(f, buf, len) || !replace(temp, path)) {
-        why = errno;
+        int why = errno;
         remove(temp);
         errno = why;
         return false;
@@ -333,13 +398,43 @@ DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
     return true;
 }
 
+static bool save_into(const char *path, const void *buf, size_t len)
+{
+    FILE *f = fopen(path, "wb");
+    return f && write_all(f, buf, len);
+}
+
+DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
+{
+    char path[MAX_PATH_BYTES];
+    if (!path_of(path, name) || !follow_links(path))
+        return false;
+    int why = make_folders(path);
+    bool good = is_special(path) ? save_into(path, buf, len) : save_whole(path, buf, len);
+    if (!good && why)
+        errno = why;
+    return good;
+}
+
 DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
 {
-    FILE *f = open_named(name, "ab");
-    if (!f)
+    char path[MAX_PATH_BYTES];
+    if (!path_of(path, name))
         return false;
+    int why = make_folders(path);
+    FILE *f = fopen(path, "ab");
+    if (!f) {
+        errno = why ? why : errno;
+        return false;
+    }
     bool good = fwrite(buf, 1, len, f) == len;
     return fclose(f) == 0 && good;
+}
+
+DEFAULT bool plat_remove(const char *name)
+{
+    char path[MAX_PATH_BYTES];
+    return path_of(path, name) && remove(path) == 0;
 }
 
 #ifdef POSIX
@@ -349,7 +444,9 @@ static bool entry(struct plat_file *file, const char *folder, const char *name)
     struct stat st;
     if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
         return false;
-    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path || stat(path, &st) != 0)
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path || lstat(path, &st) != 0)
+        return false;
+    if (S_ISLNK(st.st_mode) && (stat(path, &st) != 0 || S_ISDIR(st.st_mode))) /* folders are not entered by links */
         return false;
     file->name = name;
     file->folder = S_ISDIR(st.st_mode);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [null] [play] [test] [fuzz] [bench] [cross]     without arguments: all but cross
+#     tools/deps.sh [null] [play] [test] [fuzz] [nightly] [bench] [cross]     without arguments: all but nightly and cross
 #
 # null: what curtain-null is built with; play: that, and SDL2.
 set -eu
@@ -34,6 +34,7 @@ for what; do
         have git || need git
         have nm || need binutils
         have clang || need clang
+        ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have Xvfb || need xvfb
         have xdotool || need xdotool
         have xwd || need x11-apps
@@ -46,6 +47,10 @@ for what; do
         have clang || need clang
         header cmocka.h || need libcmocka-dev
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
+        ;;
+    nightly)
+        have valgrind || need valgrind
+        have cppcheck || need cppcheck
         ;;
     bench)
         header libfixmath/fix16.h || need libfixmath-dev
@@ -73,7 +78,7 @@ for what; do
         have git || need git
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, fuzz, bench, cross" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, fuzz, nightly, bench, cross" >&2
         exit 2
         ;;
     esac

@@ -684,7 +684,7 @@ static void id_from(const char *folder, char id[32])
 {
     size_t i = 0;
 
-    for (; folder[i] != '\0' && i < 31; i++) {
+    for (; i < 31 && folder[i] != '\0'; i++) {
         char c = folder[i] >= 'A' && folder[i] <= 'Z' ? (char)(folder[i] + 32) : folder[i];
         id[i] = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '_';
     }

@@ -117,6 +117,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
             int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
             if (shade < 0) {
                 free(*out);
+                *out = NULL;
                 return false;
             }
             (*out)[(y / 8 * 16 + x / 8) * CART_GLYPH + y % 8 * 8 + x % 8] = (uint8_t)shade;

@@ -11,14 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../chips/nvram.h"
 #include "cab_parts.h"
 
 enum {
     SECOND = 1000000,
     MAX_LATE = 4,
-    MAX_TURBO = 32,     /* ticks a frame */
-    TURBO_USEC = 12000, /* of a frame spent on them */
-    SAVE_EVERY = 60     /* frames */
+    MAX_TURBO = 32,      /* ticks a frame */
+    TURBO_USEC = 12000,  /* of a frame spent on them */
+    SAVE_EVERY = 60,     /* frames */
+    NVRAM_MOST = 1 << 20 /* bytes that are kept of a damaged score file */
 };
 
 struct cab cab;
@@ -97,23 +99,47 @@ static bool keeps_nvram(void)
     const struct session *s = &cab.session;
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
-    return !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] && !cab.options.start.nvram &&
-           !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
+    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] &&
+           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
+}
+
+/* Scores that cannot be read are kept beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
+static void keep_damaged(const char *name, const uint8_t *image, size_t size)
+{
+    char beside[CAB_NAME + 32], text[2 * CAB_NAME + 64];
+
+    snprintf(beside, sizeof beside, "%s.damaged", name);
+    for (int i = 2; plat_size(beside) >= 0; i++)
+        snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
+    bool kept = plat_save(beside, image, size);
+    cab.no_scores = !kept; /* then the file is not written either */
+    snprintf(text, sizeof text,
+             kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
+                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
+             name, beside);
+    plat_log(text);
 }
 
 uint8_t *cab_load_nvram(struct board_start *start)
 {
     char name[CAB_NAME];
     nvram_name(name);
-    if (start->nvram || start->practice.mark[0] || cab.options.demo || plat_size(name) <= 0)
+    long size = plat_size(name);
+    if (start->nvram || start->practice.mark[0] || cab.options.demo || size < 0)
         return NULL;
-    uint8_t *image = malloc(NVRAM_BYTES);
-    long size = image ? plat_load(name, image, NVRAM_BYTES) : -1;
-    if (size > 0) {
+    size = size < NVRAM_MOST ? size : NVRAM_MOST;
+    uint8_t *image = malloc((size_t)size + 1);
+    if (!image || plat_load(name, image, (size_t)size) != size) {
+        cab_say("curtain: %s: cannot be read; scores are not saved%s", name, "");
+        cab.no_scores = true;
+    } else if (nvram_good(image, (size_t)size)) {
         start->nvram = image;
         start->nvram_size = (size_t)size;
-    }
-    return image;
+        return image;
+    } else
+        keep_damaged(name, image, (size_t)size);
+    free(image);
+    return NULL;
 }
 
 void cab_save_nvram(void)
@@ -231,7 +257,7 @@ int cab_play(const struct cab_options *options)
     practice_init(&cab.practice, options->cart, &cab.start);
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);
-    cab_wrote(!cab.session.now->writer.err[0]);
+    cab_wrote(!cab.session.err[0]);
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
         cab_halt();

@@ -48,6 +48,7 @@ struct cab {
     uint64_t frames;      /* since base */
     int since_save;       /* frames since nvram was last looked at */
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
+    bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     uint16_t pads[PADS];  /* held since the last tick */
     uint16_t stale[PADS]; /* held since the menu was open: not meant for the game */

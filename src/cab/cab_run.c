@@ -59,7 +59,7 @@ void cab_wrote(bool good)
 
 void cab_assisted(void)
 {
-    cab_wrote(demo_flag(&cab.session.now->writer, DEMO_ASSISTED));
+    cab_wrote(session_assist(&cab.session));
 }
 
 void cab_free_name(char name[CAB_NAME], const char *what)

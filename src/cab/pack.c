@@ -158,6 +158,8 @@ static bool load_picture(struct packer *p, const char *file, struct art_picture 
     uint8_t *data = NULL;
     size_t size = 0;
 
+    if (!tree_portable(file))
+        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
     if (!load_in(p, file, TREE_FILE, &data, &size))
         return false;
     bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
@@ -326,13 +328,18 @@ static bool add_file(struct packer *p, const char *path)
         return true;
     if (!manifest_path_ok(path))
         return fail(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
+    if (!tree_portable(path))
+        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
     return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
 }
 
 static bool add_files(struct packer *p)
 {
     char path[PATH];
+    const char *a, *b;
 
+    if (tree_twins(&p->files, &a, &b))
+        return fail(p->err, p->err_size, "%s and %s are one file where case does not count", a, b);
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
     if (!tree_has(&p->files, path))
         return fail(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
@@ -374,13 +381,17 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
 
     qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], by_name);
     *size = rom_write_size(p->lumps.lump, p->lumps.n);
-    *image = *size > 0 ? malloc(*size) : NULL;
+    *image = NULL;
+    if (*size == 0)
+        return fail(p->err, p->err_size, "too large for a ROM");
+    *image = malloc(*size);
     if (*image == NULL)
-        return fail(p->err, p->err_size, "%s: too large for a ROM", p->dir);
+        return fail(p->err, p->err_size, "out of memory");
     rom_write(*image, p->lumps.lump, p->lumps.n);
     if (check_image(*image, *size, &rom, p->err, p->err_size))
         return true;
     free(*image);
+    *image = NULL;
     return false;
 }
 
@@ -478,6 +489,22 @@ static void unpacked_name(const char *name, char out[PATH])
         snprintf(out, PATH, "lumps/%s", name);
 }
 
+/* Is none of the folders that a file asks for a file itself, of the ROM's or there already? */
+static bool folders_free(const struct tree *files, const char *name, const char *dir, char *err, size_t err_size)
+{
+    char folder[PATH], path[PATH];
+
+    snprintf(folder, sizeof folder, "%s", name);
+    for (char *slash = folder; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
+        *slash = '\0';
+        if (tree_has(files, folder))
+            return fail(err, err_size, "%s would become a file and a folder, for %s", folder, name);
+        if (tree_join(path, dir, folder) && plat_size(path) >= 0)
+            return fail(err, err_size, "%s: is a file, where a folder for %s would be", path, name);
+    }
+    return true;
+}
+
 /* May all of files (sorted) be written? */
 static bool may_unpack(const struct tree *files, const char *dir, char *err, size_t err_size)
 {
@@ -491,8 +518,24 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
             return fail(err, err_size, "two lumps would become the file %s", name);
         if (plat_size(path) >= 0)
             return fail(err, err_size, "%s: is already there", path);
+        if (!folders_free(files, name, dir, err, err_size))
+            return false;
     }
     return true;
+}
+
+/* Takes the files of the first n lumps back. */
+static void remove_lumps(const struct rom *rom, uint32_t n, const char *dir)
+{
+    char name[PATH], path[PATH];
+
+    while (n-- > 0) {
+        struct lump l;
+        rom_lump(rom, (int)n, &l);
+        unpacked_name(l.name, name);
+        if (tree_join(path, dir, name))
+            plat_remove(path);
+    }
 }
 
 static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t err_size)
@@ -503,10 +546,11 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
         struct lump l;
         rom_lump(rom, (int)i, &l);
         unpacked_name(l.name, name);
-        if (!tree_join(path, dir, name))
-            return fail(err, err_size, "%s: the path is too long", name);
-        if (!files_save(path, l.data, l.size, err, err_size))
-            return false;
+        bool named = tree_join(path, dir, name);
+        if (named && files_save(path, l.data, l.size, err, err_size))
+            continue;
+        remove_lumps(rom, i, dir);
+        return named ? false : fail(err, err_size, "%s: the path is too long", name);
     }
     return true;
 }

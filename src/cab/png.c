@@ -1,12 +1,13 @@
 /*
  * png.c - see png.h. Chunks are ours, compression and the pixel formats are stb's.
  *
- * stb trusts lengths enough to inflate a small file into gigabytes and does not look at CRCs, so the chunks are walked
- * first and its memory is capped.
+ * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel data
+ * that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a short
+ * palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up here.
  */
 #include "png.h"
 
-#include <limits.h>
+#include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,8 +34,51 @@ static void *capped_realloc(void *p, size_t n)
 #define STBI_REALLOC(p, n)  capped_realloc(p, n)
 #define STBI_FREE(p)        free(p)
 #define STBI_MAX_DIMENSIONS PNG_MAX_SIDE
+
+/* What stb's compressor takes, which cannot say that memory is short: then it is left by a jump. A piece is given back
+ * when all are. One picture is written at a time. */
+struct piece {
+    _Alignas(16) struct piece *next;
+};
+static struct {
+    struct piece *first;
+    jmp_buf full;
+} compressing;
+
+static void *piece_take(size_t n)
+{
+    struct piece *p = n <= STB_MOST ? malloc(sizeof *p + n) : NULL;
+
+    if (!p)
+        longjmp(compressing.full, 1);
+    p->next = compressing.first;
+    compressing.first = p;
+    return p + 1;
+}
+
+static void *piece_grow(void *old, size_t had, size_t n)
+{
+    void *p = piece_take(n);
+
+    if (old)
+        memcpy(p, old, had < n ? had : n);
+    return p;
+}
+
+static void pieces_free(void)
+{
+    while (compressing.first) {
+        struct piece *p = compressing.first;
+        compressing.first = p->next;
+        free(p);
+    }
+}
+
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
+#define STBIW_MALLOC(n)                piece_take(n)
+#define STBIW_REALLOC_SIZED(p, had, n) piece_grow(p, had, n)
+#define STBIW_FREE(p)                  ((void)(p))
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -115,10 +159,26 @@ static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *pa
     return (size_t)(p - out);
 }
 
-static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
+/* The whole file of rows of raw bytes; NULL: out of memory. */
+static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, int raw_size, size_t *size)
 {
     int n = 0;
+    uint8_t *packed, *out = NULL;
 
+    if (setjmp(compressing.full) == 0) {
+        packed = stbi_zlib_compress(raw, raw_size, &n, 8);
+        out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
+        if (out)
+            *size = assemble(out, pic, packed, (uint32_t)n);
+        pieces_free();
+        return out;
+    }
+    pieces_free();
+    return NULL;
+}
+
+static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
+{
     *out = NULL;
     if (pic->w < 1 || pic->h < 1 || pic->w > PNG_MAX_SIDE || pic->h > PNG_MAX_SIDE)
         return false;
@@ -126,13 +186,9 @@ static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
     if ((stride + 1) * (size_t)pic->h > STB_MOST)
         return false;
     uint8_t *raw = rows(pic->from, pic->pitch, stride, pic->h);
-    uint8_t *packed = raw ? stbi_zlib_compress(raw, (int)(stride + 1) * pic->h, &n, 8) : NULL;
+    if (raw)
+        *out = compressed_file(pic, raw, (int)(stride + 1) * pic->h, size);
     free(raw);
-    if (packed)
-        *out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
-    if (*out)
-        *size = assemble(*out, pic, packed, (uint32_t)n);
-    free(packed);
     return *out != NULL;
 }
 
@@ -154,8 +210,28 @@ static bool fail(char *err, size_t err_size, const char *what)
     return false;
 }
 
+/* What a file says, once its chunks have been walked. */
+struct layout {
+    uint32_t w, h, bits, colour, interlaced; /* colour: PNG's type, 0 2 3 4 6 */
+    const uint8_t *palette, *opacity;        /* of PLTE and tRNS; NULL: none */
+    uint32_t colours, opacities;
+    size_t pixels; /* bytes in all IDAT */
+};
+
+static void note(struct layout *l, const uint8_t *type, const uint8_t *data, uint32_t n)
+{
+    if (memcmp(type, "PLTE", 4) == 0) {
+        l->palette = data;
+        l->colours = n / 3;
+    } else if (memcmp(type, "tRNS", 4) == 0) {
+        l->opacity = data;
+        l->opacities = n;
+    } else if (memcmp(type, "IDAT", 4) == 0)
+        l->pixels += n;
+}
+
 /* Are the chunks whole and undamaged up to IEND? */
-static bool check_chunks(const uint8_t *data, size_t n, char *err, size_t err_size)
+static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
 {
     size_t at = sizeof signature;
 
@@ -168,6 +244,7 @@ static bool check_chunks(const uint8_t *data, size_t n, char *err, size_t err_si
             snprintf(err, err_size, "a damaged PNG: the chunk at byte %zu has a wrong CRC", at);
             return false;
         }
+        note(l, p + 4, p + 8, len);
         if (memcmp(p + 4, "IEND", 4) == 0)
             return true;
         at += 12 + (size_t)len;
@@ -175,27 +252,180 @@ static bool check_chunks(const uint8_t *data, size_t n, char *err, size_t err_si
     return fail(err, err_size, "a PNG that is cut short");
 }
 
+static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
+{
+    static const uint8_t depths[7] = { 1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16 };
+    const uint8_t *p = data + sizeof signature;
+
+    if (n < sizeof signature + 25)
+        return fail(err, err_size, "a PNG that is cut short");
+    if (get_be32(p) != 13 || memcmp(p + 4, "IHDR", 4) != 0)
+        return fail(err, err_size, "a PNG without a header");
+    *l = (struct layout){ get_be32(p + 8), get_be32(p + 12), p[16], p[17], p[20], NULL, NULL, 0, 0, 0 };
+    if (l->colour > 6 || l->bits > 16 || !(depths[l->colour] & l->bits) || (l->bits & (l->bits - 1)) || p[18] ||
+        p[19] || l->interlaced > 1)
+        return fail(err, err_size, "a PNG of a kind that the format does not have");
+    if (l->w == 0 || l->h == 0)
+        return fail(err, err_size, "a PNG without pixels");
+    if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS) {
+        snprintf(err, err_size, "a PNG of %lu x %lu pixels is too large", (unsigned long)l->w, (unsigned long)l->h);
+        return false;
+    }
+    return true;
+}
+
+static bool check_palette(const struct layout *l, char *err, size_t err_size)
+{
+    if (l->colour != 3)
+        return true;
+    if (!l->palette)
+        return fail(err, err_size, "a PNG of palette indices without a palette");
+    if (l->colours < 1 || l->colours > 256 || get_be32(l->palette - 8) % 3 != 0)
+        return fail(err, err_size, "a PNG with a damaged palette");
+    if (l->opacities > l->colours)
+        return fail(err, err_size, "a PNG with more opacities than colours");
+    return true;
+}
+
+/* Bytes of rows of w x h pixels, each with the byte of its filter. */
+static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
+{
+    static const uint8_t channels[7] = { 1, 0, 3, 1, 2, 0, 4 };
+
+    return w && h ? (size_t)h * (1 + ((size_t)w * channels[l->colour] * l->bits + 7) / 8) : 0;
+}
+
+/* Bytes the pixel data inflates to. An interlaced picture is seven: every dx-th pixel of every dy-th row from (x, y). */
+static size_t inflated_size(const struct layout *l)
+{
+    static const uint8_t x[7] = { 0, 4, 0, 2, 0, 1, 0 }, y[7] = { 0, 0, 4, 0, 2, 0, 1 };
+    static const uint8_t dx[7] = { 8, 8, 4, 4, 2, 2, 1 }, dy[7] = { 8, 8, 8, 4, 4, 2, 2 };
+    size_t size = 0;
+
+    if (!l->interlaced)
+        return rows_size(l, l->w, l->h);
+    for (int i = 0; i < 7; i++)
+        size += rows_size(l, (l->w + dx[i] - 1u - x[i]) / dx[i], (l->h + dy[i] - 1u - y[i]) / dy[i]);
+    return size;
+}
+
+/* The data of all IDAT on end. The chunks have been walked. */
+static uint8_t *join_pixels(const uint8_t *data, const struct layout *l)
+{
+    uint8_t *all = malloc(l->pixels ? l->pixels : 1), *to = all;
+
+    for (const uint8_t *p = data + sizeof signature; all && memcmp(p + 4, "IEND", 4) != 0; p += 12 + get_be32(p))
+        if (memcmp(p + 4, "IDAT", 4) == 0) {
+            memcpy(to, p + 8, get_be32(p));
+            to += get_be32(p);
+        }
+    return all;
+}
+
+/* Does the pixel data inflate to what the header asks for? */
+static bool check_pixels(const struct layout *l, const uint8_t *packed, char *err, size_t err_size)
+{
+    size_t size = inflated_size(l);
+    uint8_t *room = malloc(size + 1);
+
+    if (!room)
+        return fail(err, err_size, "out of memory");
+    /* a byte more, so that data of just the size does not look like too much */
+    int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
+    free(room);
+    if (n >= 0 && (size_t)n == size)
+        return true;
+    if (n >= 0 && (size_t)n < size)
+        return fail(err, err_size, "a PNG with fewer pixels than its header says");
+    if (n >= 0 || !strcmp(stbi_failure_reason(), "output buffer limit"))
+        return fail(err, err_size, "a PNG with more pixels than its header says");
+    snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
+    return false;
+}
+
+/* The same picture with grey i for index i, and nothing that stb need not know. */
+static uint8_t *grey_file(const uint8_t *data, const struct layout *l, const uint8_t *packed, size_t *size)
+{
+    uint32_t greys[256];
+    uint8_t *file = malloc(sizeof signature + 4 * 12 + 13 + 768 + l->pixels), *p = file;
+
+    if (!file)
+        return NULL;
+    for (uint32_t i = 0; i < 256; i++)
+        greys[i] = i * 0x010101u;
+    memcpy(p, signature, sizeof signature);
+    p = chunk(p + sizeof signature, "IHDR", data + sizeof signature + 8, 13);
+    p = palette_chunk(p, greys);
+    p = chunk(p, "IDAT", packed, (uint32_t)l->pixels);
+    p = chunk(p, "IEND", NULL, 0);
+    *size = (size_t)(p - file);
+    return file;
+}
+
+/* Greys to the palette's colours. */
+static bool look_up(const struct layout *l, uint8_t *rgba, char *err, size_t err_size)
+{
+    for (size_t i = 0; i < (size_t)l->w * l->h; i++, rgba += 4) {
+        uint32_t index = rgba[0];
+        if (index >= l->colours) {
+            snprintf(err, err_size, "pixel %lu,%lu has palette index %u, but the PNG's palette ends with %u",
+                     (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
+            return false;
+        }
+        memcpy(rgba, l->palette + 3 * index, 3);
+        rgba[3] = index < l->opacities ? l->opacity[index] : 255;
+    }
+    return true;
+}
+
+static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size)
+{
+    int w, h, channels;
+    uint8_t *rgba = stbi_load_from_memory(data, (int)n, &w, &h, &channels, 4);
+
+    if (!rgba)
+        snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
+    return rgba;
+}
+
+static uint8_t *decode_indices(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,
+                               size_t err_size)
+{
+    size_t size;
+    uint8_t *file = grey_file(data, l, packed, &size), *rgba;
+
+    if (!file) {
+        fail(err, err_size, "out of memory");
+        return NULL;
+    }
+    rgba = decode(file, size, err, err_size);
+    free(file);
+    if (rgba && !look_up(l, rgba, err, err_size)) {
+        free(rgba);
+        return NULL;
+    }
+    return rgba;
+}
+
 bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size)
 {
-    int channels;
+    struct layout l;
 
     *rgba = NULL;
     if (n < sizeof signature || memcmp(data, signature, sizeof signature) != 0)
         return fail(err, err_size, "not a PNG");
-    if (n > INT_MAX)
+    if (n > PNG_MAX_BYTES)
         return fail(err, err_size, "a PNG that is too large");
-    if (!check_chunks(data, n, err, err_size))
+    if (!read_header(data, n, &l, err, err_size) || !walk_chunks(data, n, &l, err, err_size) ||
+        !check_palette(&l, err, err_size))
         return false;
-    if (!stbi_info_from_memory(data, (int)n, w, h, &channels)) {
-        snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
-        return false;
-    }
-    if (*w > PNG_MAX_SIDE || *h > PNG_MAX_SIDE || (int64_t)*w * *h > PNG_MAX_PIXELS) {
-        snprintf(err, err_size, "a PNG of %d x %d pixels is too large", *w, *h);
-        return false;
-    }
-    *rgba = stbi_load_from_memory(data, (int)n, w, h, &channels, 4);
-    if (!*rgba)
-        snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
+    uint8_t *packed = join_pixels(data, &l);
+    if (!packed)
+        return fail(err, err_size, "out of memory");
+    if (check_pixels(&l, packed, err, err_size))
+        *rgba = l.colour == 3 ? decode_indices(data, &l, packed, err, err_size) : decode(data, n, err, err_size);
+    free(packed);
+    *w = (int)l.w;
+    *h = (int)l.h;
     return *rgba != NULL;
 }

@@ -10,8 +10,9 @@
 #include <stdint.h>
 
 enum {
-    PNG_MAX_SIDE = 16384,    /* px, read or written */
-    PNG_MAX_PIXELS = 1 << 24 /* of a picture read */
+    PNG_MAX_SIDE = 16384,     /* px, read or written */
+    PNG_MAX_PIXELS = 1 << 24, /* of a picture read */
+    PNG_MAX_BYTES = 1 << 28   /* of a file read */
 };
 
 /* Makes a whole PNG file of w x h palette indices: *out (free it) and *size. Colours are 0xRRGGBB. The bytes depend on

@@ -68,7 +68,7 @@ bool session_open(struct session *s, const struct cart *cart, const struct board
     *s = (struct session){ .start = *start, .demo = demo, .record = record };
     s->now = run_power(s, cart, NULL, start);
     if (s->now && record)
-        demo_keep(&s->now->writer, record);
+        wrote(s, demo_keep(&s->now->writer, record));
     return s->now != NULL;
 }
 
@@ -236,6 +236,11 @@ bool session_take_over(struct session *s, const char *record)
     if (!wrote(s, demo_rewind(&s->now->writer, frame)))
         return false;
     return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
+}
+
+bool session_assist(struct session *s)
+{
+    return wrote(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
 }
 
 bool session_touch(struct session *s)

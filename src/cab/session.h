@@ -49,7 +49,7 @@ struct session {
 
 /* Powers the board and begins to record. start is the demo's if there is one; cart, start.nvram, demo and record outlive
  * the session. False and s->err for a ROM that cannot run, with nothing to close; a script fault at power-on is none.
- * A file that cannot be written is said by s->now->writer.err alone. */
+ * True with s->err: the run is open, but its file cannot be written. */
 bool session_open(struct session *s, const struct cart *cart, const struct board_start *start, const struct demo *demo,
                   const char *record);
 
@@ -96,6 +96,9 @@ bool session_take_over(struct session *s, const char *record);
 /* Somebody changed the board from outside, between two ticks of a live run: its past is not its own any more, what was
  * recorded after the present is forgotten, and the recording is DEMO_TOUCHED. False: it could not be written (s->err). */
 bool session_touch(struct session *s);
+
+/* The run is played with steps or slow motion: the recording is DEMO_ASSISTED. False: it could not be written (s->err). */
+bool session_assist(struct session *s);
 
 /* The moments of the run that are known, and how many: in a playback the demo's. */
 const struct demo_moment *session_moments(const struct session *s, uint32_t *n);

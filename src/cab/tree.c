@@ -119,18 +119,21 @@ bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, s
 {
     long n = plat_size(path);
 
+    *data = NULL;
+    *size = 0;
     if (n < 0)
         return fail(err, err_size, "%s: no such file", name);
     if ((unsigned long)n > max)
         return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
-    *data = malloc((size_t)n + 1);
-    if (*data == NULL)
+    uint8_t *bytes = malloc((size_t)n + 1);
+    if (bytes == NULL)
         return fail(err, err_size, "%s: out of memory", name);
-    if (plat_load(path, *data, (size_t)n) != n) {
-        free(*data);
+    if (plat_load(path, bytes, (size_t)n) != n) {
+        free(bytes);
         return fail(err, err_size, "%s: cannot be read", name);
     }
-    (*data)[n] = 0;
+    bytes[n] = 0;
+    *data = bytes;
     *size = (size_t)n;
     return true;
 }
@@ -158,10 +161,75 @@ void tree_id(const char *dir, char out[64])
 
 bool tree_has(const struct tree *files, const char *path)
 {
-    for (int i = 0; i < files->n; i++)
-        if (strcmp(files->name[i], path) == 0)
+    return files->n > 0 && bsearch(&path, files->name, (size_t)files->n, sizeof files->name[0], by_path) != NULL;
+}
+
+static int lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : (unsigned char)c;
+}
+
+/* Compares n bytes without regard to case; a text that ends is less. */
+static int compare_folded(const char *a, const char *b, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        int d = lower(a[i]) - lower(b[i]);
+        if (d != 0 || a[i] == '\0')
+            return d;
+    }
+    return 0;
+}
+
+static int by_folded_path(const void *a, const void *b)
+{
+    return compare_folded(*(char *const *)a, *(char *const *)b, SIZE_MAX);
+}
+
+/* Is a part of a path, n bytes, one that Windows keeps for a device (with any ending), or cannot end so? */
+static bool kept_by_windows(const char *part, size_t n)
+{
+    static const char *const devices[] = { "con", "prn", "aux", "nul" }, *const numbered[] = { "com", "lpt" };
+    const char *dot = memchr(part, '.', n);
+    size_t stem = dot != NULL ? (size_t)(dot - part) : n;
+
+    for (int i = 0; i < 4; i++)
+        if (stem == 3 && compare_folded(part, devices[i], 3) == 0)
             return true;
-    return false;
+    for (int i = 0; i < 2; i++)
+        if (stem == 4 && compare_folded(part, numbered[i], 3) == 0 && part[3] >= '1' && part[3] <= '9')
+            return true;
+    return n > 0 && part[n - 1] == '.';
+}
+
+bool tree_portable(const char *path)
+{
+    for (const char *part = path; *part != '\0';) {
+        size_t n = strcspn(part, "/");
+        if (kept_by_windows(part, n))
+            return false;
+        part += n + (part[n] == '/');
+    }
+    return true;
+}
+
+bool tree_twins(const struct tree *files, const char **a, const char **b)
+{
+    char **by_case = malloc((size_t)files->n * sizeof *by_case + 1);
+    bool found = false;
+
+    if (by_case == NULL)
+        return false;
+    if (files->n > 0)
+        memcpy(by_case, files->name, (size_t)files->n * sizeof *by_case);
+    qsort(by_case, (size_t)files->n, sizeof *by_case, by_folded_path);
+    for (int i = 1; !found && i < files->n; i++) {
+        found = by_folded_path(&by_case[i - 1], &by_case[i]) == 0;
+        bool ordered = strcmp(by_case[i - 1], by_case[i]) < 0;
+        *a = by_case[ordered ? i - 1 : i];
+        *b = by_case[ordered ? i : i - 1];
+    }
+    free(by_case);
+    return found;
 }
 
 void *tree_work(size_t size, void **block)

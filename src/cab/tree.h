@@ -27,7 +27,14 @@ struct tree {
 bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size);
 void tree_close(struct tree *files);
 
+/* Of sorted files. */
 bool tree_has(const struct tree *files, const char *path);
+
+/* Can every system have a file of that name? Windows keeps CON, nul.txt and the like, and drops a dot at the end. */
+bool tree_portable(const char *path);
+
+/* Two files that are one where case does not count; false: there are none. */
+bool tree_twins(const struct tree *files, const char **a, const char **b);
 
 /* Adds a path; sorts all. */
 void tree_add(struct tree *files, const char *folder, const char *name);
@@ -36,7 +43,7 @@ void tree_sort(struct tree *files);
 /* The file's path for the platform: dir/name. False: too long. */
 bool tree_join(char out[TREE_PATH], const char *dir, const char *name);
 
-/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. */
+/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. False: *data is NULL. */
 bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
                size_t err_size);
 

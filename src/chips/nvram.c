@@ -34,10 +34,15 @@ static bool sound(const uint8_t *image)
     return true;
 }
 
+bool nvram_good(const uint8_t *image, size_t size)
+{
+    return size == NV_BYTES && !memcmp(image, magic, HEAD) && sound(image);
+}
+
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size)
 {
     memset(nv->bytes, 0, NV_BYTES);
-    if (image && size == NV_BYTES && !memcmp(image, magic, HEAD) && sound(image))
+    if (image && nvram_good(image, size))
         memcpy(nv->bytes, image, NV_BYTES);
     memcpy(nv->bytes, magic, HEAD);
     nv->writes = 0;

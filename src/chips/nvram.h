@@ -37,6 +37,9 @@ struct nvram {
 
 extern const struct chip nvram_chip;
 
+/* Is it an image that nvram_load takes? */
+bool nvram_good(const uint8_t *image, size_t size);
+
 /* Blank, or the image when it is one of ours; a damaged image is blank. */
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size);
 

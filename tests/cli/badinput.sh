@@ -54,6 +54,39 @@ cp g.rom damaged.rom
 printf '\1' | dd of=damaged.rom bs=1 seek=9000 conv=notrunc 2>/dev/null
 bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
 
+# ---- what is no file, or cannot be read though it has a size ----
+
+kernel=/sys/kernel/mm/transparent_hugepage/enabled # says that it has 4096 bytes, and gives fewer
+if [ "$(stat -c %s $kernel 2>/dev/null)" = 4096 ]; then
+    for command in hash play verify list; do
+        bad "$command of what cannot be read" "$kernel: cannot be read" $command $kernel $([ $command = verify ] && echo g.rom)
+    done
+    mkdir kernel
+    ln -s $kernel kernel/rom.lua
+    bad 'rom.lua that cannot be read' 'kernel: rom.lua: cannot be read' hash kernel
+    timeout 60 "$curtain" check kernel >out 2>err
+    got=$?
+    same 'check of a rom.lua that cannot be read' 'rom.lua: cannot be read 1' "$(head -1 out) $got"
+    cp -r g unread
+    rm unread/main.lua
+    ln -s $kernel unread/main.lua
+    bad 'a script that cannot be read' 'unread: main.lua: cannot be read' hash unread
+    bad 'a demo that cannot be read' "$kernel: cannot be read" hash g.rom --demo $kernel
+fi
+mkfifo fifo
+bad 'a pipe as a ROM' 'fifo: cannot be read' hash fifo
+mknod nul c 1 3 && {
+    "$curtain" pack g -o nul 2>err
+    same 'pack into a device' '0 character special file' "$? $(stat -c %F nul)"
+}
+ln -s g.rom link.rom
+"$curtain" pack g -o link.rom 2>err
+same 'pack to a link: it stays one' '0 symbolic link' "$? $(stat -c %F link.rom)"
+mkdir -p taken && mkfifo taken/main.lua
+bad 'unpack where a pipe is' 'taken/main.lua: is already there' unpack g.rom taken
+mkdir -p taken2 && : >taken2/std
+bad 'unpack where a file is, and a folder would be' 'taken2/std: is a file, where a folder for std/boot.lua would be' unpack g.rom taken2
+
 # The standard library makes up most of a ROM; a game may replace it.
 game small <<<''
 mkdir small/std

@@ -622,6 +622,15 @@ static void test_errors(void **state)
     put_text("stages/my stage.lua", "");
     refused("stages/my stage.lua: expected a name of letters, digits, _ - and . only");
     remove(in_dir("stages/my stage.lua"));
+    put_text("stages/One.lua", "");
+    refused("stages/One.lua and stages/one.lua are one file where case does not count");
+    remove(in_dir("stages/One.lua"));
+    put_text("stages/Nul.x.lua", "");
+    refused("stages/Nul.x.lua: Windows cannot have a file of that name");
+    remove(in_dir("stages/Nul.x.lua"));
+    put_text("com4/x.txt", "");
+    refused("com4/x.txt: Windows cannot have a file of that name");
+    remove(in_dir("com4/x.txt"));
     put_text("a/b/c/d/e/f/g/h/i/x.lua", "");
     refused("a/b/c/d/e/f/g/h/i: more than 8 folders deep");
     snprintf(want, sizeof want, "%s/none: cannot be read as a folder", dir);

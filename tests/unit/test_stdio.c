@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -51,6 +52,83 @@ static void save_load_append(void **state)
     assert_int_equal(plat_size("b"), 3);
     assert_true(plat_save("a", "", 0));
     assert_int_equal(plat_size("a"), 0);
+}
+
+/* What is no regular file is written to and stays what it is; reading one is refused, not waited for. */
+static void devices_and_pipes(void **state)
+{
+    struct stat st;
+    char buf[16];
+    (void)state;
+    assert_true(plat_save("/dev/null", "gone", 4));
+    assert_int_equal(stat("/dev/null", &st), 0);
+    assert_true(S_ISCHR(st.st_mode));
+    assert_int_equal(plat_size("/dev/null"), 0);
+    assert_int_equal(plat_load("/dev/null", buf, sizeof buf), -1);
+    assert_false(plat_save("/dev/full", "no room", 7));
+    assert_int_equal(mkfifo("fifo", 0600), 0);
+    assert_int_equal(plat_size("fifo"), 0);
+    assert_int_equal(plat_load("fifo", buf, sizeof buf), -1);
+    int reader = open("fifo", O_RDONLY | O_NONBLOCK);
+    assert_true(plat_save("fifo", "piped", 5));
+    assert_int_equal(read(reader, buf, sizeof buf), 5);
+    assert_memory_equal(buf, "piped", 5);
+    close(reader);
+    assert_int_equal(stat("fifo", &st), 0);
+    assert_true(S_ISFIFO(st.st_mode));
+    assert_int_equal(mkdir("folder", 0777), 0);
+    assert_false(plat_save("folder", "x", 1));
+    assert_int_equal(plat_size("folder"), -1);
+}
+
+static bool is_link(const char *path)
+{
+    struct stat st;
+    return lstat(path, &st) == 0 && S_ISLNK(st.st_mode);
+}
+
+static void links_stay(void **state)
+{
+    char far[700], buf[8];
+    struct stat st;
+    (void)state;
+    assert_true(plat_save("d/real", "old", 3));
+    assert_int_equal(chmod("d/real", 0640), 0);
+    assert_int_equal(symlink("real", "d/near"), 0);
+    assert_int_equal(symlink("d/near", "chain"), 0);
+    assert_true(plat_save("chain", "newer", 5));
+    assert_true(is_link("chain") && is_link("d/near") && !is_link("d/real"));
+    assert_int_equal(plat_load("d/real", buf, sizeof buf), 5);
+    assert_int_equal(stat("d/real", &st), 0);
+    assert_int_equal(st.st_mode & 0777, 0640);
+    snprintf(far, sizeof far, "%s/e/there", home);
+    assert_int_equal(symlink(far, "dangling"), 0);
+    assert_true(plat_save("dangling", "made", 4));
+    assert_true(is_link("dangling"));
+    assert_int_equal(plat_size("e/there"), 4);
+    assert_int_equal(symlink("loop", "loop"), 0);
+    assert_false(plat_save("loop", "x", 1));
+    assert_true(is_link("loop"));
+}
+
+static void count_entry(void *user, const struct plat_file *file)
+{
+    (void)file;
+    ++*(int *)user;
+}
+
+static void linked_folders_are_not_listed(void **state)
+{
+    int n = 0;
+    (void)state;
+    assert_true(plat_save("l/in/file", "1", 1));
+    assert_int_equal(symlink("in", "l/folder"), 0);
+    assert_int_equal(symlink("in/file", "l/file"), 0);
+    assert_int_equal(symlink("nowhere", "l/broken"), 0);
+    assert_int_equal(plat_list("l", count_entry, &n), 2); /* in, file */
+    assert_int_equal(n, 2);
+    assert_true(plat_remove("l/in/file"));
+    assert_false(plat_remove("l/in/file"));
 }
 
 static void folders_are_made(void **state)
@@ -191,6 +269,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_become_colours),
         cmocka_unit_test(save_load_append),
+        cmocka_unit_test(devices_and_pipes),
+        cmocka_unit_test(links_stay),
+        cmocka_unit_test(linked_folders_are_not_listed),
         cmocka_unit_test(folders_are_made),
         cmocka_unit_test(the_users_folder),
         cmocka_unit_test(listing),

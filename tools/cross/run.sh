@@ -63,7 +63,7 @@ build_lua() {
 }
 
 build() {
-    local target
+    local target include
     rm -rf "${dir:?}"
     mkdir -p "$dir"
     # Most x86-64 run i386 themselves, ten times faster.
@@ -74,7 +74,8 @@ build() {
     set -- CC="$cc" BUILD_CC=gcc RUN="$run" CFLAGS="-Werror $flags"
     if [ "$name" != $reference ]; then
         build_lua || return 1
-        set -- "$@" LUA_C="-I$PWD/$cross/lua-$suite/src -I$PWD/$cross/include" LUA_L="$(echo "$dir"/lua/*.o) $link"
+        case $cc in *wasm32*) include="-I$PWD/tools/cross/wasi" ;; *) include="" ;; esac
+        set -- "$@" LUA_C="-I$PWD/$cross/lua-$suite/src -I$PWD/$cross/include $include" LUA_L="$(echo "$dir"/lua/*.o) $link"
     fi
     for target in curtain-null prove/digest; do
         make --no-print-directory -s CONFIG="cross/$name" "$@" "$dir/$target" || return 1

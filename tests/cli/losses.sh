@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is closed, a
+# score file that is damaged. In SDL's own dummy window.
+. "$(dirname "$0")/../tap.sh"
+export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
+windowed=$OUT/curtain
+scores=$XDG_DATA_HOME/curtain/probe.nv
+
+game g <<'LUA'
+task.go(function()
+  for i = 1, forever do
+    save.set("n", save.get("n", 0) + 1)
+    if i == 30 then print("thirty frames") end
+    wait(1)
+  end
+end)
+LUA
+
+# plays until its 30th frame, then SIGNAL; what it said is in out and err, its exit code in $got
+play_until() { # SIGNAL ARGUMENT...
+    local signal=$1 child
+    shift
+    rm -f out err
+    "$windowed" play g "$@" >out 2>err </dev/null &
+    child=$!
+    echo $child >child
+    while kill -0 $child 2>/dev/null && ! grep -qs 'thirty frames' out err; do sleep 0.05; done
+    kill "-$signal" $child 2>/dev/null
+    wait $child
+    got=$?
+}
+
+play_until TERM --record /dev/full
+same 'a recording without room says so, and is played' \
+    'curtain: /dev/full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
+play_until TERM --record /proc/nothing/x.demo
+same 'and so where there is no such folder' 'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
+    "$(grep curtain err) $got"
+
+saved() { # how often it was counted, at least 30
+    "$windowed" hash g --frames 1 >/dev/null && [ -s "$scores" ] && python3 - "$scores" <<'PY'
+import sys
+image = open(sys.argv[1], "rb").read()
+assert len(image) == 32768 and image[:4] == b"NV01"
+assert image[4:6] == b"n\0" and int.from_bytes(image[40:48], "little") >= 30, image[4:60]
+PY
+}
+for signal in TERM HUP; do # a shell lets what runs in its background ignore INT
+    rm -f "$scores"
+    play_until $signal
+    same "SIG$signal ends it well" 0 "$got"
+    holds "SIG$signal: the saves are written" saved
+done
+rm -f "$scores"
+(
+    trap '' HUP
+    play_until HUP
+) 2>/dev/null &
+shielded=$!
+saved_again() { # it goes on: what it saved once, it saves anew
+    for _ in $(seq 300); do [ -s "$scores" ] && break; sleep 0.1; done
+    cp "$scores" was
+    for _ in $(seq 300); do cmp -s "$scores" was || return 0; sleep 0.1; done
+    return 1
+}
+holds 'a hangup that is ignored stays ignored' saved_again
+kill -TERM "$(cat child)"
+wait $shielded
+
+mkdir -p "$(dirname "$scores")"
+damaged() { # NAME BYTES
+    head -c "$2" /dev/zero | tr '\0' '\377' >"$scores"
+    cp "$scores" was
+    play_until TERM
+    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" "$(grep curtain: err)"
+    holds "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
+    holds "$1: begun anew" saved
+}
+damaged 'a damaged score file' 500 probe.nv.damaged
+damaged 'another one' 32768 probe.nv.damaged-2
+damaged 'an empty one' 0 probe.nv.damaged-3
+finish

@@ -1,0 +1,65 @@
+/*
+ * fuzz_config.c - libFuzzer: any bytes as the settings file. What is taken is in range, and its key map reads pads that
+ * there are, whatever is held; what is refused says file, line and why, and changes nothing.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/config.h"
+
+static void need(bool good)
+{
+    if (!good)
+        abort();
+}
+
+static bool within(int v, int lo, int hi)
+{
+    return v >= lo && v <= hi;
+}
+
+/* Switches held by the bits of the text itself. */
+static void play(struct keys *k, const uint8_t *data, size_t size)
+{
+    struct plat_input in = { 0 };
+    struct keys_read out;
+
+    for (int turn = 0; turn < 3; turn++) {
+        for (size_t i = 0; i < sizeof in.keys; i++)
+            in.keys[i] = size ? data[(i + (size_t)turn * 31) % size] : 255;
+        in.controllers[0] = size ? data[size / 2] * 0x01010101u : 0;
+        in.controllers[1] = ~in.controllers[0];
+        keys_read(k, &in, &out);
+        for (int i = 0; i < PADS; i++)
+            need((out.pads[i] & ~PAD_ALL) == 0);
+        need(out.held >> CAB_KEYS == 0 && (out.pressed & ~out.held) == 0);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static struct config standard, c; /* the table is read once, for it takes long */
+    static bool ready;
+    char *copy = malloc(size + (size == 0)); /* of exactly this size */
+    char err[256] = "";
+
+    if (!copy)
+        return 0;
+    if (size)
+        memcpy(copy, data, size);
+    if (!ready)
+        config_defaults(&standard);
+    ready = true;
+    c = standard;
+    if (config_read(&c, "a.conf", copy, size, err, sizeof err)) {
+        need(within(c.scale, 0, 16) && within(c.volume, 0, 100) && within(c.mute, 0, 1) && within(c.fullscreen, 0, 1));
+        play(&c.keys, data, size);
+    } else {
+        need(strncmp(err, "a.conf:", 7) == 0 && strlen(err) > 9 && memcmp(&c, &standard, sizeof c) == 0);
+    }
+    free(copy);
+    return 0;
+}

@@ -1,0 +1,85 @@
+/*
+ * fuzz_facts.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the facts that `check` finds. All
+ * that is found is there to its last byte. (fuzz_manifest.c looks at what the compiler takes.)
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/facts.h"
+
+static void need(bool good)
+{
+    if (!good)
+        abort();
+}
+
+/* A text that may be missing. */
+static size_t text(const char *s)
+{
+    return s ? strlen(s) : 0;
+}
+
+static size_t calls_and_tables(const struct facts *f)
+{
+    size_t n = 0;
+
+    for (int i = 0; i < f->n_calls; i++) {
+        n += text(f->calls[i].space) + strlen(f->calls[i].name);
+        for (int k = 0; k < FACT_ARGS; k++)
+            n += text(f->calls[i].arg[k]);
+        need(f->calls[i].line > 0 && f->calls[i].args >= 0);
+    }
+    for (int i = 0; i < f->n_tables; i++) {
+        n += text(f->tables[i].space) + text(f->tables[i].name);
+        need(f->tables[i].key >= -1 && f->tables[i].key < f->n_keys);
+    }
+    for (int i = 0; i < f->n_keys; i++) {
+        n += strlen(f->keys[i].name) + text(f->keys[i].value);
+        need(f->keys[i].table >= 0 && f->keys[i].table < f->n_tables);
+    }
+    for (int i = 0; i < f->n_members; i++)
+        n += strlen(f->members[i].field);
+    need(f->result_table >= -1 && f->result_table < f->n_tables);
+    return n;
+}
+
+static size_t names(const struct facts *f)
+{
+    size_t n = 0;
+
+    for (int i = 0; i < f->n_globals; i++) {
+        n += strlen(f->globals[i].name) + text(f->globals[i].field) + text(f->globals[i].local);
+        need(f->globals[i].line > 0);
+    }
+    for (int i = 0; i < f->n_walks; i++) {
+        const struct fact_origin *of = &f->walks[i].of;
+        n += strlen(f->walks[i].how) + text(of->space) + text(of->name) + text(of->key);
+    }
+    for (int i = 0; i < f->n_zeros; i++)
+        n += strlen(f->zeros[i].how);
+    for (int i = 0; i < f->n_formats; i++)
+        n += strlen(f->formats[i].s);
+    for (int i = 0; i < f->n_texts; i++)
+        n += strlen(f->texts[i].s);
+    return n;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static const char *const path[] = { "sheets", "small", "file", NULL };
+    char *copy = malloc(size + (size == 0)); /* of exactly this size */
+    struct facts f;
+
+    if (!copy)
+        return 0;
+    if (size)
+        memcpy(copy, data, size);
+    bool whole = facts_read(&f, copy, size, NULL);
+    need(whole == f.whole && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && facts_line(&f, path) > 0);
+    facts_free(&f);
+    free(copy);
+    return 0;
+}
