@@ -240,6 +240,17 @@ static const struct api_param bullet_clear[] = {
     { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
 };
 
+/* Bullets of a tag (0: all) that left the field in this frame go at once: what they touched is spared. circle NULL:
+ * wherever they are; else x, y, radius. */
+static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
+{
+    const struct bullets *s = &b->bullets;
+
+    EACH_HELD (i, &s->s)
+        if (in_group(s, i, tag) && (!circle || geom_circles(s->x[i], s->y[i], circle[0].f, circle[1].f, circle[2].f)))
+            bullets_release(&b->bullets, i);
+}
+
 static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t tag = v[0].given ? api_tag(L, "bullet.clear", v[0].at) : 0;
@@ -258,10 +269,7 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
         bullets_drop(&b->bullets, i);
         n++;
     }
-    EACH_HELD (i, &b->bullets.s) /* not counted, but what it touched is spared */
-        if (in_group(&b->bullets, i, tag) &&
-            (!circle || geom_circles(b->bullets.x[i], b->bullets.y[i], v[1].f, v[2].f, v[3].f)))
-            bullets_release(&b->bullets, i);
+    release_group(b, tag, circle ? v + 1 : NULL); /* not counted */
     lua_pushinteger(L, n);
     return 1;
 }
@@ -493,9 +501,7 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
         if (in_group(&b->bullets, i, handle_slot(h)))
             act(b, false, i, verb, by);
     if (verb == V_REMOVE)
-        EACH_HELD (i, &b->bullets.s)
-            if (in_group(&b->bullets, i, handle_slot(h)))
-                bullets_release(&b->bullets, i);
+        release_group(b, handle_slot(h), NULL);
     return 0;
 }
 

@@ -149,10 +149,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         bullets_drop(&b->bullets, i);
     EACH_LIVE (i, &b->shots.s)
         bullets_drop(&b->shots, i);
-    EACH_HELD (i, &b->bullets.s)
-        bullets_release(&b->bullets, i);
-    EACH_HELD (i, &b->shots.s)
-        bullets_release(&b->shots, i);
+    bullets_release_all(&b->bullets);
+    bullets_release_all(&b->shots);
     EACH_LIVE (i, &b->enemies.s)
         enemies_drop(&b->enemies, i);
     EACH_LIVE (i, &b->sparks.s)

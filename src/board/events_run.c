@@ -352,13 +352,6 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-/* Nothing is held between frames. */
-static void release(struct bullets *s)
-{
-    EACH_HELD (i, &s->s)
-        bullets_release(s, i);
-}
-
 int events_run(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -369,7 +362,7 @@ int events_run(lua_State *L)
         apply(b, L, &e);
     }
     b->events.n = 0;
-    release(&b->bullets);
-    release(&b->shots);
+    bullets_release_all(&b->bullets); /* nothing is held between frames */
+    bullets_release_all(&b->shots);
     return 0;
 }

@@ -463,8 +463,7 @@ void hit_shots(struct board *b)
     if ((s->live || s->holding) && b->enemies.s.live)
         gather(&c, b);
     if (!c.n) {
-        EACH_HELD (i, s)
-            bullets_release(&b->shots, i);
+        bullets_release_all(&b->shots);
         return;
     }
     divide(&c, s->live + s->holding, b->enemies.s.top);

@@ -131,6 +131,12 @@ void bullets_release(struct bullets *b, uint32_t i)
     slots_trim(&b->s);
 }
 
+void bullets_release_all(struct bullets *b)
+{
+    EACH_HELD (i, &b->s)
+        bullets_release(b, i);
+}
+
 static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
     fx ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, a = ax > ay ? ax : ay;

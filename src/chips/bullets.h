@@ -127,8 +127,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
 /* Removes a live bullet. */
 void bullets_drop(struct bullets *b, uint32_t i);
 
-/* Removes a held bullet. */
+/* Removes a held bullet; all of them. */
 void bullets_release(struct bullets *b, uint32_t i);
+void bullets_release_all(struct bullets *b);
 
 /* Runs the motion programs in slot order, moves every bullet, and sets `near`: of every live bullet that the watch asks
  * for, and some others. watch NULL: nobody's. Those that end outside keep are dropped, but held (slots.h) if they are

@@ -16,21 +16,15 @@ static struct rig_game g;
 static struct rig rig;
 static char log_text[8192];
 
-/* Runs `text` from line 2 of main.lua as a task for some frames, with player 1 in the game. Returns what was said: the
- * fault's message, or what was printed. */
-static const char *says(const char *text)
+/* What a script says in so many frames: the fault's message, or what was printed. */
+static const char *said(const char *script, int frames)
 {
     const uint16_t none[PADS] = { 0 };
-    char script[4096];
     size_t n = 0;
 
-    snprintf(
-        script, sizeof script,
-        "%slocal sys, p = string.sys, player.get(1) sys.join(1, 'ship') task.go(function() p = player.get(1) %s end)",
-        kinds, text);
     rig_with_sys(&g, NULL, script);
     rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < 200 && !rig_fault(&rig); f++) {
+    for (int f = 0; f < frames && !rig_fault(&rig); f++) {
         const struct board_out *out = board_tick(rig.b, none);
         for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
             log_text[n++] = out->log[i];
@@ -41,6 +35,18 @@ static const char *says(const char *text)
     rig_free(&rig);
     rig_game_free(&g);
     return log_text;
+}
+
+/* Of `text` from line 2 of main.lua on, as a task, with player 1 in the game. */
+static const char *says(const char *text)
+{
+    char script[4096];
+
+    snprintf(
+        script, sizeof script,
+        "%slocal sys, p = string.sys, player.get(1) sys.join(1, 'ship') task.go(function() p = player.get(1) %s end)",
+        kinds, text);
+    return said(script, 200);
 }
 
 #define SAYS(text, words) assert_string_equal(says(text), words)
@@ -201,27 +207,13 @@ static void test_none_is_there(void **state)
     "0, "                                                                                                              \
     "run = function(e) wait(forever) end } } })\n"
 
-/* The message or the log of a whole script. */
+/* Of a whole script. */
 static const char *script_says(const char *text)
 {
-    const uint16_t none[PADS] = { 0 };
-    size_t n = 0;
     char script[4096];
 
     snprintf(script, sizeof script, "%s%s", kinds, text);
-    rig_with_sys(&g, NULL, script);
-    rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < 600 && !rig_fault(&rig); f++) {
-        const struct board_out *out = board_tick(rig.b, none);
-        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
-            log_text[n++] = out->log[i];
-    }
-    log_text[n] = 0;
-    if (rig_fault(&rig))
-        snprintf(log_text, sizeof log_text, "%s", rig_fault(&rig)->message);
-    rig_free(&rig);
-    rig_game_free(&g);
-    return log_text;
+    return said(script, 600);
 }
 
 static void test_fights(void **state)

@@ -152,8 +152,7 @@ uint32_t engine_board_frame(struct board *b, const struct box *keep)
     board_move(b);
     hit_run(b);
     b->core.clock++;
-    EACH_HELD (i, &b->bullets.s) /* their events stay to be read */
-        bullets_release(&b->bullets, i);
+    bullets_release_all(&b->bullets); /* their events stay to be read */
     return b->events.n;
 }
 
