@@ -2,9 +2,9 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform    used by: src/cab/
  *
- * To port: copy template.c, write its six functions. The other ten have defaults in stdio.c, which is linked with every
- * port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says so by
- * doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
+ * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
+ * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says
+ * so by doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
  * an override.
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header

@@ -185,8 +185,9 @@ static void unknown_global(struct check *c, const char *path, const struct fact_
         return;
     }
     hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
-    if (api_later("", '.', g->name) && g->use != USE_WRITE && g->local == NULL)
-        findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)", g->name, g->name, NOT_YET);
+    if (api_later("", '.', g->name) && g->use != USE_WRITE)
+        findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
+                     g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
         findings_add(&c->found, path, g->line,
                      "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);

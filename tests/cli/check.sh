@@ -110,7 +110,7 @@ laser.def("beam", sounds)
 sound = sounds
 ----
 main.lua:3: on.start is not there yet; the name is kept for it
-main.lua:3: undeclared global "sound" (sound is not there yet; the name is kept for it)
+main.lua:3: undeclared global "sound" (sound is not there yet; the name is kept for it) (did you mean "sounds"?)
 main.lua:4: board.stop is not there yet; the name is kept for it
 main.lua:5: undeclared global "laser" (laser is not there yet; the name is kept for it)
 main.lua:6: undeclared global "sound" (did you mean "sounds"?)
