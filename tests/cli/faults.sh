@@ -40,7 +40,7 @@ command_of() {
 }
 inject() { # WHAT CALL N: exit code in $got
     # shellcheck disable=SC2046
-    timeout 60 env INJECT=$2:$3 INJECT_COUNT=count LD_PRELOAD="$PWD/inject.so" "$curtain" $(command_of "$1") >said 2>err
+    env INJECT=$2:$3 INJECT_COUNT=count LD_PRELOAD="$PWD/inject.so" "$curtain" $(command_of "$1") >said 2>err
     got=$?
 }
 # What may stand in `at` afterwards: everything new, or as it was. A recording is a file that plays up to some frame.
