@@ -275,8 +275,12 @@ static void move(struct board *b, const struct box *keep, const struct watch wat
     for (uint32_t i = 0; i < top; i++) {
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;
         assert_int_equal(i < s->s.top && is_used(&s->s, i), in);
-        if (!in)
+        if (!in) { /* it is held if it is near a player */
+            const uint64_t *near = &s->near[i / SLOTS_BLOCK * PADS];
+            assert_int_equal(slots_has_held(&s->s, i, s->s.gen[i]),
+                             was[i] && (near[0] | near[1]) >> (i % SLOTS_BLOCK) & 1);
             continue;
+        }
         assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->fastest && vy[i] <= s->fastest);
         for (uint32_t p = 0; p < PADS; p++) {
             bool near = s->near[i / SLOTS_BLOCK * PADS + p] >> (i % SLOTS_BLOCK) & 1;
@@ -294,6 +298,7 @@ static void move(struct board *b, const struct box *keep, const struct watch wat
     bullets_watch(s, watch);
     for (uint32_t k = 0; k < s->s.top / SLOTS_BLOCK * PADS; k++)
         assert_true(!((near[k] ^ s->near[k]) & s->s.used[k / PADS]));
+    bullets_release_all(s);
 }
 
 static void test_moves(void **state)
