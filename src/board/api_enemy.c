@@ -304,11 +304,10 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t i = handle_slot(v[0].i);
-    bool there = board_there(b, v[0].i) &&
-                 !(b->enemies.flags[i] & ENEMY_DYING); /* it may leave: what else it touched is spared */
 
     (void)L;
-    if (there)
+    /* also one that leaves in this frame: what else it touched is spared */
+    if (board_there(b, v[0].i) && !(b->enemies.flags[i] & ENEMY_DYING))
         enemies_drop(&b->enemies, i);
     return 0;
 }

@@ -298,7 +298,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can read the enemy; then it is gone. One that was killed as it left was killed. */
+/* The handlers of on.kill and on.leave can read the enemy; then it is gone. One killed on its way out did not leave. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
     if (e->kind == EV_LEAVE && !counts(b, e->a))

@@ -1,7 +1,7 @@
 /*
- * full.c - what is said of a pool that is full. Nothing is wrong then: what finds no room is not made, and is counted. But
- * who did not mean it looks for it long, so the first refusal of a run is a line of the log. That it was said follows from
- * `refused`, so a run that goes on from a snapshot says it where the other did.
+ * full.c - what is said of a pool that is full. Nothing is wrong then: what finds no room is not made, and is counted.
+ * But an author who did not mean it searches long for the cause, so the first refusal of a run is a line of the log. That
+ * it was said follows from `refused`, so a run that goes on from a snapshot says it where the other did.
  */
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     return NULL;
 }
 
-/* Whatever scripts have printed, there is room for FULLS lines of these; one that printed has ended its line, or was cut. */
+/* There is room for FULLS of these lines, however much was printed. What was printed ends a line, or was cut. */
 static void add_line(struct hand *h, const char *line)
 {
     size_t n = strlen(line), room = sizeof h->log - h->log_size;

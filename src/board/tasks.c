@@ -244,7 +244,7 @@ struct tasks_now tasks_behalf(struct board *b, int64_t scene)
 {
     struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
 
-    /* what is not of a scene, nothing of it ends with one */
+    /* what comes of an enemy without a scene must not end with the scene of whatever killed it */
     tasks_back(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }

@@ -499,7 +499,8 @@ static int set_up(void **state)
 
     (void)state;
     fegetenv(&plain_numbers);
-    snprintf(dir, sizeof dir, "/tmp/curtain-host-XXXXXX");
+    const char *tmp = getenv("TMPDIR");
+    snprintf(dir, sizeof dir, "%s/curtain-host-XXXXXX", tmp ? tmp : "/tmp");
     if (!mkdtemp(dir))
         return -1;
     for (int i = 0; i < 2; i++) { /* localedef warns with exit code 1 */
