@@ -7,7 +7,8 @@
  * a stable merge sort. Texts never hold an address and a NaN is "nan"; string.format refuses %a %A %p, and %q of a
  * fraction. sin cos tan asin acos atan go through trig.h: good to about 1e-9. A malformed pattern is an error even
  * where matching would not have reached the flaw. load takes text only, and what script.h forbids is an error as of
- * syntax. setmetatable refuses __gc and __mode. pcall catches what error and assert raised and nothing else. Work in C
+ * syntax. setmetatable refuses __gc, __mode, and a __call that is no function. A text
+ * has TEXT_MOST bytes at most. pcall catches what error and assert raised and nothing else. Work in C
  * is charged with vm_charge.
  */
 #ifndef BOARD_LUALIB_H
@@ -34,8 +35,8 @@ void lualib_unwrap(lua_State *L, int idx);
 /* Pushes the traceback of the first fault that went through a pcall, taken where it was raised, or nil. */
 void lualib_trace(lua_State *L);
 
-/* An error when a metatable that setmetatable ever set has got a __gc or __mode since. Before each step of the
+/* An error when a metatable that setmetatable ever set has got since what setmetatable refuses. Before each step of the
  * collector. */
-void lualib_check_weak(lua_State *L);
+void lualib_check_metatables(lua_State *L);
 
 #endif

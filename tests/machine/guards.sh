@@ -197,7 +197,7 @@ LUA
 
 # ---- the real limit ----
 
-LOOP='endless loop: more than 1000000000 instructions in one frame'
+LOOP='endless loop: more than 200000000 instructions in one frame'
 program=$curtain
 load 'real limit: plain loop' 'while true do end'
 task 'real limit: pcall loop' 'while true do pcall(function() while true do end end) end'
