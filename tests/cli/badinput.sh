@@ -315,6 +315,8 @@ bad 'a register in letters' '--register: power: expected a whole number from 0 t
 bad 'a register out of range' '--register: power: expected a whole number from 0 to 2147483647, got "2147483648"' \
     hash s --stage one --register power=2147483648
 bad 'a register below 0' '--register: power: expected a whole number from 0 to 2147483647, got "-1"' hash s --stage one --register power=-1
+bad 'a register after a blank' '--register: power: expected a whole number from 0 to 2147483647, got " 4"' hash s --stage one --register 'power= 4'
+bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
 bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one --register "$(printf '%032d' 0)=1"
 bad 'more registers than there can be' '--register: more than 16' hash s --stage one $(for i in $(seq 17); do echo --register "r$i=1"; done)
