@@ -35,13 +35,18 @@ int game_report(int code, const char *format, ...)
     return code;
 }
 
-int game_refuse(const char *err)
+int game_code(const char *err)
 {
     static const char memory[] = "out of memory";
     size_t n = strlen(err), tail = sizeof memory - 1;
     bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
 
-    return game_report(host ? EXIT_HOST : EXIT_INPUT, "%s", err);
+    return host ? EXIT_HOST : EXIT_INPUT;
+}
+
+int game_refuse(const char *err)
+{
+    return game_report(game_code(err), "%s", err);
 }
 
 static void log_lines(const char *text)

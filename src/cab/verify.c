@@ -450,7 +450,7 @@ static int verify_demo(struct verify *v, const char *path)
     if (demo_load(&v->demo, path, err, sizeof err))
         code = verify_loaded(v, path);
     else
-        code = refuse(v, EXIT_INPUT, "%s", err);
+        code = refuse(v, game_code(err), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
