@@ -449,6 +449,7 @@ static int report(const struct bisect *s)
     return s->found ? EXIT_DIFFERS : EXIT_DONE;
 }
 
+/* A path as it is printed. */
 static const char *shown(char out[DEMO_PATH], const char *path)
 {
     snprintf(out, DEMO_PATH, "%s", path);

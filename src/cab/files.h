@@ -19,8 +19,8 @@ bool files_load(const char *path, const char *name, void *to, size_t size, char 
 /* plat_size, and what says why there is none is made ready for files_absent. */
 long files_size(const char *path);
 
-/* The sentence after files_size, and maybe plat_list, have found nothing: "NAME: no such WHAT", or that it cannot be read and why.
- * Returns err. */
+/* The sentence after files_size, and maybe plat_list, have found nothing: "NAME: no such WHAT", or that it cannot be
+ * read and why. Returns err. */
 const char *files_absent(const char *name, const char *what, char *err, size_t err_size);
 
 #endif
