@@ -39,8 +39,8 @@ HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tool
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
 LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 
-BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c)
-CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c))
+BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/board/*.c src/board/*/*.c)
+CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua)
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
@@ -149,7 +149,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := board/vm board/vm_count board/board board/eval cab/guard
+SHORT := board/vm board/vm_count board/board board/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"

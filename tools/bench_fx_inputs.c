@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include "../src/base/rng.h"
 #include "../src/board/machine.h"
-#include "../src/cab/demo.h"
-#include "../src/cab/pack.h"
+#include "../src/cab/demo/demo.h"
+#include "../src/cab/pack/pack.h"
 #include "bench_fx.h"
 
 enum { EVERY = 1 }; /* frames between two looks: the same bullet comes again */

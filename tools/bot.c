@@ -18,8 +18,8 @@
 #include <string.h>
 #include "../platform/platform.h"
 #include "../src/board/machine.h"
-#include "../src/cab/demo.h"
-#include "../src/cab/pack.h"
+#include "../src/cab/demo/demo.h"
+#include "../src/cab/pack/pack.h"
 #include "tally.h"
 
 enum {

@@ -9,7 +9,7 @@
 #include "../base/sums.h"
 #include "events_run.h"
 #include "hit.h"
-#include "host.h"
+#include "../base/host.h"
 
 static const struct column core_columns[] = {
     REGISTER(core, frame),

@@ -9,9 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 #include "api.h"
-#include "api_parts.h"
+#include "api/api_parts.h"
 #include "events_run.h"
-#include "host.h"
+#include "../base/host.h"
 #include "lualib.h"
 #include "script.h"
 

@@ -18,7 +18,7 @@
 #include "../chips/sparks.h"
 #include "../chips/sprites.h"
 #include "board.h"
-#include "cart.h"
+#include "rom/cart.h"
 #include "tasks.h"
 #include "vm.h"
 

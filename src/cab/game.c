@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "clean.h"
+#include "host/clean.h"
 #include "cli.h"
 
 enum { LINE = 2048 };

@@ -6,10 +6,10 @@
 #define CAB_GAME_H
 
 #include "../board/board.h"
-#include "../board/cart.h"
+#include "../board/rom/cart.h"
 #include "args.h"
-#include "demo.h"
-#include "pack.h"
+#include "demo/demo.h"
+#include "pack/pack.h"
 
 /* The game linked into the program; size 0: none. */
 extern const uint8_t builtin_rom[];

@@ -8,13 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "clean.h"
+#include "host/clean.h"
 #include "cli.h"
-#include "files.h"
+#include "host/files.h"
 #include "game.h"
-#include "guard.h"
-#include "png.h"
-#include "trace.h"
+#include "run/guard.h"
+#include "pack/png.h"
+#include "demo/trace.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
 

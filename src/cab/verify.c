@@ -9,12 +9,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "bisect.h"
-#include "clean.h"
+#include "demo/bisect.h"
+#include "host/clean.h"
 #include "cli.h"
 #include "game.h"
-#include "moments.h"
-#include "replay.h"
+#include "demo/moments.h"
+#include "demo/replay.h"
 
 struct verify {
     const struct args *a;

@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
-#include "../../src/cab/demo.h"
+#include "../../src/cab/demo/demo.h"
 
 static void repair(uint8_t *p, size_t n, uint32_t format)
 {

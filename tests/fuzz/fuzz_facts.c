@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/facts.h"
+#include "../../src/cab/check/facts.h"
 
 static void need(bool good)
 {

@@ -7,10 +7,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/manifest.h"
+#include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
-#include "../../src/cab/facts.h"
-#include "../../src/cab/known.h"
+#include "../../src/cab/check/facts.h"
+#include "../../src/cab/check/known.h"
 
 static void need(bool good)
 {

@@ -9,7 +9,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rom.h"
-#include "../../src/board/cart.h"
+#include "../../src/board/rom/cart.h"
 
 static void repair(uint8_t *p, size_t size)
 {

@@ -55,10 +55,10 @@ mkdir -p "$tree/src/board"
 ln -s "$PWD/fb" "$tree/fb"
 ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
 cp src/board/*.h "$tree/src/board"
-cp src/board/hit.c src/board/hit_shots.c "$tree/src/board"
-sed 's/= swept ?/= false ?/g' src/board/hit_parts.h >"$tree/src/board/hit_parts.h"
+cp src/board/hits/hit.c src/board/hits/hit_shots.c "$tree/src/board"
+sed 's/= swept ?/= false ?/g' src/board/hits/hit_parts.h >"$tree/src/board/hit_parts.h"
 unswept() {
-    ! cmp -s src/board/hit_parts.h "$tree/src/board/hit_parts.h" || return 2
+    ! cmp -s src/board/hits/hit_parts.h "$tree/src/board/hit_parts.h" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/lab" "$tree"/src/board/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \

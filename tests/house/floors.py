@@ -2,7 +2,7 @@
 
 Floors: src/base 0, fb 1, src/chips 2, src/board 3, src/cab 4, platform 5. Besides:
   - a chip includes of the chips only its own header, slots.h (what a chip is made of) and motion.h (how things move);
-  - Lua's headers are seen in src/board alone; stb in src/cab/png.c alone;
+  - Lua's headers are seen in src/board alone; stb in src/cab/pack/png.c alone;
   - platform.h is included by src/cab; a port includes that header and nothing else of ours;
   - below the cabinet only the headers of C that reach no host; host.h alone sees what the host has set.
 Tests and tools may include anything."""
@@ -16,7 +16,7 @@ LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
 # stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
 PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",
         "stdint.h", "stdio.h", "stdlib.h", "string.h"}
-HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/board/host.h"}
+HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -47,9 +47,9 @@ def system(path, name):
     if name in LUA:
         return None if folder == "src/board" else "only src/board sees Lua"
     if name.startswith("stb"):
-        return None if path == "src/cab/png.c" else "stb is for src/cab/png.c alone"
+        return None if path == "src/cab/pack/png.c" else "stb is for src/cab/pack/png.c alone"
     if name in HOST:
-        return None if path in HOST_FILES else "the host's settings are for src/board/host.h alone"
+        return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
     if FLOORS[folder] < 4 and name not in PURE:
         return "below the cabinet there is no <%s>" % name
     return None

@@ -72,7 +72,7 @@ check "what the host has set is for host.c alone" host_calls
 
 # planted WHAT TEXT: hit.c with the text at its end, compiled and looked at
 planted() {
-    sed "s,\"\.\./,\"$PWD/src/,;s,\"hit\([a-z_]*\).h\",\"$PWD/src/board/hit\1.h\"," src/board/hit.c >"$scratch/planted.c"
+    sed "s,\"\.\./,\"$PWD/src/,;s,\"hit\([a-z_]*\).h\",\"$PWD/src/board/hit\1.h\"," src/board/hits/hit.c >"$scratch/planted.c"
     echo "$2" >>"$scratch/planted.c"
     ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" -o "$scratch/planted.o" || return 0
     case $1 in

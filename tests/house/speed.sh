@@ -60,9 +60,9 @@ ln -s "$PWD/fb" "$tree/fb"
 ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
 cp src/board/*.h "$tree/src/board"
 sed 's/\.kind = EV_SHOT, \.a = who, \.b = whom }/.kind = EV_SHOT, .a = who, .b = whom ^ 1 }/' \
-    src/board/hit_shots.c >"$tree/src/board/hit_shots.c"
+    src/board/hits/hit_shots.c >"$tree/src/board/hit_shots.c"
 another() {
-    ! cmp -s src/board/hit_shots.c "$tree/src/board/hit_shots.c" || return 2
+    ! cmp -s src/board/hits/hit_shots.c "$tree/src/board/hit_shots.c" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/bench" "$tree/src/board/hit_shots.c" \

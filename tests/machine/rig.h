@@ -21,8 +21,8 @@
 #include "../../src/base/rng.h"
 #include "../../src/board/api.h"
 #include "../../src/board/machine.h"
-#include "../../src/cab/demo.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/demo/demo.h"
+#include "../../src/cab/pack/pack.h"
 
 /* A game in memory. */
 struct rig_game {

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/board/machine.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/pack/pack.h"
 #include "../../tools/bench/crowd.h"
 
 __extension__ typedef __int128 wide;

@@ -5,7 +5,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <unistd.h>
-#include "../../src/cab/replay.h"
+#include "../../src/cab/demo/replay.h"
 #include "rig.h"
 
 enum { FLIPS = 200, FRAMES = 1200, MOST = 1 << 20 };

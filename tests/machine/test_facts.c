@@ -14,9 +14,9 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/board/script.h"
-#include "../../src/cab/facts.h"
-#include "../../src/cab/tree.h"
-#include "../../src/cab/known.h"
+#include "../../src/cab/check/facts.h"
+#include "../../src/cab/pack/tree.h"
+#include "../../src/cab/check/known.h"
 
 enum { WORK = 64 << 20, TEXT = 1 << 20 };
 

@@ -11,8 +11,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
-#include "../../src/cab/guard.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/run/guard.h"
+#include "../../src/cab/pack/pack.h"
 
 enum { FRAMES = 130 };
 

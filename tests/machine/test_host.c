@@ -9,7 +9,7 @@
 #include <math.h>
 #include <unistd.h>
 #include "../../src/board/eval.h"
-#include "../../src/board/manifest.h"
+#include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
 #include "../../src/cab/cli.h"
 #include "rig.h"

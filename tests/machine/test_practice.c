@@ -3,7 +3,7 @@
  * pieces of a game; and the cabinet's menu of them.
  */
 #include "rig.h"
-#include "../../src/cab/practice.h"
+#include "../../src/cab/play/practice.h"
 
 /* ---- a game that has a piece of every sort ---- */
 

@@ -3,7 +3,7 @@
  * run that goes straight on are the reference.
  */
 #include "rig.h"
-#include "../../src/cab/rewind.h"
+#include "../../src/cab/run/rewind.h"
 
 /* ---- rewind.c once more, with memory that can run out ---- */
 
@@ -24,7 +24,7 @@ static void *scarce(size_t n)
 #define rewind_to     lean_to
 #define rewind_drop   lean_drop
 #define rewind_forget lean_forget
-#include "../../src/cab/rewind.c"
+#include "../../src/cab/run/rewind.c"
 #undef malloc
 #undef rewind_open
 #undef rewind_close

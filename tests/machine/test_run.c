@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/demo.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/demo/demo.h"
+#include "../../src/cab/pack/pack.h"
 #include "../../tools/tally.h"
 
 struct game {

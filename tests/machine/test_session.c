@@ -5,8 +5,8 @@
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
 #include "../../src/board/eval.h"
-#include "../../src/cab/folder.h"
-#include "../../src/cab/session.h"
+#include "../../src/cab/host/folder.h"
+#include "../../src/cab/play/session.h"
 #include "rig.h"
 
 enum { FRAMES = 3600, NAME = 600 };

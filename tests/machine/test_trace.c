@@ -4,9 +4,9 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
 #include <unistd.h>
-#include "../../src/cab/bisect.h"
+#include "../../src/cab/demo/bisect.h"
 #include "../../src/cab/cli.h"
-#include "../../src/cab/trace.h"
+#include "../../src/cab/demo/trace.h"
 #include "rig.h"
 
 static char dir[256], out[8192];

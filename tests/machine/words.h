@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/ink.h"
+#include "../../src/cab/overlay/ink.h"
 
 enum { WORDS_H = INK_CELL_H - 1 };
 

@@ -1,4 +1,4 @@
-"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font (src/cab/ink.c), light
+"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font (src/cab/overlay/ink.c), light
 on its dark paper; else the first that does not is printed."""
 import os
 import re

@@ -17,8 +17,8 @@
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../src/board/machine.h"
-#include "../../src/cab/demo.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/demo/demo.h"
+#include "../../src/cab/pack/pack.h"
 
 enum { MAX_LUMPS = 64, MOST = 1 << 20 };
 

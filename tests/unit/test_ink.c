@@ -9,7 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/message.h"
+#include "../../src/cab/overlay/message.h"
 
 enum { W = 64, H = 48 };
 

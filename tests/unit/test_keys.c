@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/config.h"
+#include "../../src/cab/host/config.h"
 
 static char err[256];
 static int lines;

@@ -11,9 +11,9 @@
 #include "../../platform/platform.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
-#include "../../src/board/cart.h"
+#include "../../src/board/rom/cart.h"
 #include "../../src/board/board.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/pack/pack.h"
 
 enum { PATH = 512 };
 

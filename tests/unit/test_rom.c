@@ -12,7 +12,7 @@
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../src/base/rom.h"
-#include "../../src/board/cart.h"
+#include "../../src/board/rom/cart.h"
 
 /* A ROM in memory of exactly its size, so that a sanitizer sees any read beyond it. */
 struct block {

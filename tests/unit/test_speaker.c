@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/speaker.h"
+#include "../../src/cab/host/speaker.h"
 
 static int16_t in[2 * SPEAKER_BLOCK], out[2 * (SPEAKER_BLOCK + SPEAKER_STRETCH)];
 

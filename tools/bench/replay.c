@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "../../src/cab/replay.h"
-#include "../../src/cab/session.h"
+#include "../../src/cab/demo/replay.h"
+#include "../../src/cab/play/session.h"
 #include "bench.h"
 
 enum { ROUNDS = 3, FIVE_MINUTES = 5 * 60 * 60, MINUTE = 60 * 60, SLICE_USEC = 12000 };

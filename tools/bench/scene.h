@@ -7,7 +7,7 @@
 #define BENCH_SCENE_H
 
 #include "../../src/board/machine.h"
-#include "../../src/cab/pack.h"
+#include "../../src/cab/pack/pack.h"
 
 /* What zero means stands behind each. */
 struct scene_want {

@@ -1,0 +1,207 @@
+/*
+ * api_board.c - board and rom.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../base/hash.h"
+#include "../api.h"
+
+static const struct api_param name_opt[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL } };
+static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param chip_req[] = { { "chip", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param demo_req[] = { { "demo", A_STR, REQ, 1, 63, NULL, NULL } };
+static const struct api_param value_req[] = { { "v", A_ANY, REQ, 0, 0, NULL, NULL } };
+
+static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->core.frame);
+    return 1;
+}
+
+static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.m;
+
+    if (v[0].given) {
+        int i = 0;
+        while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[0].at)))
+            i++;
+        if (i == m->n_difficulties)
+            return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua", lua_tostring(L, v[0].at));
+        b->core.difficulty = (uint32_t)i;
+    }
+    lua_pushstring(L, m->difficulties[b->core.difficulty]);
+    return 1;
+}
+
+static int board_dip(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.m;
+
+    for (int i = 0; i < m->n_dips; i++) {
+        if (strcmp(m->dips[i].name, lua_tostring(L, v[0].at)))
+            continue;
+        if (m->dips[i].number)
+            lua_pushinteger(L, b->start.dip[i]);
+        else
+            lua_pushstring(L, m->dips[i].value_name[b->start.dip[i]]);
+        return 1;
+    }
+    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua", lua_tostring(L, v[0].at));
+}
+
+static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L, (void)v;
+    b->reset = true;
+    return 0;
+}
+
+static int count_of(lua_State *L, struct board *b, const char *entry, int at,
+                    int64_t (*ask)(const struct board *, const char *))
+{
+    int64_t n = ask(b, lua_tostring(L, at));
+
+    if (n < 0)
+        return api_error(L, entry, "chip \"%s\" is not one of this board", lua_tostring(L, at));
+    lua_pushinteger(L, n);
+    return 1;
+}
+
+static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    return count_of(L, b, "board.live", v[0].at, board_live);
+}
+
+static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    return count_of(L, b, "board.refused", v[0].at, board_refused);
+}
+
+static int board_attract(lua_State *L, struct board *b, struct api_value *v)
+{
+    b->hand->out.request = REQUEST_ATTRACT;
+    strcpy(b->hand->out.attract, lua_tostring(L, v[0].at));
+    return 0;
+}
+
+static int board_note(lua_State *L, struct board *b, struct api_value *v)
+{
+    double d = lua_tonumber(L, v[0].at);
+    uint64_t bits;
+    size_t n;
+    const char *s;
+
+    switch (lua_type(L, v[0].at)) {
+    case LUA_TNUMBER:
+        memcpy(&bits, &d, sizeof bits);
+        if (!isfinite(d))
+            return api_error(L, "board.note", "v: expected a finite number");
+        b->core.notes =
+            hash_fold(b->core.notes, lua_isinteger(L, v[0].at) ? (uint64_t)lua_tointeger(L, v[0].at) : bits);
+        return 0;
+    case LUA_TSTRING:
+        s = lua_tolstring(L, v[0].at, &n);
+        b->core.notes = hash_bytes(b->core.notes, s, n);
+        return 0;
+    case LUA_TBOOLEAN:
+        b->core.notes = hash_fold(b->core.notes, 2 + (uint64_t)lua_toboolean(L, v[0].at));
+        return 0;
+    default:
+        return api_error(L, "board.note", "v: expected a number, string or boolean, got a %s",
+                         luaL_typename(L, v[0].at));
+    }
+}
+
+/* ---- rom ---- */
+
+static int rom_has(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[0].at), *text;
+    size_t n;
+
+    lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_text(&b->cart, name, &text, &n) ||
+                           rom_find(b->cart.rom, name) >= 0);
+    return 1;
+}
+
+static int rom_text(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *text;
+    size_t n;
+
+    if (!cart_text(&b->cart, lua_tostring(L, v[0].at), &text, &n))
+        return api_error(L, "rom.text", "no text \"%s\" in the game", lua_tostring(L, v[0].at));
+    lua_pushlstring(L, text, n);
+    return 1;
+}
+
+/* Upvalue 1: what the table is called. */
+static int read_only(lua_State *L)
+{
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
+
+    return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
+}
+
+/* Leaves a read-only view of the table on top of the stack in its place. */
+static void seal(lua_State *L, const char *name)
+{
+    lua_newtable(L);
+    lua_createtable(L, 0, 3);
+    lua_rotate(L, -3, -1);
+    lua_setfield(L, -2, "__index");
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, read_only, 1);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
+
+static void rect(lua_State *L, const char *name, int x, int y, int w, int h)
+{
+    const char *const keys[] = { "x", "y", "w", "h" };
+    const int values[] = { x, y, w, h };
+    char full[16];
+
+    lua_createtable(L, 0, 4);
+    for (int i = 0; i < 4; i++) {
+        lua_pushinteger(L, values[i]);
+        lua_setfield(L, -2, keys[i]);
+    }
+    snprintf(full, sizeof full, "rom.%s", name);
+    seal(L, full);
+    lua_setfield(L, -2, name);
+}
+
+void api_rom_open(lua_State *L)
+{
+    const struct manifest *m = &vm_board(L)->cart.m;
+
+    lua_getglobal(L, "rom");
+    lua_pushstring(L, m->title);
+    lua_setfield(L, -2, "title");
+    rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
+    rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
+    seal(L, "rom");
+    lua_setglobal(L, "rom");
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", "ticks since power-on" },
+    { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
+      "the difficulty being played; with a name, sets it first" },
+    { "board.dip", board_dip, PARAMS(name_req), 1, 0, "value", "a DIP switch: a name's or a number's value" },
+    { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL, "starts the game anew after this frame" },
+    { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count", "live things of a chip (\"bullets\")" },
+    { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count", "how often a chip had no room" },
+    { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL, "asks the cabinet to show a demo" },
+    { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL, "folds a value into the state hash" },
+    { "rom.has", rom_has, PARAMS(name_req), 1, 0, "boolean", "is there such a sprite or text?" },
+    { "rom.text", rom_text, PARAMS(name_req), 1, 0, "string", "a text file of the game" },
+};
+const struct api_module api_board = { entries, sizeof entries / sizeof *entries };

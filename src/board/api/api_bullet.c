@@ -1,0 +1,806 @@
+/*
+ * api_bullet.c - bullet, shot, motion.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/trig.h"
+#include "../../base/geom.h"
+#include "../../chips/sparks.h"
+#include "api_parts.h"
+
+/* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
+static int64_t q32(double v)
+{
+    return fx_nearest(v * 4294967296.0);
+}
+
+/* A number in Q32 for what is fine; for what is not, rounded to fx. */
+static int64_t units(bool fine, const struct api_value *v)
+{
+    return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
+}
+
+static bool motion_fine(const struct board *b, uint16_t motion)
+{
+    return motion && b->motions.fine[motion - 1];
+}
+
+/* ---- hit shapes ---- */
+
+static fx extent(lua_State *L, const char *entry, const char *name, int at)
+{
+    struct api_param p = { name, A_FX, REQ, 0, MAX_SPEED, "px", NULL };
+    struct api_value v = { 0 };
+
+    api_check(L, entry, &p, at, &v);
+    return v.f;
+}
+
+uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
+{
+    *a = *b = 0;
+    if (lua_type(L, at) == LUA_TTABLE) {
+        lua_pushnil(L);
+        for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
+            const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
+            if ((strcmp(key, "circle") && strcmp(key, "box")) || keys++)
+                api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got one with \"%s\"",
+                          key);
+        }
+    }
+    if (lua_type(L, at) == LUA_TSTRING) {
+        if (strcmp(lua_tostring(L, at), "none"))
+            api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got \"%s\"",
+                      lua_tostring(L, at));
+        return SHAPE_NONE;
+    }
+    if (lua_getfield(L, at, "circle") != LUA_TNIL) {
+        *a = extent(L, entry, "hit.circle", lua_gettop(L));
+        return SHAPE_CIRCLE;
+    }
+    if (lua_getfield(L, at, "box") != LUA_TTABLE)
+        api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\"");
+    int box = lua_gettop(L);
+    lua_rawgeti(L, box, 1);
+    lua_rawgeti(L, box, 2);
+    *a = extent(L, entry, "hit.box width", box + 1) / 2;
+    *b = extent(L, entry, "hit.box height", box + 2) / 2;
+    return SHAPE_BOX;
+}
+
+/* ---- kinds ---- */
+
+static const struct api_param bullet_def[] = {
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "graze", A_BOOL, OPT, 0, 0, NULL, "true" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+};
+
+static const struct api_param shot_def[] = {
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },         { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+};
+
+/* Declares a kind of bullets or shots; extra is graze or damage. */
+static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
+{
+    fx a, b;
+    uint8_t shape = api_hit(L, entry, v[2].at, &a, &b);
+    int32_t i = slots_append(&k->s);
+
+    if (i == NO_SLOT)
+        return api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
+    names_declare(L, what, entry, lua_tostring(L, v[0].at), i);
+    k->sprite[i] = (uint16_t)v[1].i;
+    k->shape[i] = shape;
+    k->a[i] = a;
+    k->b[i] = b;
+    k->bank[i] = (uint8_t)v[3].i;
+    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0) | v[7].i * KIND_BLEND_ONE);
+    return i;
+}
+
+static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
+{
+    int i = define(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
+
+    if (v[4].i)
+        b->bullet_kinds.flags[i] |= KIND_GRAZE;
+    return 0;
+}
+
+static int shot_define(lua_State *L, struct board *b, struct api_value *v)
+{
+    int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
+
+    b->shot_kinds.damage[i] = (int32_t)v[4].i;
+    return 0;
+}
+
+/* ---- firing ---- */
+
+#define FLIGHT(kind_type, def_dir)                                                                                     \
+    { "kind", kind_type, REQ, 0, 0, NULL, NULL }, { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },     \
+        PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, def_dir }, { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },                \
+        { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL },                            \
+    {                                                                                                                  \
+        "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
+    }
+
+enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + 5, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
+
+static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
+static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
+                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL } };
+
+static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, const char *entry, uint8_t player)
+{
+    struct bullets *pool = shot ? &b->shots : &b->bullets;
+    const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
+    enum handle_kind h = shot ? H_SHOT : H_BULLET;
+    struct bullet_shape s = { .speed = v[F_SPEED].f,
+                              .dir = v[F_DIR].a,
+                              .kind = (uint16_t)v[F_KIND].i,
+                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : kinds->bank[v[F_KIND].i],
+                              .motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0,
+                              .fine = v[F_MOTION].given && motion_fine(b, (uint16_t)v[F_MOTION].i),
+                              .player = player,
+                              .by = tasks_serial(b) };
+
+    if (!api_place(L, b, entry, v + F_PLACE, &s.x, &s.y)) {
+        lua_pushinteger(L, board_handle(b, h, NO_SLOT));
+        return 1;
+    }
+    if (v[F_AIM].i) {
+        struct targets t = board_world(b, shot).targets;
+        s.dir = targets_aim(&t, s.x, s.y, shot ? 0xc0000000u : 0x40000000u) + (v[F_DIR].given ? v[F_DIR].a : 0);
+    }
+    if (v[F_TAG].given)
+        s.tag = api_tag(L, entry, v[F_TAG].at);
+    int32_t i = bullets_fire(pool, &s, b->core.clock);
+    if (i == NO_SLOT)
+        board_full(b, &pool->s);
+    if (i != NO_SLOT && s.fine)
+        bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
+    lua_pushinteger(L, board_handle(b, h, i));
+    return 1;
+}
+
+static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    return fire(L, b, v, false, "bullet.fire", 0);
+}
+
+static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + 2];
+    uint8_t player = 0;
+
+    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
+        player = (uint8_t)(handle_slot(by->i) + 1);
+    return fire(L, b, v, true, "shot.fire", player);
+}
+
+/* ---- groups ---- */
+
+static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
+static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+                                          { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+
+/* The slot of a group's handle is its tag; 0 is all bullets. */
+static bool in_group(const struct bullets *s, uint32_t i, uint32_t tag)
+{
+    return !tag || s->tag[i] == tag;
+}
+
+static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushinteger(L, handle_of(H_GROUP, 1, v[0].given ? api_tag(L, "bullet.group", v[0].at) : 0));
+    return 1;
+}
+
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
+             uint32_t tag, int f)
+{
+    int list = lua_gettop(L) + 1;
+    lua_Integer n = 0;
+
+    lua_newtable(L);
+    EACH_LIVE (i, s)
+        if (!tag || tags[i] == tag) {
+            lua_pushinteger(L, board_handle(b, kind, (int32_t)i));
+            lua_rawseti(L, list, ++n);
+        }
+    vm_charge(L, (uint64_t)n);
+    for (lua_Integer k = 1; k <= n; k++) {
+        lua_pushvalue(L, f);
+        lua_rawgeti(L, list, k);
+        if (board_alive(b, lua_tointeger(L, -1)))
+            lua_call(L, 1, 0);
+        else
+            lua_pop(L, 2);
+    }
+    return 0;
+}
+
+static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t tag = v[0].given ? api_tag(L, "bullet.each", v[0].at) : 0;
+
+    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[1].at);
+}
+
+static const struct api_param bullet_clear[] = {
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },          { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+};
+
+/* Bullets of a tag (0: all) that left the field in this frame go at once: what they touched is spared. circle NULL:
+ * wherever they are; else x, y, radius. */
+static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
+{
+    const struct bullets *s = &b->bullets;
+
+    EACH_HELD (i, &s->s)
+        if (in_group(s, i, tag) && (!circle || geom_circles(s->x[i], s->y[i], circle[0].f, circle[1].f, circle[2].f)))
+            bullets_release(&b->bullets, i);
+}
+
+static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t tag = v[0].given ? api_tag(L, "bullet.clear", v[0].at) : 0;
+    bool circle = v[1].given || v[2].given || v[3].given;
+    lua_Integer n = 0;
+
+    vm_charge(L, b->bullets.s.live);
+    if (circle && !(v[1].given && v[2].given && v[3].given))
+        return api_error(L, "bullet.clear", "x, y and radius go together");
+    EACH_LIVE (i, &b->bullets.s) {
+        fx x = b->bullets.x[i], y = b->bullets.y[i];
+        if (!in_group(&b->bullets, i, tag) || (circle && !geom_circles(x, y, v[1].f, v[2].f, v[3].f)))
+            continue;
+        if (v[4].given)
+            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
+        bullets_drop(&b->bullets, i);
+        n++;
+    }
+    release_group(b, tag, circle ? v + 1 : NULL); /* not counted */
+    lua_pushinteger(L, n);
+    return 1;
+}
+
+/* ---- properties ---- */
+
+enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST };
+
+#define FLIGHT_PROPS(kind_type)                                                                                        \
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
+        { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },                              \
+        { { "dir", A_DIR, REQ, 0, 0, NULL, NULL },                                                                     \
+          PROP_WRITE,                                                                                                  \
+          "where it flies, degrees from 0 to 360, kept at speed 0" },                                                  \
+        { { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "how fast, px/frame" },         \
+        { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
+        { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
+        { { "kind", kind_type, REQ, 0, 0, NULL, NULL },                                                                \
+          PROP_WRITE,                                                                                                  \
+          "name of its kind; a write takes the kind's bank too" },                                                     \
+        { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
+        { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                            \
+        { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
+          PROP_WRITE,                                                                                                  \
+          "the motion it runs, or nil; a write starts it anew" },                                                      \
+    {                                                                                                                  \
+        { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired"                                \
+    }
+
+static const struct api_prop bullet_props[] = { FLIGHT_PROPS(A_BULLET_KIND) };
+static const struct api_prop shot_props[] = {
+    FLIGHT_PROPS(A_SHOT_KIND),
+    { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
+};
+
+/* Q32 as a number: exact, for a place or a speed has 48 bits. */
+static void push_q32(lua_State *L, int64_t v)
+{
+    lua_pushnumber(L, (double)v / 4294967296.0);
+}
+
+static void get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
+{
+    int64_t x, y;
+
+    switch (p) {
+    case P_X:
+    case P_Y:
+        bullets_place(s, i, &x, &y);
+        return push_q32(L, p == P_X ? x : y);
+    case P_DIR:
+        return lua_pushnumber(L, trig_to_degrees(s->dir[i]));
+    case P_SPEED:
+        return push_q32(L, bullets_speed(s, i));
+    case P_VX:
+    case P_VY:
+        bullets_velocity(s, i, &x, &y);
+        return push_q32(L, p == P_VX ? x : y);
+    case P_KIND:
+        return names_push(L, names, s->kind[i]);
+    case P_BANK:
+        return lua_pushinteger(L, s->bank[i]);
+    case P_TAG:
+        return api_push_tag(L, s->tag[i]);
+    case P_MOTION:
+        if (s->motion[i])
+            return lua_pushinteger(L, handle_of(H_MOTION, 1, s->motion[i] - 1u));
+        return lua_pushnil(L);
+    case P_AGE:
+        return lua_pushinteger(L, b->core.clock - s->born[i]);
+    default:
+        if (s->player[i])
+            return lua_pushinteger(L, board_handle(b, H_PLAYER, s->player[i] - 1));
+        return lua_pushnil(L);
+    }
+}
+
+/* What a motion step drives now, a script's write takes from it. */
+static void mute(struct bullets *s, uint32_t i, unsigned what)
+{
+    if (s->mute[i] & STEP_BEGUN)
+        s->mute[i] |= (uint8_t)what;
+}
+
+/* Place or velocity, of which a script writes one part. */
+static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
+{
+    int64_t x, y;
+
+    if (p == P_X || p == P_Y) {
+        bullets_place(s, i, &x, &y);
+        bullets_set_place(s, i, p == P_X ? v : x, p == P_Y ? v : y);
+    } else {
+        bullets_velocity(s, i, &x, &y);
+        bullets_set_velocity(s, i, p == P_VX ? v : x, p == P_VY ? v : y);
+    }
+}
+
+static void set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                       int p, const struct api_value *v)
+{
+    bool fine = s->flags[i] & BULLET_FINE;
+
+    switch (p) {
+    case P_X:
+    case P_Y:
+        set_part(s, i, p, units(fine, v));
+        break;
+    case P_DIR:
+        s->dir[i] = v->a;
+        mute(s, i, MUTE_DIR);
+        bullets_steer(s, i);
+        break;
+    case P_SPEED:
+        mute(s, i, MUTE_SPEED);
+        bullets_set_speed(s, i, units(fine, v));
+        break;
+    case P_VX:
+    case P_VY:
+        mute(s, i, MUTE_DIR | MUTE_SPEED);
+        set_part(s, i, p, units(fine, v));
+        break;
+    case P_KIND:
+        s->kind[i] = (uint16_t)v->i;
+        s->bank[i] = kinds->bank[v->i];
+        break;
+    case P_BANK:
+        s->bank[i] = (uint8_t)v->i;
+        break;
+    case P_TAG:
+        s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        break;
+    case P_MOTION:
+        bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && motion_fine(b, (uint16_t)v->i));
+        break;
+    default:
+        break;
+    }
+}
+
+static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    get_flight(L, b, &b->bullets, N_BULLET, i, p);
+}
+
+static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
+}
+
+static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    get_flight(L, b, &b->shots, N_SHOT, i, p);
+}
+
+static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
+}
+
+static const struct api_prop group_props[] = {
+    FLIGHT_PROPS(A_BULLET_KIND),
+    { { "count", A_INT, REQ, 0, 0, NULL, NULL },
+      PROP_READ,
+      "how many live bullets have the tag; the one thing to read" },
+};
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    lua_Integer n = 0;
+
+    if (p != P_LAST)
+        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
+    EACH_LIVE (i, &b->bullets.s)
+        n += in_group(&b->bullets, i, tag);
+    vm_charge(L, b->bullets.s.live);
+    lua_pushinteger(L, n);
+}
+
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->bullets.s.live);
+    EACH_LIVE (i, &b->bullets.s)
+        if (in_group(&b->bullets, i, tag))
+            set_bullet(L, b, i, p, v);
+}
+
+const struct api_thing bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
+const struct api_thing shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
+const struct api_thing group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
+
+/* ---- verbs of bullets, shots and groups ---- */
+
+enum verb { V_AIM, V_TURN, V_REMOVE };
+
+static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
+{
+    struct bullets *s = shot ? &b->shots : &b->bullets;
+    struct motion_world w = board_world(b, shot);
+
+    switch (verb) {
+    case V_AIM:
+        s->dir[i] = targets_aim(&w.targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + by;
+        break;
+    case V_TURN:
+        s->dir[i] += by;
+        break;
+    case V_REMOVE:
+        bullets_drop(s, i);
+        return;
+    }
+    mute(s, i, MUTE_DIR);
+    bullets_steer(s, i);
+}
+
+static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb, ang by)
+{
+    int64_t h = v[0].i;
+
+    if (handle_kind(h) != H_GROUP) {
+        if (board_alive(b, h))
+            act(b, handle_kind(h) == H_SHOT, handle_slot(h), verb, by);
+        else if (verb == V_REMOVE && board_there(b, h)) /* held: what else it touched is spared */
+            bullets_release(handle_kind(h) == H_SHOT ? &b->shots : &b->bullets, handle_slot(h));
+        return 0;
+    }
+    vm_charge(L, b->bullets.s.live);
+    EACH_LIVE (i, &b->bullets.s)
+        if (in_group(&b->bullets, i, handle_slot(h)))
+            act(b, false, i, verb, by);
+    if (verb == V_REMOVE)
+        release_group(b, handle_slot(h), NULL);
+    return 0;
+}
+
+static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_AIM, v[1].a);
+}
+
+static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_TURN, v[1].a);
+}
+
+static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_REMOVE, 0);
+}
+
+enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP };
+static const struct api_param self_add[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
+                                             { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
+static const struct api_param self_by[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
+                                            { "by", A_DIR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param self_only[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL } };
+
+/* ---- motion programs ---- */
+
+enum { M_WAIT, M_KIND, M_BANK, M_DIR, M_AIM, M_TURN, M_HOME, M_SPEED, M_ACCEL, M_DIE, M_OVER, M_LOOP, M_KEYS };
+
+static const struct api_param step_keys[M_KEYS] = {
+    { "wait", A_COUNT, OPT, 0, 1e9, "frames", NULL },
+    { "kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL },
+    { "bank", A_INT, OPT, 0, 15, NULL, NULL },
+    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+    { "aim", A_BOOL, OPT, 0, 0, NULL, NULL },
+    { "turn", A_DIR, OPT, 0, 0, NULL, NULL },
+    { "home", A_NUM, OPT, 0, 180, "degrees a frame", NULL },
+    { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
+    { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", NULL },
+    { "die", A_BOOL, OPT, 0, 0, NULL, NULL },
+    { "over", A_INT, OPT, 1, 1e9, "frames", NULL },
+    { "loop", A_COUNT, OPT, 0, 65534, "rounds", NULL },
+};
+
+enum { MOST_STEPS = 1024, MOST_ROUNDS = 4096 };
+
+/* A program being read. */
+struct reader {
+    struct motion_step steps[MOST_STEPS];
+    uint32_t n;
+    bool fine;
+};
+
+static const char DEF[] = "motion.def";
+
+static struct motion_step *add_step(lua_State *L, struct reader *r)
+{
+    if (r->n == MOST_STEPS)
+        api_error(L, DEF, "more than %d steps", MOST_STEPS);
+    r->steps[r->n] = (struct motion_step){ 0 };
+    return &r->steps[r->n++];
+}
+
+static void step_error(lua_State *L, int step, const char *message)
+{
+    api_error(L, DEF, "step %d: %s", step, message);
+}
+
+/* A step has a key that is none: offers the nearest. */
+static void unknown_key(lua_State *L, int step, int at)
+{
+    const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
+    int best = 99;
+
+    if (!strcmp(name, "fine") || !strcmp(name, "name"))
+        api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
+    if (api_later("motion.def step", '{', name))
+        api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
+    for (int k = 0; k < M_KEYS; k++) {
+        int apart = words_apart(name, step_keys[k].name);
+        if (apart < best)
+            best = apart, found = step_keys[k].name;
+    }
+    if (found)
+        api_error(L, DEF, "step %d: unknown argument \"%s\" (did you mean \"%s\"?)", step, name, found);
+    api_error(L, DEF, "step %d: unknown argument \"%s\"", step, name);
+}
+
+/* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. */
+static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
+{
+    int first = lua_gettop(L) + 1;
+
+    luaL_checkstack(L, M_KEYS + 8, NULL);
+    lua_settop(L, first + M_KEYS - 1);
+    lua_pushnil(L);
+    while (lua_next(L, at)) {
+        int k = 0;
+        if (lua_type(L, -2) == LUA_TNUMBER) {
+            lua_pop(L, 1);
+            continue;
+        }
+        while (k < M_KEYS && (lua_type(L, -2) != LUA_TSTRING || strcmp(step_keys[k].name, lua_tostring(L, -2))))
+            k++;
+        if (k == M_KEYS)
+            unknown_key(L, step, -2);
+        lua_replace(L, first + k);
+    }
+    char where[40];
+    snprintf(where, sizeof where, "%s: step %d", DEF, step);
+    for (int k = 0; k < M_KEYS; k++) {
+        v[k] = (struct api_value){ 0 };
+        api_check(L, where, &step_keys[k], first + k, &v[k]);
+    }
+}
+
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
+{
+    static const uint16_t does[M_KEYS] = { DOES_WAIT, DOES_KIND,  DOES_BANK,  DOES_DIR, DOES_AIM, DOES_TURN,
+                                           DOES_HOME, DOES_SPEED, DOES_ACCEL, DOES_DIE, 0,        0 };
+
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
+            s->does |= does[k];
+    if (!s->does)
+        step_error(L, step, "does nothing");
+    if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
+        step_error(L, step, "wait stands alone in its step");
+    if (s->does & DOES_DIR && v[M_OVER].given)
+        step_error(L, step, "dir is set at once; with over, use turn, aim or home");
+    if (s->does & DOES_DIE && v[M_OVER].given)
+        step_error(L, step, "die happens at once; put a wait before it");
+    if (s->does & DOES_HOME && !v[M_OVER].given)
+        step_error(L, step, "home needs over (frames)");
+    s->over =
+        s->does & DOES_WAIT ? (v[M_WAIT].i > 1000000000 ? UINT32_MAX : (uint32_t)v[M_WAIT].i) : (uint32_t)v[M_OVER].i;
+    s->kind = (uint16_t)v[M_KIND].i;
+    s->bank = (uint8_t)v[M_BANK].i;
+    s->dir = v[M_DIR].a;
+    s->turn = (int32_t)v[M_TURN].a;
+    trig_from_degrees(v[M_HOME].n, &s->home);
+    s->speed = units(fine, &v[M_SPEED]);
+    s->accel = units(fine, &v[M_ACCEL]);
+}
+
+/* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */
+static uint64_t loop_work(lua_State *L, bool timed, uint64_t inside, int64_t count, int step)
+{
+    uint64_t rounds = timed ? 1 : (uint64_t)count;
+
+    if (!timed && count == LUA_MAXINTEGER)
+        step_error(L, step, "loop = forever without a frame of time inside never ends");
+    if (rounds > MOST_ROUNDS || inside * rounds > MOST_ROUNDS)
+        step_error(L, step, "this loop has no frame of time inside and too many steps to run at once");
+    return inside * rounds;
+}
+
+/* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
+ * passes. */
+static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
+{
+    uint64_t work = 1;
+    int n = (int)lua_rawlen(L, at);
+
+    *timed = false;
+    for (int i = 1; i <= n; i++) {
+        struct api_value v[M_KEYS];
+        int top = lua_gettop(L);
+        if (lua_rawgeti(L, at, i) != LUA_TTABLE)
+            step_error(L, i, "expected a table");
+        read_keys(L, top + 1, i, v);
+        if (!v[M_LOOP].given) {
+            if (lua_rawlen(L, top + 1))
+                step_error(L, i, "steps inside a step need loop = n");
+            struct motion_step *s = add_step(L, r);
+            fill_step(L, s, v, i, r->fine);
+            *timed |= s->over > 0;
+        } else {
+            bool inner;
+            uint32_t open = r->n;
+            if (depth == MOTION_DEPTH)
+                step_error(L, i, "loops nest at most 4 deep");
+            for (int k = 0; k < M_LOOP; k++)
+                if (v[k].given)
+                    step_error(L, i, "loop stands alone with its steps");
+            struct motion_step *s = add_step(L, r);
+            s->does = DOES_LOOP;
+            s->depth = (uint8_t)depth;
+            s->count = v[M_LOOP].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[M_LOOP].i;
+            uint64_t inside = read_steps(L, r, top + 1, depth + 1, &inner);
+            work += loop_work(L, inner, inside, v[M_LOOP].i, i);
+            *timed |= inner && v[M_LOOP].i > 0;
+            s = add_step(L, r);
+            *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
+            r->steps[open].jump = (uint16_t)r->n;
+        }
+        work++;
+        lua_settop(L, top);
+    }
+    return work;
+}
+
+/* Beside the steps stands what is neither name nor fine: a step's key, perhaps, or one of them misspelt. */
+static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
+{
+    bool step = false;
+
+    for (int k = 0; k < M_KEYS; k++)
+        step |= !strcmp(key, step_keys[k].name);
+    for (int i = 0; i < 2 && !step; i++)
+        if (words_apart(key, head[i].name) < 3)
+            api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
+    api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+}
+
+/* What stands beside the steps: name and fine. Returns the name or NULL. */
+static const char *read_head(lua_State *L, struct reader *r)
+{
+    static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
+                                             { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
+    struct api_value v[2] = { { 0 } };
+
+    lua_pushnil(L);
+    while (lua_next(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
+        if (key && strcmp(key, head[0].name) && strcmp(key, head[1].name))
+            unknown_head(L, key, head);
+        lua_pop(L, 1);
+    }
+    for (int i = 0; i < 2; i++) {
+        lua_getfield(L, 1, head[i].name);
+        api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
+    }
+    r->n = 0;
+    r->fine = v[1].i;
+    return v[0].given ? lua_tostring(L, v[0].at) : NULL;
+}
+
+static int motion_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct reader r;
+    bool timed;
+
+    (void)v;
+    luaL_checktype(L, 1, LUA_TTABLE);
+    const char *name = read_head(L, &r);
+    if (!lua_rawlen(L, 1) && !r.fine)
+        api_error(L, DEF, "a motion has at least one step");
+    if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
+        api_error(L, DEF, "too many steps to run at once");
+    uint32_t long_ones = b->steps.s.refused; /* that found a motion's place but no steps */
+    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
+    if (m == NO_SLOT)
+        board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
+    if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
+        names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
+    script_fold(b, (uint64_t)(uint32_t)m);
+    lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
+    return 1;
+}
+
+static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
+{
+    (void)b, (void)slot, (void)p;
+    lua_pushnil(L);
+}
+
+const struct api_thing motion_thing = { "motion", NULL, 0, no_get, NULL };
+
+static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
+
+static const struct api_entry entries[] = {
+    { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
+    { "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES, "bullet",
+      "fires a bullet from x, y or from a thing" },
+    { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
+      "every live bullet with that tag (without one: all) as one thing to write to" },
+    { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
+      "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
+    { "bullet.clear", bullet_clear_run, PARAMS(bullet_clear), 0, API_CHANGES, "count",
+      "removes bullets, each leaving the named spark" },
+    { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+      "points it at the nearest player, plus so many degrees" },
+    { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+    { "bullet:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
+    { "group:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest player" },
+    { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
+    { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
+    { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
+      "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
+      "it a "
+      "name and fine = true keeps places and speeds to 32 fraction bits" },
+    { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
+    { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
+    { "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES, "shot",
+      "fires a shot; with aim, dir counts from the nearest enemy" },
+    { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
+    { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+    { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
+};
+const struct api_entry *const api_fire = &entries[1];
+const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,427 @@
+/*
+ * api_check.c - checks arguments against the API table and words the errors.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/trig.h"
+#include "api_parts.h"
+
+const char *const api_thing_names[HANDLES] = { NULL,       "a bullet", "a shot",   "an enemy", "a player",
+                                               "a sprite", "a task",   "a motion", "a group" };
+
+/* Pushes how a value looks in an error. */
+static const char *push_got(lua_State *L, int at)
+{
+    switch (lua_type(L, at)) {
+    case LUA_TNIL:
+    case LUA_TNONE:
+        return lua_pushliteral(L, "nil");
+    case LUA_TNUMBER:
+        if (lua_isinteger(L, at) && handle_is(lua_tointeger(L, at)))
+            return lua_pushstring(L, api_thing_names[handle_kind(lua_tointeger(L, at))]);
+        if (lua_isinteger(L, at))
+            return lua_pushfstring(L, "%I", (LUAI_UACINT)lua_tointeger(L, at));
+        if (isnan(lua_tonumber(L, at)))
+            return lua_pushliteral(L, "nan");
+        return lua_pushfstring(L, "%f", lua_tonumber(L, at));
+    case LUA_TSTRING:
+        return lua_pushfstring(L, "\"%s\"", lua_tostring(L, at));
+    case LUA_TBOOLEAN:
+        return lua_pushstring(L, lua_toboolean(L, at) ? "true" : "false");
+    default:
+        return lua_pushfstring(L, "a %s", luaL_typename(L, at));
+    }
+}
+
+static void format_number(char *out, size_t size, double v)
+{
+    snprintf(out, size, "%.14g", v);
+}
+
+static void expected(lua_State *L, const char *entry, const struct api_param *p, int at, const char *what)
+{
+    const char *got = push_got(L, at);
+
+    api_error(L, entry, "%s: expected %s, got %s", p->name, what, got);
+}
+
+static void expected_number(lua_State *L, const char *entry, const struct api_param *p, int at, const char *noun)
+{
+    char lo[32], hi[32], what[160];
+
+    format_number(lo, sizeof lo, p->lo);
+    format_number(hi, sizeof hi, p->hi);
+    snprintf(what, sizeof what, "%s from %s to %s%s%s", noun, lo, hi, p->unit ? " " : "", p->unit ? p->unit : "");
+    expected(L, entry, p, at, what);
+}
+
+static void check_int(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    int whole = 0;
+
+    v->i = lua_type(L, at) == LUA_TNUMBER ? lua_tointegerx(L, at, &whole) : 0;
+    if (p->type == A_COUNT && whole && v->i == LUA_MAXINTEGER)
+        return;
+    if (!whole || (double)v->i < p->lo || (double)v->i > p->hi)
+        expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
+}
+
+static void check_number(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    bool is = lua_type(L, at) == LUA_TNUMBER;
+
+    v->n = is ? lua_tonumber(L, at) : 0;
+    if (!is || !(v->n >= p->lo && v->n <= p->hi))
+        expected_number(L, entry, p, at, "a number");
+    if (p->type == A_FX && !fx_from_double(v->n, &v->f))
+        expected_number(L, entry, p, at, "a number");
+}
+
+static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    bool is = lua_type(L, at) == LUA_TNUMBER;
+
+    v->n = is ? lua_tonumber(L, at) : 0;
+    if (!is || !trig_from_degrees(v->n, &v->a))
+        expected(L, entry, p, at, "a number of degrees");
+}
+
+static void check_type(lua_State *L, const char *entry, const struct api_param *p, int at, int type, const char *what)
+{
+    if (lua_type(L, at) != type)
+        expected(L, entry, p, at, what);
+}
+
+/* lo and hi bound the length in bytes; hi 0: any. */
+static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at)
+{
+    char what[64];
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a string");
+    double n = (double)lua_rawlen(L, at);
+    if (strlen(lua_tostring(L, at)) != lua_rawlen(L, at))
+        expected(L, entry, p, at, "a string without \\0");
+    if (p->hi > 0 && (n < p->lo || n > p->hi)) {
+        snprintf(what, sizeof what, "a string of %d to %d bytes", (int)p->lo, (int)p->hi);
+        expected(L, entry, p, at, what);
+    }
+}
+
+static void check_thing(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    unsigned mask = (unsigned)p->lo;
+
+    v->i = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+    if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
+        return;
+    for (int k = 1; k < HANDLES; k++)
+        if (mask == 1u << k)
+            expected(L, entry, p, at, api_thing_names[k]);
+    expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing that is somewhere");
+}
+
+/* A name that was declared: its index, or an error with the nearest one. */
+static void check_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
+                       enum api_names what, const char *noun)
+{
+    check_type(L, entry, p, at, LUA_TSTRING, "a name");
+    v->i = names_find(L, what, lua_tostring(L, at));
+    if (v->i != NO_SLOT)
+        return;
+    names_near(L, what, lua_tostring(L, at));
+    if (lua_isnil(L, -1))
+        api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
+    api_error(L, entry, "%s \"%s\" is not declared (did you mean \"%s\"?)", noun, lua_tostring(L, at),
+              lua_tostring(L, -1));
+}
+
+static void check_sprite(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *found = NULL;
+    int best = 99;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a sprite's name");
+    v->i = cart_find_sprite(cart, lua_tostring(L, at));
+    if (v->i >= 0)
+        return;
+    for (int i = 0; i < cart->sprites; i++)
+        words_consider(lua_tostring(L, at), cart_sprite_name(cart, i), &best, &found);
+    if (!found)
+        api_error(L, entry, "sprite \"%s\" is not in rom.lua", lua_tostring(L, at));
+    api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
+}
+
+/* There are few: an error names them all. */
+static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    luaL_Buffer list;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a blend's name");
+    v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
+    if (v->i > 0)
+        return;
+    luaL_buffinit(L, &list);
+    for (int i = 0; i < cart->blends; i++) {
+        luaL_addstring(&list, i ? ", " : " (it has ");
+        luaL_addstring(&list, cart_blend_name(cart, i));
+    }
+    luaL_addstring(&list, cart->blends ? ")" : " (it has none)");
+    luaL_pushresult(&list);
+    api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), lua_tostring(L, -1));
+}
+
+/* One word of a fixed list. */
+static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
+                       const char *const *words, int n)
+{
+    luaL_Buffer list;
+
+    for (v->i = 0; v->i < n; v->i++)
+        if (lua_type(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, at), words[v->i]))
+            return;
+    luaL_buffinit(L, &list);
+    for (int i = 0; i < n; i++) {
+        luaL_addstring(&list, i ? (i == n - 1 ? " or " : ", ") : "");
+        luaL_addstring(&list, words[i]);
+    }
+    luaL_pushresult(&list);
+    expected(L, entry, p, at, lua_tostring(L, -1));
+}
+
+static void check_pad(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    v->i = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+    if (handle_is(v->i) && handle_kind(v->i) == H_PLAYER) {
+        if (!handle_gen(v->i)) {
+            v->i = 0;
+            return;
+        }
+        v->i = handle_slot(v->i) + 1;
+    }
+    if (v->i < 1 || v->i > PADS)
+        expected(L, entry, p, at, "1, 2 or a player");
+}
+
+static void check_motion(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    int64_t h = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+
+    if (handle_is(h) && handle_kind(h) == H_MOTION) {
+        v->i = handle_gen(h) ? handle_slot(h) + 1 : 0;
+        if (v->i > vm_board(L)->motions.s.live)
+            expected(L, entry, p, at, "a motion that motion.def returned");
+        return;
+    }
+    if (lua_type(L, at) != LUA_TSTRING)
+        expected(L, entry, p, at, "a motion or a motion's name");
+    check_name(L, entry, p, at, v, N_MOTION, "motion");
+    v->i = v->i == NO_MOTION ? 0 : v->i + 1;
+}
+
+void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
+    static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
+                             *const layers[] = { "back", "middle", "front" },
+                             *const aligns[] = { "left", "center", "right" };
+
+    v->at = at;
+    v->given = !lua_isnoneornil(L, at);
+    if (!v->given && p->optional)
+        return;
+    switch (p->type) {
+    case A_INT:
+    case A_COUNT:
+        check_int(L, entry, p, at, v);
+        break;
+    case A_NUM:
+    case A_FX:
+        check_number(L, entry, p, at, v);
+        break;
+    case A_DIR:
+        check_dir(L, entry, p, at, v);
+        break;
+    case A_STR:
+        check_string(L, entry, p, at);
+        break;
+    case A_BOOL:
+        check_type(L, entry, p, at, LUA_TBOOLEAN, "true or false");
+        v->i = lua_toboolean(L, at);
+        break;
+    case A_FUNC:
+        check_type(L, entry, p, at, LUA_TFUNCTION, "a function");
+        break;
+    case A_TABLE:
+        check_type(L, entry, p, at, LUA_TTABLE, "a table");
+        break;
+    case A_ROUTE:
+        check_type(L, entry, p, at, LUA_TTABLE, "a route (what path.def returned)");
+        break;
+    case A_HIT:
+        if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
+            expected(L, entry, p, at, "{ circle = r }, { box = { w, h } } or \"none\"");
+        break;
+    case A_ANY:
+        if (!v->given)
+            expected(L, entry, p, at, "a value");
+        break;
+    case A_THING:
+        check_thing(L, entry, p, at, v);
+        break;
+    case A_MOTION:
+        check_motion(L, entry, p, at, v);
+        break;
+    case A_BULLET_KIND:
+    case A_SHOT_KIND:
+    case A_ENEMY_KIND:
+    case A_PLAYER_KIND:
+    case A_SPARK_KIND:
+        check_name(L, entry, p, at, v, (enum api_names)(p->type - A_BULLET_KIND), kind_nouns[p->type - A_BULLET_KIND]);
+        break;
+    case A_SPRITE:
+        check_sprite(L, entry, p, at, v);
+        break;
+    case A_BLEND:
+        check_blend(L, entry, p, at, v);
+        break;
+    case A_BUTTON:
+        check_word(L, entry, p, at, v, buttons, PAD_BUTTONS);
+        break;
+    case A_PAD:
+        check_pad(L, entry, p, at, v);
+        break;
+    case A_EASE:
+        check_word(L, entry, p, at, v, eases, 4);
+        break;
+    case A_LAYER:
+        check_word(L, entry, p, at, v, layers, LAYERS);
+        break;
+    case A_ALIGN:
+        check_word(L, entry, p, at, v, aligns, 3);
+        break;
+    }
+}
+
+double api_default(const struct api_param *p)
+{
+    return p->def ? strtod(p->def, NULL) : 0;
+}
+
+/* Numbers keep their default as text, as Lua spells it. */
+static void fill_default(const struct api_param *p, struct api_value *v)
+{
+    if (!p->def)
+        return;
+    v->n = api_default(p);
+    v->i = (int64_t)v->n;
+    if (p->type == A_FX)
+        fx_from_double(v->n, &v->f);
+    else if (p->type == A_DIR)
+        trig_from_degrees(v->n, &v->a);
+    else if (p->type == A_BOOL)
+        v->i = !strcmp(p->def, "true");
+    else if (p->type == A_LAYER)
+        v->i = LAYER_FRONT;
+    else if (p->type == A_COUNT && !strcmp(p->def, "forever"))
+        v->i = LUA_MAXINTEGER;
+}
+
+int api_param_count(const struct api_entry *e)
+{
+    return e->count + (e->flags & API_FIRE ? api_fire->count : 0);
+}
+
+const struct api_param *api_param_at(const struct api_entry *e, int i)
+{
+    return i < e->count ? &e->params[i] : &api_fire->params[i - e->count];
+}
+
+/* An entry's own parameter hides bullet.fire's of the same name, because it comes first. */
+static int param_named(const struct api_entry *e, const char *name)
+{
+    int n = api_param_count(e);
+
+    for (int i = e->plain; i < n; i++) {
+        const char *p = api_param_at(e, i)->name;
+        if (p[0] == name[0] && !strcmp(p, name))
+            return i;
+    }
+    return -1;
+}
+
+static void unknown(lua_State *L, const struct api_entry *e, const char *name)
+{
+    const char *found = NULL;
+    int best = 99;
+
+    if (api_later(e->name, '{', name) || (e->flags & API_FIRE && api_later(api_fire->name, '{', name)))
+        api_error(L, e->name, "%s %s", name, NOT_YET);
+    for (int i = e->plain; i < api_param_count(e); i++)
+        words_consider(name, api_param_at(e, i)->name, &best, &found);
+    if (found)
+        api_error(L, e->name, "unknown argument \"%s\" (did you mean \"%s\"?)", name, found);
+    api_error(L, e->name, "unknown argument \"%s\"", name);
+}
+
+/* Spreads the table of named arguments at `at` over the stack from `first` on, a slot a parameter. */
+static void spread(lua_State *L, const struct api_entry *e, int at, int first)
+{
+    const char *wrong = NULL;
+
+    lua_pushnil(L);
+    while (lua_next(L, at)) {
+        if (lua_type(L, -2) != LUA_TSTRING) {
+            const char *got = push_got(L, -2);
+            api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", got);
+        }
+        int i = param_named(e, lua_tostring(L, -2));
+        if (i >= 0)
+            lua_replace(L, first + i - e->plain);
+        else {
+            const char *name = lua_tostring(L, -2);
+            if (!wrong || strcmp(name, wrong) < 0)
+                wrong = name;
+            lua_pop(L, 1);
+        }
+    }
+    if (wrong)
+        unknown(L, e, wrong);
+}
+
+void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
+{
+    int n = api_param_count(e), top = lua_gettop(L), named = n - e->plain;
+
+    if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
+        const char *usual = e->plain + (named > 0) == 1 ? "" : "s";
+        api_error(L, e->name, "expected at most %d argument%s, got %d", e->plain + (named > 0), usual, top);
+    }
+    luaL_checkstack(L, n + 16, NULL);
+    if (named > 0) {
+        int at = e->plain + 1;
+        lua_settop(L, at + named);
+        if (lua_type(L, at) == LUA_TTABLE)
+            spread(L, e, at, at + 1);
+        else if (!lua_isnil(L, at)) {
+            const char *got = push_got(L, at);
+            api_error(L, e->name, "expected a table of named arguments, got %s", got);
+        }
+    } else if (top < e->plain)
+        lua_settop(L, e->plain);
+    bool lenient = false; /* with `each`, bullet.fire need not be the one that is called */
+    for (int i = 0; i < n; i++) {
+        struct api_param loose = *api_param_at(e, i);
+        const struct api_param *p = &loose;
+        if (i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
+            lenient = !lua_isnil(L, i + 2);
+        if (i >= e->count && lenient)
+            loose.optional = OPT;
+        v[i] = (struct api_value){ 0 };
+        fill_default(p, &v[i]);
+        api_check(L, e->name, p, i < e->plain ? i + 1 : i + 2, &v[i]);
+    }
+}

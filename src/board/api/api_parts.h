@@ -1,0 +1,69 @@
+/*
+ * api_parts.h - what the files of the API table share among themselves.
+ * floor: board    used by: api.c api_names.c api_check.c api_handle.c api_help.c
+ */
+#ifndef BOARD_API_PARTS_H
+#define BOARD_API_PARTS_H
+
+#include "../api.h"
+
+enum { MAX_PARAMS = 40 };
+
+/* bullet.fire, whose parameters patterns take too. */
+extern const struct api_entry *const api_fire;
+
+/* An entry by name; NULL: none. */
+const struct api_entry *api_find(const char *name);
+
+/* "a bullet", "an enemy": a thing of that kind in a sentence. */
+extern const char *const api_thing_names[HANDLES];
+
+/* Keeps the better of two suggestions for a misspelt word: the nearer, then the one that comes first in byte order. Start
+ * with *best = 99, *found = NULL. */
+void words_consider(const char *word, const char *candidate, int *best, const char **found);
+
+/* All parameters of an entry, those of bullet.fire that it takes included. */
+int api_param_count(const struct api_entry *e);
+const struct api_param *api_param_at(const struct api_entry *e, int i);
+
+/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one a parameter. */
+void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v);
+
+/* Folds the value at `at` into the script digest. */
+void api_fold(lua_State *L, struct board *b, int at);
+
+/* Sets the number type's metatable: handles' properties and methods. Pushes the table of a handle kind's methods. */
+void api_open_handles(lua_State *L);
+void api_push_methods(lua_State *L, int kind);
+
+/* Reads a hit shape at `at`: SHAPE_ and its half extents (a circle: a is the radius). */
+uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
+
+/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order; those that
+ * come meanwhile are not visited. */
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
+             uint32_t tag, int f);
+
+/* Is it a property of that kind of thing? */
+bool api_property(const struct api_thing *t, const char *name);
+
+/* The number of a register of player `slot`'s kind, or -1. */
+int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+
+/* Has any kind of player a register of that name? */
+bool player_declares(lua_State *L, const char *name);
+
+/* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
+int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
+
+/* Player i enters with that kind, and the kind's run starts. */
+int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+
+/* The running task, on its way to a mark, passes over a wait. One that would do so for ever is stopped while the pieces
+ * of a game are listed, so that the others are told; else it is a fault. For any other task nothing happens. */
+int time_pass(lua_State *L, struct board *b);
+
+/* Makes the tables of declared names. */
+void api_open_names(lua_State *L);
+
+#endif

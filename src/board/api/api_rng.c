@@ -1,0 +1,160 @@
+/*
+ * api_rng.c - rng and angle.
+ */
+#include <string.h>
+#include "../../base/rng.h"
+#include "../../base/trig.h"
+#include "../api.h"
+
+static uint64_t draw(struct board *b, uint64_t below)
+{
+    struct rng r;
+
+    memcpy(r.s, b->core.random, sizeof r.s);
+    uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
+    memcpy(b->core.random, r.s, sizeof r.s);
+    b->core.drawn++;
+    return v;
+}
+
+static const struct api_param ab_int[] = { { "a", A_INT, REQ, -9e15, 9e15, NULL, NULL },
+                                           { "b", A_INT, REQ, -9e15, 9e15, NULL, NULL } };
+static const struct api_param ab_number[] = { { "a", A_NUM, REQ, -1e15, 1e15, NULL, NULL },
+                                              { "b", A_NUM, REQ, -1e15, 1e15, NULL, NULL } };
+static const struct api_param p_only[] = { { "p", A_NUM, REQ, 0, 1, NULL, NULL } };
+static const struct api_param list_only[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+
+static int rng_int(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (v[0].i > v[1].i)
+        return api_error(L, "rng.int", "a is greater than b");
+    lua_pushinteger(L, v[0].i + (int64_t)draw(b, (uint64_t)(v[1].i - v[0].i) + 1));
+    return 1;
+}
+
+/* 53 random bits, so that the fraction is exact. */
+static double fraction(struct board *b)
+{
+    return (double)(draw(b, 0) >> 11) / 9007199254740992.0;
+}
+
+static int rng_number(lua_State *L, struct board *b, struct api_value *v)
+{
+    double n = v[0].n + (v[1].n - v[0].n) * fraction(b);
+
+    if (n >= v[1].n && v[1].n > v[0].n) /* the sum was rounded up */
+        n = v[0].n;
+    lua_pushnumber(L, n);
+    return 1;
+}
+
+static int rng_chance(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, fraction(b) < v[0].n);
+    return 1;
+}
+
+static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint64_t n = lua_rawlen(L, v[0].at);
+
+    if (!n)
+        return api_error(L, "rng.pick", "the list is empty");
+    lua_rawgeti(L, v[0].at, (lua_Integer)draw(b, n) + 1);
+    return 1;
+}
+
+static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushnumber(L, trig_to_degrees((ang)(draw(b, 0) >> 32)));
+    return 1;
+}
+
+/* ---- angle ---- */
+
+static const struct api_param two[] = { { "a", A_ANY, REQ, 0, 0, NULL, NULL }, { "b", A_ANY, REQ, 0, 0, NULL, NULL } };
+static const struct api_param dxdy[] = { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                         { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param two_dirs[] = { { "a", A_DIR, REQ, 0, 0, NULL, NULL },
+                                             { "b", A_DIR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param one_dir[] = { { "d", A_DIR, REQ, 0, 0, NULL, NULL } };
+
+/* A thing, or a table with x and y. False: a dead thing. */
+static bool where(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
+{
+    struct api_param px = { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                     py = { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                     thing = { name, A_THING, REQ, PLACES, 0, NULL, NULL };
+    struct api_value v = { 0 };
+
+    if (lua_type(L, at) != LUA_TTABLE) {
+        api_check(L, entry, &thing, at, &v);
+        return board_where(b, v.i, x, y);
+    }
+    lua_getfield(L, at, "x");
+    api_check(L, entry, &px, lua_gettop(L), &v);
+    *x = v.f;
+    lua_getfield(L, at, "y");
+    api_check(L, entry, &py, lua_gettop(L), &v);
+    *y = v.f;
+    lua_pop(L, 2);
+    return true;
+}
+
+static int angle_to(lua_State *L, struct board *b, struct api_value *v)
+{
+    fx ax, ay, bx, by;
+
+    if (!where(L, b, "angle.to", "a", v[0].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[1].at, &bx, &by) ||
+        (ax == bx && ay == by))
+        lua_pushnumber(L, 90); /* nowhere to point: down, as aim does */
+    else
+        lua_pushnumber(L, trig_to_degrees(trig_atan2(fx_sub(by, ay), fx_sub(bx, ax))));
+    return 1;
+}
+
+static int angle_of(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_to_degrees(trig_atan2(v[1].f, v[0].f)));
+    return 1;
+}
+
+static int angle_difference(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    int32_t d = trig_difference(v[0].a, v[1].a);
+    lua_pushnumber(L, (double)d * 360.0 / 4294967296.0);
+    return 1;
+}
+
+static int angle_sin(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_sin30(v[0].a) / 1073741824.0);
+    return 1;
+}
+
+static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_cos30(v[0].a) / 1073741824.0);
+    return 1;
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer", "a whole number from a to b, both included" },
+    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number",
+      "a number from a up to, not including, b" },
+    { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean", "true with probability p" },
+    { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", "an entry of a list" },
+    { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", "any direction" },
+    { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees", "the direction from a to b: things or { x=, y= }" },
+    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", "the direction of (dx, dy)" },
+    { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees", "the turn from a to b, -180 to 180" },
+    { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number", "the sine of d degrees" },
+    { "angle.cos", angle_cos, PARAMS(one_dir), 1, 0, "number", "the cosine of d degrees" },
+};
+const struct api_module api_rng = { entries, sizeof entries / sizeof *entries };

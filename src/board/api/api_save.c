@@ -1,0 +1,82 @@
+/*
+ * api_save.c - save.
+ */
+#include <math.h>
+#include <string.h>
+#include "../api.h"
+
+static const struct api_param save_get[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
+                                             { "default", A_ANY, OPT, 0, 0, NULL, NULL } };
+static const struct api_param save_set[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
+                                             { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
+
+static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct nv_value kept = nvram_get(&b->nvram, lua_tostring(L, v[0].at));
+    double d;
+
+    switch (kept.type) {
+    case NV_NONE:
+        lua_pushvalue(L, v[1].at);
+        break;
+    case NV_INT:
+        lua_pushinteger(L, (lua_Integer)kept.bits);
+        break;
+    case NV_FLOAT:
+        memcpy(&d, &kept.bits, sizeof d);
+        lua_pushnumber(L, d);
+        break;
+    case NV_TEXT:
+        lua_pushlstring(L, kept.text, kept.length);
+        break;
+    case NV_BOOL:
+        lua_pushboolean(L, kept.bits != 0);
+        break;
+    }
+    return 1;
+}
+
+static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct nv_value keep = { .type = NV_NONE };
+    double d;
+    const char *s;
+
+    switch (lua_type(L, v[1].at)) {
+    case LUA_TNIL:
+        break;
+    case LUA_TNUMBER:
+        keep.type = lua_isinteger(L, v[1].at) ? NV_INT : NV_FLOAT;
+        keep.bits = (uint64_t)lua_tointeger(L, v[1].at);
+        d = lua_tonumber(L, v[1].at);
+        if (!isfinite(d))
+            return api_error(L, "save.set", "value: expected a finite number");
+        if (keep.type == NV_FLOAT)
+            memcpy(&keep.bits, &d, sizeof d);
+        break;
+    case LUA_TSTRING:
+        keep.type = NV_TEXT;
+        s = lua_tolstring(L, v[1].at, &keep.length);
+        if (keep.length > NV_STRING)
+            return api_error(L, "save.set", "value: a string of at most %d bytes, got %d", NV_STRING, (int)keep.length);
+        memcpy(keep.text, s, keep.length);
+        break;
+    case LUA_TBOOLEAN:
+        keep.type = NV_BOOL;
+        keep.bits = (uint64_t)lua_toboolean(L, v[1].at);
+        break;
+    default:
+        return api_error(L, "save.set", "value: expected a number, string, boolean or nil, got a %s",
+                         luaL_typename(L, v[1].at));
+    }
+    if (!nvram_set(&b->nvram, lua_tostring(L, v[0].at), &keep))
+        return api_error(L, "save.set", "all %d keys are taken", NV_SAVES);
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value", "what is kept under key, or default" },
+    { "save.set", save_set_run, PARAMS(save_set), 2, API_CHANGES, NULL,
+      "keeps a number, string or boolean between runs; nil forgets" },
+};
+const struct api_module api_save = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,308 @@
+/*
+ * api_screen.c - sprite, spark, text, palette.
+ */
+#include <math.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../api.h"
+#include "../lualib.h"
+
+/* ---- sprite ---- */
+
+static const struct api_param put[] = {
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+};
+
+static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+    int64_t owner;
+    bool comes = tasks_brings(b, v[10].i, &owner);
+    int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
+
+    if (i == NO_SLOT && comes)
+        board_full(b, &s->s);
+    else if (i != NO_SLOT) {
+        s->sprite[i] = (uint16_t)v[0].i;
+        s->x[i] = v[1].f;
+        s->y[i] = v[2].f;
+        s->bank[i] = (uint8_t)v[3].i;
+        s->layer[i] = (uint8_t)v[4].i;
+        s->flags[i] =
+            (uint8_t)((v[5].i ? SPRITE_SCREEN : 0) | (v[6].i ? SPRITE_FLIP_X : 0) | (v[7].i ? SPRITE_FLIP_Y : 0) |
+                      (v[8].i ? SPRITE_HIDDEN : 0) | v[9].i * SPRITE_BLEND_ONE);
+        s->born[i] = b->core.clock;
+        s->owner[i] = owner;
+    }
+    lua_pushinteger(L, board_handle(b, H_SPRITE, i));
+    return 1;
+}
+
+enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, PROPS };
+
+static const struct api_prop props[PROPS] = {
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
+    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
+    { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+      PROP_WRITE,
+      "name of its picture; a write starts it at frame one" },
+    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
+    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
+    { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
+    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
+    { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
+};
+
+static const uint8_t flag_of[PROPS] = {
+    [P_FLIP_X] = SPRITE_FLIP_X, [P_FLIP_Y] = SPRITE_FLIP_Y, [P_HIDDEN] = SPRITE_HIDDEN
+};
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct sprites *s = &b->sprites;
+
+    switch (p) {
+    case P_X:
+        return lua_pushnumber(L, fx_to_double(s->x[i]));
+    case P_Y:
+        return lua_pushnumber(L, fx_to_double(s->y[i]));
+    case P_SPRITE:
+        lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
+        return;
+    case P_BANK:
+        return lua_pushinteger(L, s->bank[i]);
+    case P_BLEND:
+        if (s->flags[i] & SPRITE_BLEND)
+            lua_pushstring(L, cart_blend_name(&b->cart, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
+        else
+            lua_pushnil(L);
+        return;
+    default:
+        return lua_pushboolean(L, s->flags[i] & flag_of[p]);
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+
+    (void)L;
+    switch (p) {
+    case P_X:
+        s->x[i] = v->f;
+        break;
+    case P_Y:
+        s->y[i] = v->f;
+        break;
+    case P_SPRITE:
+        if (s->sprite[i] != v->i)
+            s->born[i] = b->core.clock;
+        s->sprite[i] = (uint16_t)v->i;
+        break;
+    case P_BANK:
+        s->bank[i] = (uint8_t)v->i;
+        break;
+    case P_BLEND:
+        s->flags[i] = (uint8_t)((s->flags[i] & ~SPRITE_BLEND) | v->i * SPRITE_BLEND_ONE);
+        break;
+    default:
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
+    }
+}
+
+const struct api_thing sprite_thing = { "sprite", props, PROPS, get, set };
+
+static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL } };
+
+static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (!board_alive(b, v[0].i))
+        return 0;
+    slots_drop(&b->sprites.s, handle_slot(v[0].i));
+    slots_trim(&b->sprites.s);
+    return 0;
+}
+
+/* ---- spark ---- */
+
+static const struct api_param spark_def[] = {
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "life", A_INT, REQ, 1, 65535, "frames", NULL },
+    { "gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0" },
+    { "drag", A_FX, OPT, 0, 1, "of the speed a frame", "0" },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+};
+
+static int spark_define(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct spark_kinds *k = &b->spark_kinds;
+    int32_t i = slots_append(&k->s);
+
+    if (i == NO_SLOT)
+        return api_error(L, "spark.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
+                         MAX_KINDS);
+    names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[0].at), i);
+    k->sprite[i] = (uint16_t)v[1].i;
+    k->life[i] = (uint16_t)v[2].i;
+    k->gravity[i] = v[3].f;
+    k->drag[i] = v[4].f;
+    k->bank[i] = (uint8_t)(v[5].i | v[6].i * SPARK_BLEND_ONE);
+    return 0;
+}
+
+enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED };
+
+static const struct api_param burst[] = {
+    { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
+    { "n", A_INT, OPT, 0, 65535, "sparks", "1" },       { "dir", A_DIR, OPT, 0, 0, NULL, "0" },
+    { "spread", A_NUM, OPT, 0, 360, "degrees", "360" }, { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1" },
+};
+
+static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct spark_burst s = { .kind = (uint16_t)v[B_KIND].i,
+                             .n = (uint32_t)v[B_N].i,
+                             .dir = v[B_DIR].a,
+                             .speed = v[B_SPEED].f,
+                             .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
+
+    if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
+        board_sparks(b, &s);
+    return 0;
+}
+
+/* ---- text ---- */
+
+static const struct api_param text_put[] = {
+    { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
+    { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
+};
+static const struct api_param text_clear[] = {
+    { "col", A_INT, OPT, -1000, 1000, "cells", "0" },
+    { "row", A_INT, OPT, -1000, 1000, "cells", "0" },
+    { "w", A_INT, OPT, 0, 1000, "cells", "1000" },
+    { "h", A_INT, OPT, 0, 1000, "cells", "1000" },
+};
+
+static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n;
+    int col = (int)v[0].i;
+
+    if (lua_type(L, v[2].at) != LUA_TSTRING && lua_type(L, v[2].at) != LUA_TNUMBER)
+        return api_error(L, "text.put", "text: expected a string or a number, got a %s", luaL_typename(L, v[2].at));
+    if (lua_type(L, v[2].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[2].at)))
+        return api_error(L, "text.put", "text: expected a finite number");
+    const char *s = lualib_tolstring(L, v[2].at, &n);
+    n = n > 1024 ? 1024 : n;
+    col -= v[4].i == 1 ? (int)n / 2 : v[4].i == 2 ? (int)n : 0;
+    fix_put(&b->fix, col, (int)v[1].i, s, n, (uint8_t)v[3].i);
+    return 0;
+}
+
+static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    fix_clear(&b->fix, (int)v[0].i, (int)v[1].i, (int)v[2].i, (int)v[3].i);
+    return 0;
+}
+
+/* ---- palette ---- */
+
+static const struct api_param set_colour[] = { { "i", A_INT, REQ, 0, 255, NULL, NULL },
+                                               { "rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL } };
+static const struct api_param load[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param fade[] = {
+    { "to", A_ANY, REQ, 0, 0, NULL, NULL },
+    { "over", A_INT, REQ, 0, 65535, "frames", NULL },
+    { "first", A_INT, OPT, 0, 255, NULL, "0" },
+    { "last", A_INT, OPT, 0, 255, NULL, "255" },
+};
+static const struct api_param cycle[] = {
+    { "first", A_INT, REQ, 0, 255, NULL, NULL },
+    { "last", A_INT, REQ, 0, 255, NULL, NULL },
+    { "every", A_INT, REQ, 0, 65535, "frames", NULL },
+};
+
+static int palette_set(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    pal_set(&b->pal, (int)v[0].i, (uint32_t)v[1].i);
+    return 0;
+}
+
+static const uint8_t *palette_named(lua_State *L, struct board *b, const char *entry, int at)
+{
+    const uint8_t *p = cart_palette(&b->cart, lua_tostring(L, at));
+
+    if (!p)
+        api_error(L, entry, "palette \"%s\" is not in rom.lua", lua_tostring(L, at));
+    return p;
+}
+
+static uint32_t colour(const uint8_t *p, int i)
+{
+    return (uint32_t)p[3 * i] << 16 | (uint32_t)p[3 * i + 1] << 8 | p[3 * i + 2];
+}
+
+static int palette_load(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint8_t *p = palette_named(L, b, "palette.load", v[0].at);
+
+    for (int i = 0; i < COLOURS; i++)
+        pal_set(&b->pal, i, colour(p, i));
+    return 0;
+}
+
+static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL };
+    struct api_value to = { 0 };
+    const uint8_t *p = NULL;
+
+    if (lua_type(L, v[0].at) == LUA_TSTRING)
+        p = palette_named(L, b, "palette.fade", v[0].at);
+    else
+        api_check(L, "palette.fade", &number, v[0].at, &to);
+    for (int i = (int)v[2].i; i <= (int)v[3].i; i++)
+        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[1].i);
+    return 0;
+}
+
+static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (v[0].i > v[1].i)
+        return api_error(L, "palette.cycle", "first %d comes after last %d", (int)v[0].i, (int)v[1].i);
+    if (!pal_cycle(&b->pal, (uint8_t)v[0].i, (uint8_t)v[1].i, (uint16_t)v[2].i))
+        return api_error(L, "palette.cycle", "all %d cycles are running; every = 0 stops one", CYCLES);
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
+      "places a free sprite in the field or on the screen; with stay the boss's phase it came from does not take it "
+      "along" },
+    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
+    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
+    { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
+      "throws n sparks within spread about dir; never seen by the game" },
+    { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
+      "writes text on the screen's 8x8 cells; stays until overwritten" },
+    { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
+    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, "sets a colour, 0xRRGGBB" },
+    { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL, "sets all colours from a palette of rom.lua" },
+    { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
+      "fades to a colour (0xRRGGBB) or to a palette by name" },
+    { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
+      "rotates a range by one every so many frames; every = 0 stops it" },
+};
+const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

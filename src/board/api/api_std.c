@@ -1,0 +1,134 @@
+/*
+ * api_std.c - the entries written in Lua (scripts/): their arguments and help; and the list of all modules.
+ */
+#include "../api.h"
+
+#define N                                                                                                              \
+    {                                                                                                                  \
+        "n", A_INT, REQ, 0, 65535, "bullets", NULL                                                                     \
+    }
+#define NF                                                                                                             \
+    {                                                                                                                  \
+        "n", A_COUNT, REQ, 0, 65535, "times", NULL                                                                     \
+    }
+#define EVERY                                                                                                          \
+    {                                                                                                                  \
+        "every", A_INT, REQ, 0, 65535, "frames", NULL                                                                  \
+    }
+#define EACH                                                                                                           \
+    {                                                                                                                  \
+        "each", A_FUNC, OPT, 0, 0, NULL, NULL                                                                          \
+    }
+#define NAME                                                                                                           \
+    {                                                                                                                  \
+        "name", A_STR, REQ, 1, 31, NULL, NULL                                                                          \
+    }
+#define LIMIT                                                                                                          \
+    {                                                                                                                  \
+        "limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL                                                            \
+    }
+
+static const struct api_param wait_until[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL }, LIMIT };
+static const struct api_param ring[] = { N, EACH };
+static const struct api_param fan[] = { N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, EACH };
+static const struct api_param arc[] = { N, { "sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL }, EACH };
+static const struct api_param stack[] = { N,
+                                          { "speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
+                                          EACH };
+static const struct api_param line[] = { N, { "width", A_NUM, REQ, -WORLD, WORLD, "px", NULL }, EACH };
+static const struct api_param spiral[] = { NF,
+                                           { "step", A_NUM, REQ, -32767, 32767, "degrees", NULL },
+                                           EVERY,
+                                           { "arms", A_INT, OPT, 1, 65535, "bullets", "1" },
+                                           EACH };
+static const struct api_param aimed[] = { NF, EVERY, { "lock", A_BOOL, OPT, 0, 0, NULL, "false" }, EACH };
+static const struct api_param points[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param point[] = { { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                          { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                          { "over", A_INT, OPT, 1, 65535, "frames", NULL },
+                                          { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
+                                          { "wait", A_INT, OPT, 0, 65535, "frames", NULL } };
+static const struct api_param path_run[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
+                                             { "route", A_ROUTE, REQ, 0, 0, NULL, NULL },
+                                             { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" } };
+static const struct api_param stage_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
+static const struct api_param wave[] = {
+    { "n", A_INT, REQ, 0, 4096, "enemies", NULL },   EVERY,
+    { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
+    { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },  { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
+    { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },  { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" }
+};
+static const struct api_param limit_only[] = { LIMIT };
+static const struct api_param name_only[] = { NAME };
+static const struct api_param boss_def[] = { NAME,
+                                             { "title", A_STR, REQ, 0, 63, NULL, NULL },
+                                             { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
+                                             { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                             { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL },
+                                          { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
+                                          { "time", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
+                                          { "run", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                          { "spell", A_STR, OPT, 0, 127, NULL, NULL },
+                                          { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
+                                          { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                          { "rest", A_INT, OPT, 0, 65535, "frames", "60" } };
+static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                             { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                             { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
+
+#define LUA(name, params, plain, flags, returns, help)                                                                 \
+    {                                                                                                                  \
+        name, NULL, PARAMS(params), plain, API_LUA | (flags), returns, help                                            \
+    }
+static const struct api_entry entries[] = {
+    LUA("wait_until", wait_until, 2, API_GLOBAL, "boolean",
+        "waits until f() is true, asked once a frame, first at once; false: the limit ran out"),
+    { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_MORE, NULL,
+      "waits until every given task has ended and every given thing is dead" },
+    LUA("by_difficulty", values, 1, API_GLOBAL, "value",
+        "the value for the difficulty being played, else the nearest easier one, else the easiest given"),
+    LUA("pattern.ring", ring, 0, API_FIRE, NULL, "n bullets over the full circle, the first at dir"),
+    LUA("pattern.fan", fan, 0, API_FIRE, NULL, "n bullets over spread degrees, centred on dir, both ends included"),
+    LUA("pattern.arc", arc, 0, API_FIRE, NULL, "n bullets from dir through sweep, both ends included"),
+    LUA("pattern.stack", stack, 0, API_FIRE, NULL, "n one behind the other, speeds from speed to speed_to"),
+    LUA("pattern.line", line, 0, API_FIRE, NULL, "n abreast over width px, across dir"),
+    LUA("pattern.spiral", spiral, 0, API_FIRE, NULL,
+        "n times: arms bullets about dir, then dir grows by step, then waits every; in a task"),
+    LUA("pattern.aimed", aimed, 0, API_FIRE, NULL, "n at the player, one each every frames; in a task"),
+    LUA("path.def", points, 1, API_LOAD, "route",
+        "a route: a list of { x, y, over, ease } and { wait }; the first starts it"),
+    LUA("path.def point", point, 0, API_SYS, NULL, "one entry of path.def"),
+    LUA("path.run", path_run, 3, 0, NULL, "takes an enemy along a route; returns when it arrived"),
+    LUA("stage.def", stage_def, 2, API_LOAD, NULL, "declares a stage: one task, plain code"),
+    LUA("stage.at", stage_at, 1, 0, NULL,
+        "waits for frame n of the stage's clock, which stands still during boss.fight"),
+    LUA("stage.wave", wave, 0, 0, NULL,
+        "n enemies along a path, one each every frames; returns at once; stay as of enemy.spawn"),
+    LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
+    LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
+    { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
+      "is the stage being run through, to the mark it starts at?" },
+    LUA("boss.def", boss_def, 1, API_LOAD, NULL, "declares a boss: phases = { { id, hp, time, run, ... }, ... }"),
+    LUA("boss.def phase", phase, 0, API_SYS, NULL, "one phase of boss.def"),
+    LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
+    LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
+};
+static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
+
+extern const struct api_module api_time, api_bullet, api_enemy, api_player, api_screen, api_rng, api_query, api_save,
+    api_board, api_sys;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query, &api_save,
+                                                 &api_board,  &api_sys,    &api_std };
+const int api_module_count = sizeof api_modules / sizeof *api_modules;
+
+extern const struct api_thing bullet_thing, shot_thing, enemy_thing, player_thing, sprite_thing, task_thing,
+    motion_thing, group_thing;
+const struct api_thing *const api_things[HANDLES] = { NULL,         &bullet_thing, &shot_thing,
+                                                      &enemy_thing, &player_thing, &sprite_thing,
+                                                      &task_thing,  &motion_thing, &group_thing };

@@ -1,0 +1,315 @@
+/*
+ * api_sys.c - sys, which only the standard library (@std) sees.
+ */
+#include <string.h>
+#include "api_parts.h"
+#include "../events_run.h"
+
+static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "message", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_near[] = { { "word", A_ANY, REQ, 0, 0, NULL, NULL },
+                                             { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                         { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
+static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param pad_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                         { "of", A_STR, OPT, 0, 0, NULL, NULL },
+                                         { "title", A_STR, OPT, 0, 0, NULL, NULL },
+                                         { "value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL } };
+static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
+static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
+static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
+                                         { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_error(L, lua_tostring(L, v[0].at), "%s", lua_tostring(L, v[1].at));
+}
+
+static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    int best = 99;
+    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[1].at);
+
+    (void)b;
+    if (lua_type(L, v[0].at) != LUA_TSTRING)
+        return lua_pushnil(L), 1;
+    for (lua_Integer i = 1; i <= n; i++) {
+        if (lua_rawgeti(L, v[1].at, i) == LUA_TSTRING) {
+            int d = words_apart(lua_tostring(L, v[0].at), lua_tostring(L, -1));
+            if (d < best)
+                best = d, found = i;
+        }
+        lua_pop(L, 1);
+    }
+    if (!found)
+        lua_pushnil(L);
+    else
+        lua_rawgeti(L, v[1].at, found);
+    return 1;
+}
+
+static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->vm.loading);
+    return 1;
+}
+
+static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[0].at);
+    int n = lua_gettop(L) - 1;
+
+    if (!events_emit(b, L, name, n))
+        return api_error(L, "sys.emit", "no event \"%s\"", name);
+    return 0;
+}
+
+/* No change of RAM: only the cabinet hears of it. */
+static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
+                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+    const char *of = v[2].given ? lua_tostring(L, v[2].at) : "", *title = v[3].given ? lua_tostring(L, v[3].at) : "";
+
+    for (int k = 0; k < MARK_KINDS; k++)
+        if (!strcmp(kinds[k], lua_tostring(L, v[0].at)))
+            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at), of, title, (int32_t)v[4].i), 0;
+    return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[0].at));
+}
+
+/* One { name, value } of a list, at place i. */
+static void push_register(lua_State *L, const char *name, int32_t value, int i)
+{
+    lua_createtable(L, 0, 2);
+    lua_pushstring(L, name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, value);
+    lua_setfield(L, -2, "value");
+    lua_rawseti(L, -2, i);
+}
+
+static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct practice *p = &b->start.practice;
+
+    (void)v;
+    b->vm.asked = true;
+    lua_pushstring(L, p->mark);
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, p->lives);
+    lua_setfield(L, -2, "lives");
+    lua_createtable(L, p->registers, 0);
+    for (int i = 0; i < p->registers; i++)
+        push_register(L, p->reg[i].name, p->reg[i].value, i + 1);
+    lua_setfield(L, -2, "registers");
+    return 2;
+}
+
+static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *names[REGISTERS];
+    int32_t kind = (int32_t)v[0].i;
+    int n = player_registers(L, kind, names);
+
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, b->player_kinds.lives[kind]);
+    lua_setfield(L, -2, "lives");
+    lua_createtable(L, n, 0);
+    for (int i = 0; i < n; i++)
+        push_register(L, names[i], b->player_kinds.start[kind * REGISTERS + i], i + 1);
+    lua_setfield(L, -2, "registers");
+    return 1;
+}
+
+static int sys_join(lua_State *L, struct board *b, struct api_value *v)
+{
+    return v[0].i ? player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
+}
+
+static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (v[0].i)
+        player_leave(&b->player, (uint32_t)v[0].i - 1);
+    return 0;
+}
+
+static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint8_t *p = cart_palette(&b->cart, "main");
+
+    (void)L, (void)v;
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
+    EACH_LIVE (i, &b->shots.s)
+        bullets_drop(&b->shots, i);
+    bullets_release_all(&b->bullets);
+    bullets_release_all(&b->shots);
+    EACH_LIVE (i, &b->enemies.s)
+        enemies_drop(&b->enemies, i);
+    EACH_LIVE (i, &b->sparks.s)
+        slots_drop(&b->sparks.s, i);
+    EACH_LIVE (i, &b->sprites.s)
+        slots_drop(&b->sprites.s, i);
+    pal_rest(&b->pal);
+    for (int i = 0; i < COLOURS; i++, p += 3)
+        pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+    fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
+    return 0;
+}
+
+static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.freeze", "only a task can freeze the board");
+    b->core.frozen = v[0].given ? v[0].i : 0;
+    for (uint32_t p = 0; p < PADS && v[0].given; p++)
+        input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
+    return 0;
+}
+
+/* For what has to outlast the task that makes it. */
+static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, tasks_scope(b, 0, false));
+    return 1;
+}
+
+static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, tasks_scope(b, v[0].i, true));
+    return 1;
+}
+
+static const struct api_param on_only[] = { { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.skip", "only a task can skip");
+    uint8_t *flags = &b->tasks.flags[b->tasks.current];
+    *flags = (uint8_t)(v[0].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    return 0;
+}
+
+static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS);
+    return 1;
+}
+
+/* nil: no task has its turn. */
+static int sys_task(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    if (b->tasks.current == NO_SLOT)
+        lua_pushnil(L);
+    else
+        lua_pushinteger(L, board_handle(b, H_TASK, b->tasks.current));
+    return 1;
+}
+
+static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    return time_pass(L, b);
+}
+
+static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t i = handle_slot(v[0].i);
+
+    (void)L;
+    if (board_alive(b, v[0].i))
+        b->enemies.flags[i] = (uint8_t)(v[1].i ? b->enemies.flags[i] | ENEMY_HELD : b->enemies.flags[i] & ~ENEMY_HELD);
+    return 0;
+}
+
+static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark" };
+    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s, &b->enemy_kinds.s, &b->player_kinds.s,
+                                &b->spark_kinds.s };
+
+    for (int k = 0; k < 5; k++) {
+        if (strcmp(words[k], lua_tostring(L, v[0].at)))
+            continue;
+        lua_newtable(L);
+        for (uint32_t i = 0; i < s[k]->live; i++) {
+            names_push(L, (enum api_names)k, (int)i);
+            lua_rawseti(L, -2, (lua_Integer)i + 1);
+        }
+        return 1;
+    }
+    return api_error(L, "sys.kinds", "no kinds of \"%s\"", lua_tostring(L, v[0].at));
+}
+
+static int sys_players(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.m.players);
+    return 1;
+}
+
+static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_newtable(L);
+    for (int i = 0; i < b->cart.m.n_difficulties; i++) {
+        lua_pushstring(L, b->cart.m.difficulties[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.n_glyphs);
+    return 1;
+}
+
+static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->core.clock);
+    return 1;
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "sys.fail", sys_fail, PARAMS(fail), 2, API_SYS, NULL, "raises an entry's error" },
+    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
+    { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
+    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
+    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
+    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
+    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table", "lives and registers of a kind of player" },
+    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
+    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
+    { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
+    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
+    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
+    { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
+      "a scope that takes what is spawned and put in it along" },
+    { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
+      "from now on this task waits for nothing" },
+    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
+    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
+    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", "the task that has its turn" },
+    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
+    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
+    { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
+    { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
+    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
+};
+const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

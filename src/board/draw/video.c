@@ -1,0 +1,137 @@
+/*
+ * video.c - the picture: const RAM to framebuffer, in the fixed draw order
+ *
+ *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
+ *
+ * Bullets draw by kind, the larger pictures lower, equal ones in order of declaration, then by slot
+ * (video_bullets.c).
+ */
+#include <string.h>
+#include "../../../fb/blit.h"
+#include "../../../fb/text.h"
+#include "../video.h"
+
+struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir)
+{
+    uint32_t frame = s->frames > 1 ? age / (s->every ? s->every : 1) % s->frames : 0;
+    uint32_t turn = turns ? (uint32_t)(((uint64_t)dir * s->rotations + (1u << 31)) >> 32) % s->rotations : 0;
+
+    return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
+}
+
+void video_paint(struct canvas *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip, unsigned blend)
+{
+    if (blend)
+        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
+    else
+        blit_sprite(c->fb, img, x, y, bank, flip);
+}
+
+static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                unsigned blend)
+{
+    const struct sprite *s = &c->b->pictures[sprite];
+    struct image img = video_image(s, age, false, 0);
+
+    video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    c->drawn++;
+}
+
+static void draw_sprites(struct canvas *c, int layer)
+{
+    const struct sprites *s = &c->b->sprites;
+
+    EACH_LIVE (i, &s->s) {
+        if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
+            continue;
+        struct canvas at = *c;
+        if (s->flags[i] & SPRITE_SCREEN) {
+            fb_clip_all(c->fb);
+            at.x = at.y = 0;
+        }
+        put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
+            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+        if (s->flags[i] & SPRITE_SCREEN)
+            fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
+        c->drawn++;
+    }
+}
+
+static void draw_enemies(struct canvas *c)
+{
+    const struct enemies *e = &c->b->enemies;
+
+    EACH_LIVE (i, &e->s)
+        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0,
+            (c->b->enemy_kinds.flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+}
+
+/* A player that cannot be hit blinks. */
+static void draw_players(struct canvas *c)
+{
+    const struct player *p = &c->b->player;
+
+    for (uint32_t i = 0; i < PADS; i++)
+        if (p->in[i] && !(p->safe[i] >> 2 & 1))
+            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
+}
+
+static void draw_sparks(struct canvas *c)
+{
+    const struct sparks *s = &c->b->sparks;
+
+    EACH_LIVE (i, &s->s) {
+        uint16_t kind = s->kind[i];
+        const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
+        uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
+        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
+            c->b->spark_kinds.bank[kind] & SPARK_BANK, 0,
+            (c->b->spark_kinds.bank[kind] & SPARK_BLEND) / SPARK_BLEND_ONE);
+    }
+}
+
+static void draw_text(struct canvas *c)
+{
+    const struct fix *f = &c->b->fix;
+    const struct cart *cart = &c->b->cart;
+    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+
+    fb_clip_all(c->fb);
+    if (!cart->glyphs)
+        return;
+    for (uint32_t i = 0; i < f->s.live; i++)
+        if (f->code[i] > 32)
+            text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                       f->bank[i]);
+}
+
+struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int coats)
+{
+    const struct manifest *m = &b->cart.m;
+    struct canvas c = { b, fb, m->field_x, m->field_y, scratch, coats, 0, 0 };
+
+    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    fb_clip_all(fb);
+    fb_fill(fb, 0);
+    fb_clip(fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    draw_sprites(&c, LAYER_BACK);
+    draw_enemies(&c);
+    video_bullets(&c, &b->shots, &b->shot_kinds);
+    draw_sprites(&c, LAYER_MIDDLE);
+    draw_players(&c);
+    video_bullets(&c, &b->bullets, &b->bullet_kinds);
+    draw_sparks(&c);
+    draw_sprites(&c, LAYER_FRONT);
+    draw_text(&c);
+    return c;
+}
+
+size_t board_scratch(const struct board *b)
+{
+    return video_bullets_scratch(b);
+}
+
+uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+{
+    return video_draw(b, fb, rgb, scratch, VIDEO_COATS).drawn;
+}

@@ -1,0 +1,55 @@
+/*
+ * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
+ * floor: board    used by: board/ (hit.c, hit_shots.c)
+ */
+#ifndef BOARD_HIT_PARTS_H
+#define BOARD_HIT_PARTS_H
+
+#include "../../base/geom.h"
+#include "../machine.h"
+
+/* A thing this frame: its shape, where it is now, and its move of the frame. */
+struct body {
+    uint8_t shape;
+    fx a, b;
+    fx x, y, mx, my;
+};
+
+/* Do they touch on their ways or, not swept, where they are now? Growing a circle is its caller's part. */
+static inline bool touch(const struct body *p, const struct body *q, bool swept)
+{
+    int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
+    int64_t dx = (int64_t)p->x - q->x - wx, dy = (int64_t)p->y - q->y - wy;
+
+    if (p->shape == SHAPE_NONE || q->shape == SHAPE_NONE)
+        return false;
+    if (p->shape == SHAPE_BOX && q->shape == SHAPE_BOX)
+        return geom_swept_boxes(dx, dy, wx, wy, (int64_t)p->a + q->a, (int64_t)p->b + q->b);
+    if (p->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, q->a, p->a, p->b);
+    if (q->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, p->a, q->a, q->b);
+    return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
+}
+
+static inline struct body flying(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    uint16_t kind = s->kind[i];
+
+    return (struct body){ k->shape[kind], k->a[kind], k->b[kind], s->x[i], s->y[i], s->vx[i], s->vy[i] };
+}
+
+static inline struct body enemy(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    uint16_t kind = e->kind[i];
+
+    return (struct body){ k->shape[kind],        k->a[kind],           k->b[kind], e->x[i], e->y[i],
+                          e->x[i] - e->was_x[i], e->y[i] - e->was_y[i] };
+}
+
+/* Shots against enemies: raises an event for each shot that hits. */
+void hit_shots(struct board *b);
+
+#endif

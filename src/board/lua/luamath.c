@@ -1,0 +1,110 @@
+/*
+ * luamath.c - math.sin cos tan asin acos atan, the same on every host: the C library's are not even the same on one
+ * machine with and without FMA. A double meets only exact or correctly rounded operations on its way to an ang and
+ * back, so the error is that of the angle, 2^-33 of a turn, and of Q30.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include "../../base/trig.h"
+#include "luaparts.h"
+
+static const double turn = 4294967296.0;                     /* an ang's 2^32 */
+static const double turn_per_radian = 683565275.57643158978; /* 2^32 / 2 pi */
+static const double radian_per_turn = 1.4629180792671596e-9; /* 2 pi / 2^32 */
+
+/* The nearest ang to x radians; false for NaN and the infinities. Beyond 1e290 a double names no angle. */
+static bool to_angle(double x, ang *out)
+{
+    double t = fmod(fmod(x, 1e290) * turn_per_radian, turn);
+
+    if (t != t)
+        return false;
+    *out = (ang)(int64_t)rint(t);
+    return true;
+}
+
+static int math_sin(lua_State *L)
+{
+    ang a;
+
+    lua_pushnumber(L, to_angle(luaL_checknumber(L, 1), &a) ? trig_sin30(a) / 1073741824.0 : (double)NAN);
+    return 1;
+}
+
+static int math_cos(lua_State *L)
+{
+    ang a;
+
+    lua_pushnumber(L, to_angle(luaL_checknumber(L, 1), &a) ? trig_cos30(a) / 1073741824.0 : (double)NAN);
+    return 1;
+}
+
+static int math_tan(lua_State *L)
+{
+    ang a;
+
+    lua_pushnumber(L, to_angle(luaL_checknumber(L, 1), &a) ? (double)trig_sin30(a) / trig_cos30(a) : (double)NAN);
+    return 1;
+}
+
+/* v * 2^by as a whole number, to even, clamped. */
+static fx scaled(double v, int by)
+{
+    double s = rint(ldexp(v, by));
+
+    return s >= FX_MAX ? FX_MAX : s <= FX_MIN ? FX_MIN : (fx)s;
+}
+
+static double direction(double y, double x)
+{
+    int ey, ex;
+
+    if (y != y || x != x)
+        return NAN;
+    if (y == 0 && x == 0)
+        return signbit(x) ? copysign(turn / 2 * radian_per_turn, y) : y;
+    if (isinf(y) || isinf(x)) {
+        y = isinf(y) ? copysign(1, y) : copysign(0, y);
+        x = isinf(x) ? copysign(1, x) : copysign(0, x);
+    }
+    frexp(y, &ey);
+    frexp(x, &ex);
+    int by = 31 - (x == 0 || (y != 0 && ey > ex) ? ey : ex);
+    int32_t a = (int32_t)trig_atan2(scaled(y, by), scaled(x, by));
+    if (a == INT32_MIN && !signbit(y)) /* half a turn has the sign of y */
+        return turn / 2 * radian_per_turn;
+    return a ? a * radian_per_turn : copysign(0, y);
+}
+
+static int math_atan(lua_State *L)
+{
+    double y = luaL_checknumber(L, 1);
+
+    lua_pushnumber(L, direction(y, luaL_optnumber(L, 2, 1)));
+    return 1;
+}
+
+static int math_asin(lua_State *L)
+{
+    double x = luaL_checknumber(L, 1);
+
+    lua_pushnumber(L, direction(x, sqrt((1 - x) * (1 + x))));
+    return 1;
+}
+
+static int math_acos(lua_State *L)
+{
+    double x = luaL_checknumber(L, 1);
+
+    lua_pushnumber(L, direction(sqrt((1 - x) * (1 + x)), x));
+    return 1;
+}
+
+void luamath_open(lua_State *L)
+{
+    static const luaL_Reg functions[] = { { "acos", math_acos }, { "asin", math_asin }, { "atan", math_atan },
+                                          { "cos", math_cos },   { "sin", math_sin },   { "tan", math_tan },
+                                          { NULL, NULL } };
+
+    luaL_setfuncs(L, functions, 0);
+}

@@ -1,0 +1,832 @@
+/*
+ * luapattern.c - string.find, match, gmatch and gsub.
+ *
+ * A pattern is compiled to a flat list of ops. Lua's patterns have no alternatives and repeat only single characters,
+ * so each op is passed once on the way to a match, and a repeated op itself keeps what it could still try: how far it
+ * went and how far it may come back. When an op fails, the nearest repeated op before it that can try something else
+ * does so, and matching goes on behind it. That needs neither recursion nor a stack, and captures need no undoing:
+ * whatever lies behind the op is passed again. Each op tried and each character looked at is charged.
+ *
+ * Classes are those of the C locale, whatever the host's. Semantics: Lua 5.4 reference manual, 6.4.1.
+ */
+#include <assert.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include "luaparts.h"
+#include "../vm.h"
+
+enum {
+    CAPTURES = 32,
+    FEW_OPS = 32,         /* a pattern with more is compiled into Lua memory */
+    CHARGE_EVERY = 16384, /* work between two calls of vm_charge */
+    ESCAPE = '%'
+};
+
+enum op_kind {
+    OP_END,  /* a: how many captures the pattern has */
+    OP_CHAR, /* a */
+    OP_ANY,
+    OP_SET,      /* set */
+    OP_OPEN,     /* capture a begins */
+    OP_CLOSE,    /* capture a ends */
+    OP_HERE,     /* capture a is the position */
+    OP_BACK,     /* the text of capture a again */
+    OP_BALANCE,  /* from a to the b that closes it */
+    OP_FRONTIER, /* the character before is outside set, the one here inside */
+    OP_LAST      /* the subject's end */
+};
+
+struct op {
+    uint8_t kind;
+    uint8_t repeat; /* * + - ? or 0; only of OP_CHAR, OP_ANY and OP_SET */
+    uint8_t a, b;
+    int retry; /* the nearest repeated op before, or -1 */
+    uint64_t set[4];
+    const char *now, *low; /* while matching: where a repeated op has got to, and how far back a greedy one may go */
+};
+
+struct capture {
+    const char *at;
+    size_t size;
+    bool here; /* the position, not a text */
+};
+
+struct matcher {
+    lua_State *L;
+    struct op *ops;
+    const char *from, *to; /* the subject */
+    uint32_t work;
+    int captures;
+    struct capture capture[CAPTURES];
+};
+
+/* ---- compiling ---- */
+
+struct compiler {
+    lua_State *L;
+    const char *p, *end;
+    struct op *op; /* the next to write */
+    int count, last_repeat, captures;
+    bool open[CAPTURES];
+};
+
+static void put(uint64_t set[4], unsigned c)
+{
+    set[c >> 6] |= (uint64_t)1 << (c & 63);
+}
+
+static bool in(const uint64_t set[4], unsigned char c)
+{
+    return set[c >> 6] >> (c & 63) & 1;
+}
+
+static void put_range(uint64_t set[4], unsigned from, unsigned to)
+{
+    for (unsigned c = from; c <= to; c++)
+        put(set, c);
+}
+
+/* The class of a lower-case letter, ASCII alone; false: no such class. */
+static bool put_class(uint64_t set[4], int letter)
+{
+    const uint64_t upper = 0x7fffffe, digits = 0x03ff000000000000, print_low = 0xffffffff00000000;
+    uint64_t low = 0, high = 0;
+
+    switch (letter) {
+    case 'a':
+        high = upper | upper << 32;
+        break;
+    case 'c':
+        low = ~print_low, high = (uint64_t)1 << 63;
+        break;
+    case 'd':
+        low = digits;
+        break;
+    case 'g':
+        low = print_low & ~(uint64_t)(1ull << 32), high = ~(uint64_t)(1ull << 63);
+        break;
+    case 'l':
+        high = upper << 32;
+        break;
+    case 'p':
+        low = print_low & ~(uint64_t)(1ull << 32) & ~digits, high = ~(uint64_t)(1ull << 63) & ~(upper | upper << 32);
+        break;
+    case 's':
+        low = 0x3e00 | 1ull << 32;
+        break;
+    case 'u':
+        high = upper;
+        break;
+    case 'w':
+        low = digits, high = upper | upper << 32;
+        break;
+    case 'x':
+        low = digits, high = 0x7e | 0x7eull << 32;
+        break;
+    case 'z':
+        low = 1;
+        break;
+    default:
+        return false;
+    }
+    set[0] |= low;
+    set[1] |= high;
+    return true;
+}
+
+/* What % and this character stand for: a class, its complement for a capital, or the character itself. */
+static void put_escape(uint64_t set[4], unsigned char c)
+{
+    uint64_t class[4] = { 0 };
+    bool capital = c >= 'A' && c <= 'Z';
+
+    if (!put_class(class, capital ? c - 'A' + 'a' : c))
+        put(class, c), capital = false;
+    for (int i = 0; i < 4; i++)
+        set[i] |= capital ? ~class[i] : class[i];
+}
+
+/* The index behind the ] that closes the set whose [ stands before p. A ] right at the start is an ordinary one. */
+static const char *set_end(struct compiler *c, const char *p)
+{
+    if (p < c->end && *p == '^')
+        p++;
+    do {
+        if (p == c->end)
+            luaL_error(c->L, "malformed pattern (missing ']')");
+        if (*p++ == ESCAPE && p < c->end)
+            p++;
+    } while (p == c->end || *p != ']');
+    return p + 1;
+}
+
+/* Reads a set, c->p behind its [. */
+static void read_set(struct compiler *c, uint64_t set[4])
+{
+    const char *end = set_end(c, c->p), *last = end - 1, *p = c->p;
+    bool not = *p == '^';
+
+    memset(set, 0, 4 * sizeof *set);
+    for (p += not ; p < last; p++) {
+        if (*p == ESCAPE)
+            put_escape(set, (unsigned char)*++p);
+        else if (p + 2 < last && p[1] == '-')
+            put_range(set, (unsigned char)p[0], (unsigned char)p[2]), p += 2;
+        else
+            put(set, (unsigned char)*p);
+    }
+    for (int i = 0; not &&i < 4; i++)
+        set[i] = ~set[i];
+    c->p = end;
+}
+
+static struct op *emit(struct compiler *c, enum op_kind kind, unsigned a)
+{
+    struct op *op = c->op++;
+
+    op->kind = (uint8_t)kind;
+    op->a = (uint8_t)a;
+    op->repeat = 0;
+    op->retry = c->last_repeat;
+    c->count++;
+    return op;
+}
+
+static void read_open(struct compiler *c)
+{
+    bool here = c->p < c->end && *c->p == ')';
+
+    if (c->captures == CAPTURES)
+        luaL_error(c->L, "too many captures");
+    emit(c, here ? OP_HERE : OP_OPEN, (unsigned)c->captures);
+    c->open[c->captures++] = !here;
+    c->p += here;
+}
+
+static void read_close(struct compiler *c)
+{
+    for (int i = c->captures - 1; i >= 0; i--)
+        if (c->open[i]) {
+            c->open[i] = false;
+            emit(c, OP_CLOSE, (unsigned)i);
+            return;
+        }
+    luaL_error(c->L, "invalid pattern capture");
+}
+
+static void read_back(struct compiler *c, int digit)
+{
+    int i = digit - '1';
+
+    if (i < 0 || i >= c->captures || c->open[i])
+        luaL_error(c->L, "invalid capture index %%%d in pattern", i + 1);
+    emit(c, OP_BACK, (unsigned)i);
+}
+
+static void read_balance(struct compiler *c)
+{
+    if (c->end - c->p < 2)
+        luaL_error(c->L, "malformed pattern (missing arguments to '%%b')");
+    struct op *op = emit(c, OP_BALANCE, (unsigned char)c->p[0]);
+    op->b = (uint8_t)c->p[1];
+    c->p += 2;
+}
+
+static void read_frontier(struct compiler *c)
+{
+    if (c->p == c->end || *c->p != '[')
+        luaL_error(c->L, "missing '[' after '%%f' in pattern");
+    c->p++;
+    read_set(c, emit(c, OP_FRONTIER, 0)->set);
+}
+
+static void read_repeat(struct compiler *c, struct op *op)
+{
+    if (c->p == c->end || !*c->p || !strchr("*+-?", *c->p))
+        return;
+    op->repeat = (uint8_t)*c->p++;
+    c->last_repeat = c->count - 1;
+}
+
+/* A single character or class, perhaps repeated; first is the pattern's character, c->p behind it. */
+static void read_single(struct compiler *c, char first)
+{
+    struct op *op = emit(c, first == '.' ? OP_ANY : OP_CHAR, (unsigned char)first);
+
+    if (first == '[') {
+        op->kind = OP_SET;
+        read_set(c, op->set);
+    } else if (first == ESCAPE) {
+        unsigned char e = (unsigned char)*c->p++;
+        op->a = e;
+        if ((e >= 'A' && e <= 'Z') || (e >= 'a' && e <= 'z')) {
+            op->kind = OP_SET;
+            memset(op->set, 0, sizeof op->set);
+            put_escape(op->set, e);
+        }
+    }
+    read_repeat(c, op);
+}
+
+static void read_escape(struct compiler *c)
+{
+    if (c->p == c->end)
+        luaL_error(c->L, "malformed pattern (ends with '%%')");
+    switch (*c->p) {
+    case 'b':
+        c->p++;
+        read_balance(c);
+        break;
+    case 'f':
+        c->p++;
+        read_frontier(c);
+        break;
+    default:
+        if (*c->p >= '0' && *c->p <= '9')
+            read_back(c, *c->p++);
+        else
+            read_single(c, ESCAPE);
+    }
+}
+
+/* Compiles pattern [p, end) into ops, which have room for an op a byte and one more. Returns the count of captures. */
+static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
+{
+    struct compiler c = { .L = L, .p = p, .end = end, .op = ops, .last_repeat = -1 };
+
+    vm_charge(L, (uint64_t)(end - p));
+    while (c.p < end) {
+        char ch = *c.p++;
+        switch (ch) {
+        case '(':
+            read_open(&c);
+            break;
+        case ')':
+            read_close(&c);
+            break;
+        case ESCAPE:
+            read_escape(&c);
+            break;
+        default:
+            if (ch == '$' && c.p == end)
+                emit(&c, OP_LAST, 0);
+            else
+                read_single(&c, ch);
+        }
+    }
+    for (int i = 0; i < c.captures; i++)
+        if (c.open[i])
+            luaL_error(L, "unfinished capture");
+    emit(&c, OP_END, (unsigned)c.captures);
+    return c.captures;
+}
+
+/* ---- matching ---- */
+
+static void settle(struct matcher *m)
+{
+    uint32_t work = m->work;
+
+    m->work = 0;
+    vm_charge(m->L, work);
+}
+
+static void charge(struct matcher *m, size_t work)
+{
+    if (work >= CHARGE_EVERY) {
+        vm_charge(m->L, work);
+        return;
+    }
+    m->work += (uint32_t)work;
+    if (m->work >= CHARGE_EVERY)
+        settle(m);
+}
+
+static bool one(const struct op *op, char c)
+{
+    switch (op->kind) {
+    case OP_CHAR:
+        return (unsigned char)c == op->a;
+    case OP_SET:
+        return in(op->set, (unsigned char)c);
+    default:
+        return true;
+    }
+}
+
+/* As far as op's character repeats. */
+static const char *run_length(struct matcher *m, const struct op *op, const char *s)
+{
+    const char *e = s;
+
+    if (op->kind == OP_ANY)
+        e = m->to;
+    else
+        while (e < m->to && one(op, *e))
+            e++;
+    charge(m, (size_t)(e - s));
+    return e;
+}
+
+/* The first try of a repeated op at s: where the rest goes on, or NULL. */
+static const char *begin(struct matcher *m, struct op *op, const char *s)
+{
+    switch (op->repeat) {
+    case '-':
+        op->now = s;
+        break;
+    case '?':
+        op->low = s;
+        op->now = s < m->to && one(op, *s) ? s + 1 : s;
+        break;
+    default:
+        op->low = op->repeat == '+' ? s + 1 : s;
+        op->now = run_length(m, op, s);
+        if (op->now < op->low)
+            return NULL;
+    }
+    return op->now;
+}
+
+/* The next try of a repeated op, or NULL. */
+static const char *again(const struct matcher *m, struct op *op)
+{
+    if (op->repeat == '-')
+        return op->now < m->to && one(op, *op->now) ? ++op->now : NULL;
+    return op->now > op->low ? --op->now : NULL;
+}
+
+static const char *match_balance(struct matcher *m, const struct op *op, const char *s)
+{
+    const char *start = s;
+    size_t depth = 1;
+
+    if (s == m->to || (unsigned char)*s != op->a)
+        return NULL;
+    while (++s < m->to) {
+        if ((unsigned char)*s == op->b) {
+            if (--depth == 0)
+                break;
+        } else if ((unsigned char)*s == op->a) {
+            depth++;
+        }
+    }
+    charge(m, (size_t)(s - start));
+    return s < m->to ? s + 1 : NULL;
+}
+
+static const char *match_back(struct matcher *m, const struct op *op, const char *s)
+{
+    const struct capture *c = &m->capture[op->a];
+
+    if (c->here || (size_t)(m->to - s) < c->size || memcmp(s, c->at, c->size))
+        return NULL;
+    charge(m, c->size / 8);
+    return s + c->size;
+}
+
+static const char *match_frontier(const struct matcher *m, const struct op *op, const char *s)
+{
+    char before = s > m->from ? s[-1] : '\0', here = s < m->to ? *s : '\0';
+
+    return !in(op->set, (unsigned char)before) && in(op->set, (unsigned char)here) ? s : NULL;
+}
+
+/* An op that is not repeated, at s: where the rest goes on, or NULL. */
+static const char *match_op(struct matcher *m, const struct op *op, const char *s)
+{
+    struct capture *c = &m->capture[op->a & (CAPTURES - 1)];
+
+    switch ((enum op_kind)op->kind) {
+    case OP_CHAR:
+    case OP_ANY:
+    case OP_SET:
+        return s < m->to && one(op, *s) ? s + 1 : NULL;
+    case OP_OPEN:
+    case OP_HERE:
+        *c = (struct capture){ s, 0, op->kind == OP_HERE };
+        return s;
+    case OP_CLOSE:
+        c->size = (size_t)(s - c->at);
+        return s;
+    case OP_BACK:
+        return match_back(m, op, s);
+    case OP_BALANCE:
+        return match_balance(m, op, s);
+    case OP_FRONTIER:
+        return match_frontier(m, op, s);
+    case OP_LAST:
+        return s == m->to ? s : NULL;
+    case OP_END:
+        break;
+    }
+    return s;
+}
+
+/* Matches at s: the match's end, or NULL. */
+static const char *match_at(struct matcher *m, const char *s)
+{
+    struct op *ops = m->ops;
+    int i = 0;
+
+    while (ops[i].kind != OP_END) {
+        charge(m, 1);
+        const char *next = ops[i].repeat ? begin(m, &ops[i], s) : match_op(m, &ops[i], s);
+        for (int r = ops[i].retry; !next && r >= 0; r = ops[r].retry) {
+            charge(m, 1);
+            next = again(m, &ops[r]);
+            i = r;
+        }
+        if (!next)
+            return NULL;
+        s = next;
+        i++;
+    }
+    return s;
+}
+
+/* The next place from s on where a match can begin, or NULL when there is none. */
+static const char *candidate(struct matcher *m, const char *s)
+{
+    const struct op *first = m->ops;
+
+    if (first->kind != OP_CHAR || (first->repeat && first->repeat != '+'))
+        return s;
+    const char *found = s < m->to ? memchr(s, first->a, (size_t)(m->to - s)) : NULL;
+    charge(m, (size_t)((found ? found : m->to) - s) / 8);
+    return found;
+}
+
+/* The first match at or after *s, which becomes its start: its end, or NULL. */
+static const char *search(struct matcher *m, const char **s)
+{
+    while ((*s = candidate(m, *s)) != NULL) {
+        const char *e = match_at(m, *s);
+        if (e)
+            return e;
+        if (*s == m->to)
+            return NULL;
+        ++*s;
+    }
+    return NULL;
+}
+
+/* Pushes capture i of the match [s, e); without captures, 0 is the whole match. */
+static void push_capture(const struct matcher *m, int i, const char *s, const char *e)
+{
+    const struct capture *c = &m->capture[i];
+
+    if (i == 0 && m->captures == 0)
+        lua_pushlstring(m->L, s, (size_t)(e - s));
+    else if (c->here)
+        lua_pushinteger(m->L, c->at - m->from + 1);
+    else
+        lua_pushlstring(m->L, c->at, c->size);
+}
+
+/* Pushes all captures; with `whole`, the whole match when there are none. Returns how many. */
+static int push_captures(const struct matcher *m, const char *s, const char *e, bool whole)
+{
+    int n = m->captures == 0 && whole ? 1 : m->captures;
+
+    luaL_checkstack(m->L, n, "too many captures");
+    for (int i = 0; i < n; i++)
+        push_capture(m, i, s, e);
+    return n;
+}
+
+static void start(struct matcher *m, lua_State *L, struct op *ops, const char *s, size_t n)
+{
+    m->L = L;
+    m->ops = ops;
+    m->from = s;
+    m->to = s + n;
+    m->work = 16; /* the call itself */
+    m->captures = 0;
+}
+
+/* Room for the ops of a pattern of n bytes: `few`, or pushed in Lua memory. */
+static struct op *room(lua_State *L, struct op *few, size_t n)
+{
+    if (n < FEW_OPS)
+        return few;
+    vm_charge(L, n);
+    return lua_newuserdatauv(L, (n + 1) * sizeof *few, 0);
+}
+
+/* ---- find and match ---- */
+
+static bool is_plain(const char *p, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (p[i] && strchr("^$*+?.([%-", p[i]))
+            return false;
+    return true;
+}
+
+/* The first place of p in s, or NULL. */
+static const char *find_plain(lua_State *L, const char *s, size_t n, const char *p, size_t pn)
+{
+    uint64_t work = 0;
+    const char *found = NULL;
+
+    if (pn == 0)
+        return s;
+    while (n >= pn) {
+        const char *at = memchr(s, *p, n - pn + 1);
+        work += (at ? (size_t)(at - s) : n) / 8 + 1;
+        if (!at)
+            break;
+        if (!memcmp(at, p, pn)) {
+            found = at;
+            break;
+        }
+        work += pn / 16;
+        n -= (size_t)(at - s) + 1;
+        s = at + 1;
+        if (work >= CHARGE_EVERY)
+            vm_charge(L, work), work = 0;
+    }
+    vm_charge(L, work);
+    return found;
+}
+
+static int find_by_pattern(lua_State *L, const char *s, size_t n, size_t init, bool find)
+{
+    size_t pn;
+    const char *p = luaL_checklstring(L, 2, &pn), *at = s + init, *e;
+    bool anchor = pn && *p == '^';
+    struct op few[FEW_OPS];
+    struct matcher m;
+
+    start(&m, L, room(L, few, pn), s, n);
+    m.captures = compile(L, m.ops, p + anchor, p + pn);
+    e = anchor ? match_at(&m, at) : search(&m, &at);
+    settle(&m);
+    if (!e)
+        return lua_pushnil(L), 1;
+    if (!find)
+        return push_captures(&m, at, e, true);
+    lua_pushinteger(L, at - s + 1);
+    lua_pushinteger(L, e - s);
+    return 2 + push_captures(&m, at, e, false);
+}
+
+static int find_or_match(lua_State *L, bool find)
+{
+    size_t n, pn;
+    const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn);
+    size_t init = luatext_position(luaL_optinteger(L, 3, 1), n);
+
+    init -= init > 0;
+    if (init > n)
+        return lua_pushnil(L), 1;
+    if (!find || !(lua_toboolean(L, 4) || is_plain(p, pn)))
+        return find_by_pattern(L, s, n, init, find);
+    const char *at = find_plain(L, s + init, n - init, p, pn);
+    if (!at)
+        return lua_pushnil(L), 1;
+    lua_pushinteger(L, at - s + 1);
+    lua_pushinteger(L, at - s + (lua_Integer)pn);
+    return 2;
+}
+
+static int string_find(lua_State *L)
+{
+    return find_or_match(L, true);
+}
+
+static int string_match(lua_State *L)
+{
+    return find_or_match(L, false);
+}
+
+/* ---- gmatch ---- */
+
+enum { GMATCH_TEXT = 1, GMATCH_OPS, GMATCH_CAPTURES, GMATCH_NEXT, GMATCH_LAST }; /* upvalues; offsets, -1: none */
+
+static lua_Integer upvalue(lua_State *L, int i)
+{
+    return lua_tointeger(L, lua_upvalueindex(i));
+}
+
+static void set_upvalue(lua_State *L, int i, lua_Integer v)
+{
+    lua_pushinteger(L, v);
+    lua_replace(L, lua_upvalueindex(i));
+}
+
+static int next_match(lua_State *L)
+{
+    size_t n;
+    const char *s = lua_tolstring(L, lua_upvalueindex(GMATCH_TEXT), &n);
+    struct matcher m;
+
+    start(&m, L, lua_touserdata(L, lua_upvalueindex(GMATCH_OPS)), s, n);
+    m.captures = (int)upvalue(L, GMATCH_CAPTURES);
+    if ((size_t)upvalue(L, GMATCH_NEXT) > n)
+        return 0;
+    const char *at = s + upvalue(L, GMATCH_NEXT), *e;
+    while ((e = search(&m, &at)) != NULL && e - s == upvalue(L, GMATCH_LAST))
+        if (at++ == m.to) {
+            e = NULL;
+            break;
+        }
+    settle(&m);
+    set_upvalue(L, GMATCH_NEXT, e ? e - s : (lua_Integer)n + 1);
+    set_upvalue(L, GMATCH_LAST, e ? e - s : -1);
+    return e ? push_captures(&m, at, e, true) : 0;
+}
+
+static int string_gmatch(lua_State *L)
+{
+    size_t n, pn;
+    luaL_checklstring(L, 1, &n);
+    const char *p = luaL_checklstring(L, 2, &pn);
+    size_t init = luatext_position(luaL_optinteger(L, 3, 1), n);
+
+    init -= init > 0;
+    lua_settop(L, 2);
+    lua_pushvalue(L, 1);
+    struct op *ops = lua_newuserdatauv(L, (pn + 1) * sizeof *ops, 0);
+    lua_pushinteger(L, compile(L, ops, p, p + pn));
+    lua_pushinteger(L, (lua_Integer)(init > n ? n + 1 : init));
+    lua_pushinteger(L, -1);
+    lua_pushcclosure(L, next_match, 5);
+    return 1;
+}
+
+/* ---- gsub ---- */
+
+/* Adds the replacement text at argument 3, its %0 to %9 and %% filled in. */
+static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
+{
+    size_t n;
+    const char *p = lua_tolstring(m->L, 3, &n), *end = p + n;
+
+    charge(m, n / 4);
+    for (const char *q; (q = memchr(p, ESCAPE, (size_t)(end - p))) != NULL; p = q + 1) {
+        luaL_addlstring(out, p, (size_t)(q - p));
+        if (++q < end && *q == ESCAPE) {
+            luaL_addchar(out, ESCAPE);
+        } else if (q < end && *q == '0') {
+            luaL_addlstring(out, s, (size_t)(e - s));
+        } else if (q < end && *q >= '1' && *q <= '9') {
+            int i = *q - '1';
+            if (i >= m->captures && i > 0)
+                luaL_error(m->L, "invalid capture index %%%d in replacement string", i + 1);
+            push_capture(m, i, s, e);
+            luaL_addvalue(out);
+        } else {
+            luaL_error(m->L, "invalid use of '%%' in replacement string");
+        }
+    }
+    luaL_addlstring(out, p, (size_t)(end - p));
+}
+
+/* Adds what stands for the match [s, e). False: the match itself. */
+static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
+{
+    lua_State *L = m->L;
+
+    switch (lua_type(L, 3)) {
+    case LUA_TFUNCTION:
+        lua_pushvalue(L, 3);
+        lua_call(L, push_captures(m, s, e, true), 1);
+        break;
+    case LUA_TTABLE:
+        push_capture(m, 0, s, e);
+        lua_gettable(L, 3);
+        break;
+    default:
+        add_text(m, out, s, e);
+        return true;
+    }
+    if (!lua_toboolean(L, -1)) {
+        lua_pop(L, 1);
+        luaL_addlstring(out, s, (size_t)(e - s));
+        return false;
+    }
+    if (!lua_isstring(L, -1))
+        luaL_error(L, "invalid replacement value (a %s)", luaL_typename(L, -1));
+    if (lua_type(L, -1) == LUA_TNUMBER) {
+        luatext_push_number(L, -1);
+        lua_remove(L, -2);
+    }
+    luaL_addvalue(out);
+    return true;
+}
+
+/* Replaces up to max matches; the result is left in out but for what follows the last. Returns the count. */
+static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **rest, bool anchor, lua_Integer max,
+                              bool *changed)
+{
+    const char *s = m->from, *last = NULL, *e;
+    lua_Integer n = 0;
+
+    while (n < max) {
+        const char *next = anchor ? s : candidate(m, s);
+        if (!next)
+            break;
+        luaL_addlstring(out, s, (size_t)(next - s));
+        s = next;
+        e = match_at(m, s);
+        if (e && e != last) {
+            n++;
+            *changed |= add_replacement(m, out, s, e);
+            s = last = e;
+        } else if (s < m->to) {
+            luaL_addchar(out, *s++);
+        } else {
+            break;
+        }
+        if (anchor)
+            break;
+    }
+    *rest = s;
+    return n;
+}
+
+static int string_gsub(lua_State *L)
+{
+    size_t n, pn;
+    const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn), *rest;
+    int type = lua_type(L, 3);
+    lua_Integer max = luaL_optinteger(L, 4, (lua_Integer)n + 1);
+    bool anchor = pn && *p == '^', changed = false;
+    struct op few[FEW_OPS];
+    struct matcher m;
+    luaL_Buffer out;
+
+    luaL_argexpected(L, type == LUA_TNUMBER || type == LUA_TSTRING || type == LUA_TFUNCTION || type == LUA_TTABLE, 3,
+                     "string/function/table");
+    if (type == LUA_TNUMBER) {
+        luatext_push_number(L, 3);
+        lua_replace(L, 3);
+    }
+    start(&m, L, room(L, few, pn), s, n);
+    m.captures = compile(L, m.ops, p + anchor, p + pn);
+    luaL_buffinit(L, &out);
+    lua_Integer count = substitute(&m, &out, &rest, anchor, max, &changed);
+    settle(&m);
+    if (changed) {
+        luaL_addlstring(&out, rest, (size_t)(m.to - rest));
+        luaL_pushresult(&out);
+    } else {
+        lua_pushvalue(L, 1);
+    }
+    lua_pushinteger(L, count);
+    return 2;
+}
+
+void luapattern_open(lua_State *L)
+{
+    static const luaL_Reg functions[] = { { "find", string_find },
+                                          { "gmatch", string_gmatch },
+                                          { "gsub", string_gsub },
+                                          { "match", string_match },
+                                          { NULL, NULL } };
+
+    luaL_setfuncs(L, functions, 0);
+}

@@ -1,0 +1,269 @@
+/*
+ * cart.c - see cart.h. Everything that is read without a look later is looked at here: sizes multiplied in 64 bits,
+ * pixels one by one, because a blit copies eight of them at a time and would show what stands in a picture's padding.
+ */
+#include "cart.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../base/bytes.h"
+
+static bool fail(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    return false;
+}
+
+static bool find(const struct rom *rom, const char *name, struct lump *l)
+{
+    int i = rom_find(rom, name);
+
+    if (i >= 0)
+        rom_lump(rom, i, l);
+    return i >= 0;
+}
+
+/* The lump folder + name + tail, if there is one. */
+static bool find_in(const struct rom *rom, const char *folder, const char *name, const char *tail, struct lump *l)
+{
+    char full[ROM_NAME];
+    int n = snprintf(full, sizeof full, "%s%s%s", folder, name, tail);
+
+    return n > 0 && n < ROM_NAME && find(rom, full, l);
+}
+
+/* Lumps first to first + *n share the prefix; after is the prefix with its last byte raised. */
+static int range(const struct rom *rom, const char *prefix, const char *after, int *n)
+{
+    int first = rom_first(rom, prefix);
+
+    *n = rom_first(rom, after) - first;
+    return first;
+}
+
+static bool open_manifest(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[256];
+
+    if (!find(c->rom, "manifest", &l))
+        return fail(err, err_size, "no lump \"manifest\"");
+    if (!manifest_unpack(l.data, l.size, &c->m, why, sizeof why))
+        return fail(err, err_size, "lump \"manifest\": %s", why);
+    if (!find_in(c->rom, "script/", c->m.entry, ".lua", &l))
+        return fail(err, err_size, "no lump \"script/%s.lua\", the entry script", c->m.entry);
+    return true;
+}
+
+static bool open_palettes(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_palette = range(c->rom, "palette/", "palette0", &c->palettes);
+    for (int i = 0; i < c->palettes; i++) {
+        rom_lump(c->rom, c->first_palette + i, &l);
+        if (l.size != CART_PALETTE)
+            return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
+                        CART_PALETTE);
+    }
+    return cart_palette(c, "main") != NULL ? true : fail(err, err_size, "no lump \"palette/main\"");
+}
+
+static bool open_blends(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
+    if (c->blends > CART_MAX_BLENDS)
+        return fail(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
+    for (int i = 0; i < c->blends; i++) {
+        rom_lump(c->rom, c->first_blend + i, &l);
+        if (l.size != CART_BLEND)
+            return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size, CART_BLEND);
+        c->blend[i] = l.data;
+    }
+    return true;
+}
+
+static bool open_font(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->glyphs = NULL;
+    c->n_glyphs = 0;
+    if (!find(c->rom, "font", &l))
+        return true;
+    if (l.size == 0 || l.size % CART_GLYPH != 0 || l.size / CART_GLYPH > CART_MAX_GLYPHS)
+        return fail(err, err_size, "lump \"font\": %" PRIu32 " bytes long, expected %d for each of 1 to %d characters",
+                    l.size, CART_GLYPH, CART_MAX_GLYPHS);
+    for (uint32_t i = 0; i < l.size; i++)
+        if (l.data[i] > 15)
+            return fail(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15", l.data[i],
+                        CART_FIRST_CHAR + i / CART_GLYPH);
+    c->glyphs = l.data;
+    c->n_glyphs = (int)(l.size / CART_GLYPH);
+    return true;
+}
+
+static void read_sprite(const struct lump *l, struct sprite *s)
+{
+    const uint8_t *p = l->data;
+
+    s->w = get16(p);
+    s->h = get16(p + 2);
+    s->pitch = get16(p + 4);
+    s->ox = (int16_t)get16(p + 6);
+    s->oy = (int16_t)get16(p + 8);
+    s->frames = get16(p + 10);
+    s->every = get16(p + 12);
+    s->rotations = get16(p + 14);
+    s->bank = get16(p + 16);
+    s->pix = p + CART_GFX_HEADER;
+}
+
+static bool in(int v, int lo, int hi)
+{
+    return v >= lo && v <= hi;
+}
+
+static bool header_ok(const struct sprite *s)
+{
+    return in(s->w, 1, CART_MAX_SIDE) && in(s->h, 1, CART_MAX_SIDE) && s->pitch % 8 == 0 &&
+           in(s->pitch, s->w, CART_MAX_SIDE) && in(s->ox, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) &&
+           in(s->oy, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) && in(s->frames, 1, CART_MAX_FRAMES) && s->every >= 1 &&
+           in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
+}
+
+static bool row_ok(const uint8_t *row, const struct sprite *s)
+{
+    for (int x = 0; x < s->w; x++)
+        if (row[x] != 0 && (row[x] >> 4 != s->bank || row[x] % 16 == 0))
+            return false;
+    for (int x = s->w; x < s->pitch; x++)
+        if (row[x] != 0)
+            return false;
+    return true;
+}
+
+static bool check_sprite(const struct lump *l, char *err, size_t err_size)
+{
+    struct sprite s;
+
+    if (l->size < CART_GFX_HEADER)
+        return fail(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
+    read_sprite(l, &s);
+    if (!header_ok(&s) || get16(l->data + 18) != 0 || get32(l->data + 20) != 0)
+        return fail(err, err_size, "lump \"%s\": its header is out of range", l->name);
+    uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
+    if (l->size != CART_GFX_HEADER + rows * s.pitch)
+        return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+                    CART_GFX_HEADER + rows * s.pitch);
+    for (uint64_t y = 0; y < rows; y++)
+        if (!row_ok(s.pix + y * s.pitch, &s))
+            return fail(err, err_size, "lump \"%s\": row %" PRIu64 " has a pixel outside bank %d or the picture",
+                        l->name, y, s.bank);
+    return true;
+}
+
+static bool open_sprites(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_sprite = range(c->rom, "gfx/", "gfx0", &c->sprites);
+    for (int i = 0; i < c->sprites; i++) {
+        rom_lump(c->rom, c->first_sprite + i, &l);
+        if (!check_sprite(&l, err, err_size))
+            return false;
+    }
+    return true;
+}
+
+bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
+{
+    cart->rom = rom;
+    return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
+           open_blends(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
+}
+
+void cart_sprite(const struct cart *cart, int i, struct sprite *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->sprites);
+    rom_lump(cart->rom, cart->first_sprite + i, &l);
+    read_sprite(&l, out);
+}
+
+const char *cart_sprite_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->sprites);
+    rom_lump(cart->rom, cart->first_sprite + i, &l);
+    return l.name + strlen("gfx/");
+}
+
+/* The lump folder + name, counted from the folder's first; -1: none. */
+static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
+{
+    char full[ROM_NAME];
+    int n = snprintf(full, sizeof full, "%s%s", folder, name);
+    int i = n > 0 && n < ROM_NAME ? rom_find(cart->rom, full) : -1;
+
+    return i < 0 ? -1 : i - first;
+}
+
+int cart_find_sprite(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "gfx/", name, cart->first_sprite);
+}
+
+const char *cart_blend_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->blends);
+    rom_lump(cart->rom, cart->first_blend + i, &l);
+    return l.name + strlen("blend/");
+}
+
+int cart_find_blend(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "blend/", name, cart->first_blend);
+}
+
+const uint8_t *cart_palette(const struct cart *cart, const char *name)
+{
+    struct lump l;
+
+    return find_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+}
+
+static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,
+                    size_t *size)
+{
+    struct lump l;
+
+    if (!find_in(cart->rom, folder, name, tail, &l))
+        return false;
+    *text = (const char *)l.data;
+    *size = l.size;
+    return true;
+}
+
+bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size)
+{
+    return text_in(cart, "script/", name, ".lua", text, size);
+}
+
+bool cart_text(const struct cart *cart, const char *name, const char **text, size_t *size)
+{
+    return text_in(cart, "data/", name, "", text, size);
+}

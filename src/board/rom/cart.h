@@ -1,0 +1,79 @@
+/*
+ * cart.h - a ROM the board can run: the manifest and art of a struct rom, checked once and then trusted.
+ * floor: board    used by: board/ cab/
+ *
+ * Lumps:  manifest        manifest.h
+ *         script/X.lua    scripts of the game; script/@std/X.lua the standard library
+ *         palette/main    768 bytes, 256 x R G B; palette/X more of them
+ *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
+ *                         most CART_MAX_BLENDS of them
+ *         font            64 bytes a character from 32 on, 8x8 shades 0..15
+ *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
+ *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
+ *                         picture = frame * rotations + rotation
+ *         demo/X          demos
+ *         data/X          text files for rom.text
+ */
+#ifndef BOARD_CART_H
+#define BOARD_CART_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "../../base/rom.h"
+#include "manifest.h"
+
+enum {
+    CART_GFX_HEADER = 24,
+    CART_PALETTE = 768, /* bytes */
+    CART_BLEND = 65536, /* bytes */
+    CART_MAX_BLENDS = 3,
+    CART_GLYPH = 64, /* bytes */
+    CART_FIRST_CHAR = 32,
+    CART_MAX_GLYPHS = 224,
+    CART_MAX_SIDE = 1024, /* px of a sprite's picture */
+    CART_MAX_FRAMES = 256,
+    CART_MAX_ROTATIONS = 256
+};
+
+struct cart {
+    const struct rom *rom;
+    struct manifest m;
+    int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
+    int first_palette, palettes;
+    int first_blend, blends;
+    const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
+    const uint8_t *glyphs;                 /* NULL: no font */
+    int n_glyphs;
+};
+
+struct sprite {
+    uint16_t w, h, pitch;              /* px; pitch a multiple of 8, what lies beyond w is 0 */
+    int16_t ox, oy;                    /* the anchor, px from the picture's top left corner */
+    uint16_t frames, every, rotations; /* every: frames of time a picture stands; rotation r shows turn r / rotations */
+    uint16_t bank;                     /* pixels are 0 or bank * 16 + 1..15 */
+    const uint8_t *pix;
+};
+
+/* Checks all of the above, and that the entry script is there. False and one sentence else. rom must outlive cart. */
+bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size);
+
+/* Sprite i, 0 <= i < sprites; its name without "gfx/"; the index of a name, or -1. */
+void cart_sprite(const struct cart *cart, int i, struct sprite *out);
+const char *cart_sprite_name(const struct cart *cart, int i);
+int cart_find_sprite(const struct cart *cart, const char *name);
+
+/* Blend i, 0 <= i < blends: its name without "blend/"; the index of a name, or -1. */
+const char *cart_blend_name(const struct cart *cart, int i);
+int cart_find_blend(const struct cart *cart, const char *name);
+
+/* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
+const uint8_t *cart_palette(const struct cart *cart, const char *name);
+
+/* The text of script "stages/one" (or "@std/pattern"), not NUL-terminated; false: none. */
+bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size);
+
+/* The text of data file "names.txt"; false: none. */
+bool cart_text(const struct cart *cart, const char *name, const char **text, size_t *size);
+
+#endif

@@ -1,0 +1,732 @@
+/*
+ * manifest_text.c - manifest_read of manifest.h: rom.lua, read by Lua in a state that has no function to call.
+ *
+ * The state lives in the caller's block and dies with it. What bounds it: the block's size, the length of a string (so
+ * that no one instruction is slow), the bytes ever allocated, and a count of instructions. Errors are Lua errors up to
+ * the one pcall; none of the text's own code can catch one.
+ */
+#include "manifest.h"
+
+#include <inttypes.h>
+#include <lauxlib.h>
+#include <lua.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/heap.h"
+#include "../../base/host.h"
+
+enum {
+    MAX_TEXT = 1 << 20,   /* bytes of rom.lua */
+    MAX_STRING = 1 << 14, /* bytes of one string in it */
+    MAX_WORK = 256 << 20, /* bytes ever allocated while it runs */
+    MAX_STEPS = 1 << 20,  /* VM instructions */
+    MAX_PATH = 128        /* "sprites.orb.origin" */
+};
+
+struct reader {
+    const char *text;
+    size_t n;
+    const char *file;
+    struct manifest *m;
+    struct art *art;
+};
+
+/* A table on the Lua stack and how messages call it. */
+struct at {
+    lua_State *lua;
+    int index;
+    char path[MAX_PATH]; /* "": the whole manifest */
+};
+
+static _Noreturn void bad(lua_State *lua, const char *path, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    lua_pushfstring(lua, "%s: ", path);
+    lua_pushvfstring(lua, format, args);
+    va_end(args);
+    lua_concat(lua, 2);
+    lua_error(lua);
+    abort(); /* lua_error does not return */
+}
+
+static void path_of(const struct at *a, const char *key, char out[MAX_PATH])
+{
+    snprintf(out, MAX_PATH, "%.80s%s%.40s", a->path, a->path[0] != '\0' ? "." : "", key);
+}
+
+/* Describes the value on top of the stack: nil, 2.5, "text", a table. */
+static const char *got(lua_State *lua)
+{
+    switch (lua_type(lua, -1)) {
+    case LUA_TNIL:
+        return "nil";
+    case LUA_TNUMBER:
+        return lua_isinteger(lua, -1) ? lua_pushfstring(lua, "%I", lua_tointeger(lua, -1))
+                                      : lua_pushfstring(lua, "%f", lua_tonumber(lua, -1));
+    case LUA_TSTRING: {
+        char cut[48];
+        snprintf(cut, sizeof cut, "\"%.40s\"", lua_tostring(lua, -1));
+        return lua_pushstring(lua, cut);
+    }
+    default:
+        return lua_pushfstring(lua, "a %s", luaL_typename(lua, -1));
+    }
+}
+
+/* Pushes a[key]; false, and nothing pushed, when it is nil. */
+static bool get(const struct at *a, const char *key)
+{
+    luaL_checkstack(a->lua, 8, NULL);
+    lua_pushstring(a->lua, key);
+    if (lua_rawget(a->lua, a->index) != LUA_TNIL)
+        return true;
+    lua_pop(a->lua, 1);
+    return false;
+}
+
+/* a[key] as a table, left on the stack; false when it is nil. */
+static bool get_table(const struct at *a, const char *key, struct at *out)
+{
+    if (!get(a, key))
+        return false;
+    *out = (struct at){ a->lua, lua_gettop(a->lua), "" };
+    path_of(a, key, out->path);
+    if (!lua_istable(a->lua, -1))
+        bad(a->lua, out->path, "expected a table, got %s", got(a->lua));
+    return true;
+}
+
+/* The value on top as a whole number; popped. */
+static int64_t to_whole(lua_State *lua, const char *path, int64_t lo, int64_t hi)
+{
+    int whole = 0;
+    int64_t v = lua_type(lua, -1) == LUA_TNUMBER ? lua_tointegerx(lua, -1, &whole) : 0;
+
+    if (!whole || v < lo || v > hi)
+        bad(lua, path, "expected a whole number from %I to %I, got %s", (LUAI_UACINT)lo, (LUAI_UACINT)hi, got(lua));
+    lua_pop(lua, 1);
+    return v;
+}
+
+/* a[key] into *v, which stays when it is nil. */
+static void get_whole(const struct at *a, const char *key, int32_t lo, int32_t hi, int32_t *v)
+{
+    char path[MAX_PATH];
+
+    path_of(a, key, path);
+    if (get(a, key))
+        *v = (int32_t)to_whole(a->lua, path, lo, hi);
+}
+
+static void need_whole(const struct at *a, const char *key, int32_t lo, int32_t hi, int32_t *v)
+{
+    char path[MAX_PATH];
+
+    path_of(a, key, path);
+    if (!get(a, key))
+        lua_pushnil(a->lua);
+    *v = (int32_t)to_whole(a->lua, path, lo, hi);
+}
+
+/* The value on top as a string of at most size - 1 bytes into out, the rest of it zeroed; popped. what: "a file", "a
+ * word". */
+static void to_text(lua_State *lua, const char *path, const char *what, char *out, size_t size)
+{
+    size_t n = 0;
+    const char *s = lua_type(lua, -1) == LUA_TSTRING ? lua_tolstring(lua, -1, &n) : NULL;
+
+    if (s == NULL)
+        bad(lua, path, "expected %s, got %s", what, got(lua));
+    if (n >= size || strlen(s) != n)
+        bad(lua, path, "expected %s of at most %d bytes, got %s", what, (int)size - 1, got(lua));
+    memset(out, 0, size);
+    memcpy(out, s, n);
+    lua_pop(lua, 1);
+}
+
+static bool get_text(const struct at *a, const char *key, const char *what, char *out, size_t size)
+{
+    char path[MAX_PATH];
+
+    path_of(a, key, path);
+    if (!get(a, key))
+        return false;
+    to_text(a->lua, path, what, out, size);
+    return true;
+}
+
+/* The path of a file in the game's folder. */
+static bool get_file(const struct at *a, const char *key, char out[ART_FILE])
+{
+    char path[MAX_PATH];
+
+    if (!get_text(a, key, "a file", out, ART_FILE))
+        return false;
+    path_of(a, key, path);
+    if (!manifest_path_ok(out))
+        bad(a->lua, path, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
+    return true;
+}
+
+static size_t min_size(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Letters to change, add or drop to make b of a. Both shorter than 32. */
+static size_t distance(const char *a, const char *b)
+{
+    size_t row[32], n = strlen(b);
+
+    for (size_t j = 0; j <= n; j++)
+        row[j] = j;
+    for (size_t i = 1; a[i - 1] != '\0'; i++) {
+        size_t corner = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= n; j++) {
+            size_t best = min_size(corner + (a[i - 1] != b[j - 1]), min_size(row[j], row[j - 1]) + 1);
+            corner = row[j];
+            row[j] = best;
+        }
+    }
+    return row[n];
+}
+
+/* The name of the list nearest to word, or NULL: none is near. */
+static const char *near(const char *word, const char *const *names)
+{
+    const char *best = NULL;
+    size_t least = 3;
+
+    for (; strlen(word) < 32 && *names != NULL; names++) {
+        size_t d = distance(word, *names);
+        if (d < least && d < strlen(word)) {
+            least = d;
+            best = *names;
+        }
+    }
+    return best;
+}
+
+static _Noreturn void bad_name(const struct at *a, const char *key, const char *const *names)
+{
+    char path[MAX_PATH];
+    const char *guess = near(key, names);
+
+    path_of(a, key, path);
+    if (guess == NULL)
+        bad(a->lua, path, "unknown name");
+    bad(a->lua, path, "unknown name (did you mean \"%s\"?)", guess);
+}
+
+static bool listed(const char *name, const char *const *names)
+{
+    while (*names != NULL && strcmp(*names, name) != 0)
+        names++;
+    return *names != NULL;
+}
+
+/* Every key of a is one of names. The order of a table's keys differs between runs: the first in byte order is
+ * reported. */
+static void only(const struct at *a, const char *const *names)
+{
+    const char *first = NULL;
+    lua_State *lua = a->lua;
+
+    luaL_checkstack(lua, 8, NULL);
+    for (lua_pushnil(lua); lua_next(lua, a->index) != 0;) {
+        lua_pop(lua, 1);
+        if (lua_type(lua, -1) != LUA_TSTRING)
+            bad(lua, a->path[0] != '\0' ? a->path : "manifest", "expected only names as keys, got %s", got(lua));
+        const char *key = lua_tostring(lua, -1);
+        if (!listed(key, names) && (first == NULL || strcmp(key, first) < 0))
+            first = key;
+    }
+    if (first != NULL)
+        bad_name(a, first, names);
+}
+
+/* a is a list and nothing else; returns its length, at most max. */
+static int list(const struct at *a, int max)
+{
+    lua_State *lua = a->lua;
+    lua_Unsigned n = lua_rawlen(lua, a->index), keys = 0;
+
+    for (lua_pushnil(lua); lua_next(lua, a->index) != 0; keys++)
+        lua_pop(lua, 1);
+    if (keys != n)
+        bad(lua, a->path, "expected a list");
+    if (n > (lua_Unsigned)max)
+        bad(lua, a->path, "expected at most %d entries, got %d", max, (int)n);
+    return (int)n;
+}
+
+/* Pushes a[i], i from 1; path gets "extends[2]". */
+static void item(const struct at *a, int i, char path[MAX_PATH])
+{
+    snprintf(path, MAX_PATH, "%.100s[%d]", a->path, i);
+    lua_rawgeti(a->lua, a->index, i);
+}
+
+/* The words of a list; returns how many. */
+static int words(const struct at *a, char out[][MAX_WORD], int max)
+{
+    int n = list(a, max);
+
+    for (int i = 0; i < n; i++) {
+        char path[MAX_PATH];
+        item(a, i + 1, path);
+        to_text(a->lua, path, "a word", out[i], MAX_WORD);
+        if (!manifest_word_ok(out[i]))
+            bad(a->lua, path, "expected a word of letters, digits, _ and -, got \"%s\"", out[i]);
+        for (int j = 0; j < i; j++)
+            if (strcmp(out[i], out[j]) == 0)
+                bad(a->lua, path, "\"%s\" stands here twice", out[i]);
+    }
+    return n;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(a, b);
+}
+
+/* The keys of a, sorted, into the first bytes (a name) of an array of structs; returns how many. */
+static int keys(const struct at *a, void *out, int max, size_t stride, size_t name_size)
+{
+    lua_State *lua = a->lua;
+    char *name = out;
+    int n = 0;
+
+    luaL_checkstack(lua, 8, NULL);
+    for (lua_pushnil(lua); lua_next(lua, a->index) != 0; n++, name += stride) {
+        lua_pop(lua, 1);
+        if (lua_type(lua, -1) != LUA_TSTRING)
+            bad(lua, a->path, "expected only names as keys, got %s", got(lua));
+        if (n == max)
+            bad(lua, a->path, "expected at most %d entries", max);
+        lua_pushvalue(lua, -1);
+        to_text(lua, a->path, "a name", name, name_size);
+        if (!manifest_path_ok(name))
+            bad(lua, a->path, "\"%s\": expected a name of letters, digits, _ - . and /", name);
+    }
+    qsort(out, (size_t)n, stride, by_name);
+    return n;
+}
+
+static void read_texts(const struct at *root, struct manifest *m)
+{
+    get_text(root, "id", "a name", m->id, sizeof m->id);
+    memset(m->title, 0, sizeof m->title);
+    if (!get_text(root, "title", "a line", m->title, sizeof m->title))
+        strcpy(m->title, m->id);
+    get_text(root, "author", "a line", m->author, sizeof m->author);
+    get_text(root, "entry", "a script's path", m->entry, sizeof m->entry);
+}
+
+/* The numbers of one group ("board", or "" for those of the whole manifest), and no other names in it. */
+static void read_numbers(const struct at *root, const char *group, struct manifest *m)
+{
+    const char *names[MANIFEST_NUMBERS + 1] = { NULL };
+    size_t skip = strlen(group) + (group[0] != '\0');
+    struct at a = *root;
+    int n = 0, top = lua_gettop(root->lua);
+
+    if (group[0] != '\0' && !get_table(root, group, &a))
+        return;
+    for (int i = 0; i < MANIFEST_NUMBERS; i++) {
+        const struct manifest_number *f = &manifest_numbers[i];
+        const char *dot = strchr(f->name, '.');
+        if ((dot != NULL ? (size_t)(dot - f->name) + 1 : 0) != skip || strncmp(f->name, group, strlen(group)) != 0)
+            continue;
+        names[n++] = f->name + skip;
+        get_whole(&a, f->name + skip, f->lo, f->hi, (int32_t *)(void *)((char *)m + f->offset));
+    }
+    if (group[0] != '\0')
+        only(&a, names);
+    lua_settop(root->lua, top);
+}
+
+static void read_sizes(const struct at *root, struct manifest *m)
+{
+    read_numbers(root, "", m);
+    read_numbers(root, "board", m);
+    read_numbers(root, "screen", m);
+    m->field_w = m->field_h = 0; /* left out: to the screen's edge */
+    read_numbers(root, "field", m);
+    if (m->field_w == 0)
+        m->field_w = m->screen_w - m->field_x;
+    if (m->field_h == 0)
+        m->field_h = m->screen_h - m->field_y;
+}
+
+static void read_extends(const struct at *root, struct manifest *m)
+{
+    struct at a;
+
+    if (!get_table(root, "extends", &a))
+        return;
+    m->n_extends = list(&a, MAX_EXTENDS);
+    for (int i = 0; i < m->n_extends; i++) {
+        char path[MAX_PATH];
+        item(&a, i + 1, path);
+        m->extends[i] = to_whole(a.lua, path, i > 0 ? m->extends[i - 1] + 1 : 1, (int64_t)1 << 53);
+    }
+    lua_pop(a.lua, 1);
+}
+
+/* The index of a word, or -1. */
+static int word_index(const char words_[][MAX_WORD], int n, const char *word)
+{
+    for (int i = 0; i < n; i++)
+        if (strcmp(words_[i], word) == 0)
+            return i;
+    return -1;
+}
+
+static void read_difficulties(const struct at *root, struct manifest *m)
+{
+    struct at a;
+    char word[MAX_WORD] = "normal";
+
+    if (get_table(root, "difficulties", &a)) {
+        memset(m->difficulties, 0, sizeof m->difficulties);
+        m->n_difficulties = words(&a, m->difficulties, MAX_DIFFICULTIES);
+        if (m->n_difficulties == 0)
+            bad(a.lua, a.path, "expected at least one word");
+        lua_pop(a.lua, 1);
+    }
+    bool given = get_text(root, "difficulty", "a word", word, sizeof word);
+    m->difficulty = word_index((const char(*)[MAX_WORD])m->difficulties, m->n_difficulties, word);
+    if (m->difficulty < 0 && given)
+        bad(root->lua, "difficulty", "\"%s\" is not one of the difficulties", word);
+    if (m->difficulty < 0)
+        m->difficulty = 0;
+}
+
+static void read_dip(const struct at *a, struct dip *d)
+{
+    static const char *const names[] = { "min", "max", "default", NULL };
+
+    if (lua_rawlen(a->lua, a->index) > 0) {
+        d->values = words(a, d->value_name, MAX_DIP_VALUES);
+        d->hi = d->values - 1;
+        return;
+    }
+    only(a, names);
+    d->number = true;
+    need_whole(a, "min", INT32_MIN, INT32_MAX, &d->lo);
+    need_whole(a, "max", d->lo, INT32_MAX, &d->hi);
+    d->value = d->lo;
+    get_whole(a, "default", d->lo, d->hi, &d->value);
+}
+
+static void read_dips(const struct at *root, struct manifest *m)
+{
+    struct at a, one;
+
+    if (!get_table(root, "dip", &a))
+        return;
+    m->n_dips = keys(&a, m->dips, MAX_DIPS, sizeof m->dips[0], MAX_WORD);
+    for (int i = 0; i < m->n_dips; i++) {
+        get_table(&a, m->dips[i].name, &one);
+        if (!manifest_word_ok(m->dips[i].name))
+            bad(a.lua, one.path, "expected a name of letters, digits, _ and -");
+        read_dip(&one, &m->dips[i]);
+        lua_pop(a.lua, 1);
+    }
+    lua_pop(a.lua, 1);
+}
+
+static void read_palettes(const struct at *root, struct art *art)
+{
+    struct at a;
+
+    get_file(root, "palette", art->palette);
+    get_file(root, "font", art->font);
+    if (!get_table(root, "palettes", &a))
+        return;
+    art->n_palettes = keys(&a, art->palettes, MAX_ART_PALETTES, sizeof art->palettes[0], ART_NAME);
+    for (int i = 0; i < art->n_palettes; i++) {
+        get_file(&a, art->palettes[i].name, art->palettes[i].file);
+        if (strcmp(art->palettes[i].name, "main") == 0)
+            bad(a.lua, "palettes.main", "this name is that of `palette`");
+    }
+    lua_pop(a.lua, 1);
+}
+
+/* "add", or { mix = percent }. */
+static int32_t read_blend(const struct at *a, const char *name)
+{
+    static const char *const names[] = { "mix", NULL };
+    char path[MAX_PATH];
+    struct at one;
+    int32_t mix = 0;
+
+    path_of(a, name, path);
+    get(a, name);
+    if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), "add") == 0) {
+        lua_pop(a->lua, 1);
+        return 0;
+    }
+    if (!lua_istable(a->lua, -1))
+        bad(a->lua, path, "expected \"add\" or { mix = percent }, got %s", got(a->lua));
+    lua_pop(a->lua, 1);
+    get_table(a, name, &one);
+    only(&one, names);
+    need_whole(&one, "mix", 1, 99, &mix);
+    lua_pop(a->lua, 1);
+    return mix;
+}
+
+static void read_blends(const struct at *root, struct art *art)
+{
+    struct at a;
+
+    if (!get_table(root, "blends", &a))
+        return;
+    art->n_blends = keys(&a, art->blends, MAX_ART_BLENDS, sizeof art->blends[0], ART_NAME);
+    for (int i = 0; i < art->n_blends; i++)
+        art->blends[i].mix = read_blend(&a, art->blends[i].name);
+    lua_pop(a.lua, 1);
+}
+
+static void read_sheets(const struct at *root, struct art *art)
+{
+    static const char *const names[] = { "file", "bank", NULL };
+    struct at a, one;
+
+    if (!get_table(root, "sheets", &a))
+        return;
+    art->n_sheets = keys(&a, art->sheets, MAX_ART_SHEETS, sizeof art->sheets[0], ART_NAME);
+    for (int i = 0; i < art->n_sheets; i++) {
+        struct art_sheet *s = &art->sheets[i];
+        get_table(&a, s->name, &one);
+        only(&one, names);
+        if (!get_file(&one, "file", s->file))
+            bad(a.lua, one.path, "expected file=\"art/NAME.png\"");
+        get_whole(&one, "bank", 0, 15, &s->bank);
+        lua_pop(a.lua, 1);
+    }
+    lua_pop(a.lua, 1);
+}
+
+static int32_t sheet_index(const struct at *a, const struct art *art)
+{
+    char name[ART_NAME] = "", path[MAX_PATH];
+
+    path_of(a, "sheet", path);
+    if (!get_text(a, "sheet", "a sheet's name", name, sizeof name))
+        bad(a->lua, path, "expected a sheet's name, got nil");
+    for (int i = 0; i < art->n_sheets; i++)
+        if (strcmp(art->sheets[i].name, name) == 0)
+            return i;
+    bad(a->lua, path, "\"%s\" is not one of the sheets", name);
+}
+
+static void read_origin(const struct at *a, struct art_sprite *s)
+{
+    struct at o;
+    char path[MAX_PATH];
+
+    if (!get_table(a, "origin", &o))
+        return;
+    if (list(&o, 2) != 2)
+        bad(a->lua, o.path, "expected { x, y }");
+    item(&o, 1, path);
+    s->ox = (int32_t)to_whole(a->lua, path, -1024, 1024);
+    item(&o, 2, path);
+    s->oy = (int32_t)to_whole(a->lua, path, -1024, 1024);
+    s->origin = true;
+    lua_pop(a->lua, 1);
+}
+
+static void read_sprite(const struct at *a, const struct art *art, struct art_sprite *s)
+{
+    static const char *const names[] = { "sheet", "x", "y", "w", "h", "frames", "every", "rotations", "origin", NULL };
+
+    only(a, names);
+    s->sheet = sheet_index(a, art);
+    s->frames = s->rotations = 1;
+    s->every = 6;
+    get_whole(a, "x", 0, 16383, &s->x);
+    get_whole(a, "y", 0, 16383, &s->y);
+    need_whole(a, "w", 1, 1024, &s->w);
+    need_whole(a, "h", 1, 1024, &s->h);
+    get_whole(a, "frames", 1, 256, &s->frames);
+    get_whole(a, "every", 1, 3600, &s->every);
+    get_whole(a, "rotations", 1, 256, &s->rotations);
+    s->ox = s->w / 2;
+    s->oy = s->h / 2;
+    read_origin(a, s);
+}
+
+static void read_sprites(const struct at *root, struct art *art)
+{
+    struct at a, one;
+
+    if (!get_table(root, "sprites", &a))
+        return;
+    art->n_sprites = keys(&a, art->sprites, MAX_ART_SPRITES, sizeof art->sprites[0], ART_NAME);
+    for (int i = 0; i < art->n_sprites; i++) {
+        get_table(&a, art->sprites[i].name, &one);
+        read_sprite(&one, art, &art->sprites[i]);
+        lua_pop(a.lua, 1);
+    }
+    lua_pop(a.lua, 1);
+}
+
+static void read_root(const struct at *root, struct manifest *m, struct art *art)
+{
+    static const char *const names[] = { "id",      "title",   "author",       "version",    "entry",
+                                         "screen",  "field",   "board",        "palette",    "palettes",
+                                         "blends",  "font",    "sheets",       "sprites",    "dip",
+                                         "players", "extends", "difficulties", "difficulty", NULL };
+
+    only(root, names);
+    read_texts(root, m);
+    read_sizes(root, m);
+    read_extends(root, m);
+    read_difficulties(root, m);
+    read_dips(root, m);
+    read_palettes(root, art);
+    read_blends(root, art);
+    read_sheets(root, art);
+    read_sprites(root, art);
+}
+
+static void too_long(lua_State *lua, lua_Debug *ar)
+{
+    lua_getinfo(lua, "Sl", ar);
+    lua_pushfstring(lua, "%s:%d: takes too long (an endless loop?)", ar->short_src, ar->currentline);
+    lua_error(lua);
+}
+
+/* Runs the text and reads what it returns; the one function called from C, protected. */
+static int run(lua_State *lua)
+{
+    struct reader *r = lua_touserdata(lua, 1);
+    char chunk[64];
+
+    snprintf(chunk, sizeof chunk, "@%s", r->file);
+    if (luaL_loadbufferx(lua, r->text, r->n, chunk, "t") != LUA_OK)
+        return lua_error(lua);
+    lua_sethook(lua, too_long, LUA_MASKCOUNT, MAX_STEPS);
+    lua_call(lua, 0, 1);
+    lua_sethook(lua, NULL, 0, 0);
+    struct at root = { lua, lua_gettop(lua), "" };
+    if (!lua_istable(lua, -1))
+        bad(lua, r->file, "expected `return { ... }`, got %s", got(lua));
+    read_root(&root, r->m, r->art);
+    return 0;
+}
+
+struct memory {
+    struct heap *heap;
+    lua_State *lua; /* NULL: not made yet */
+    int line;       /* of the text, where memory last ran out; 0: elsewhere */
+};
+
+/* After running out, the stack is gone. */
+static void note_line(struct memory *m)
+{
+    lua_Debug ar;
+
+    m->line = 0;
+    for (int level = 0; m->lua != NULL && m->line <= 0 && lua_getstack(m->lua, level, &ar); level++) {
+        lua_getinfo(m->lua, "l", &ar);
+        m->line = ar.currentline;
+    }
+}
+
+/* lua_Alloc over the block. When p is NULL, old is the kind of thing to be made. */
+static void *allocate(void *memory, void *p, size_t old, size_t size)
+{
+    struct memory *m = memory;
+    bool more = (p == NULL || size > old) && size > 0;
+    bool refused = p == NULL && old == LUA_TSTRING && size > MAX_STRING + 64;
+    void *q = NULL;
+
+    if (!refused && !(more && heap_work(m->heap) > MAX_WORK))
+        q = heap_realloc(m->heap, p, p == NULL ? 0 : old, size);
+    if (q == NULL && more)
+        note_line(m);
+    return q;
+}
+
+/* The message of a failed run, with the file's name in front where Lua has not put it. */
+static void explain(lua_State *lua, int status, int line, const char *file, char *err, size_t err_size)
+{
+    const char *message = lua_tostring(lua, -1);
+    size_t n = strlen(file);
+
+    if (status == LUA_ERRMEM && line > 0)
+        snprintf(err, err_size, "%s:%d: needs too much memory", file, line);
+    else if (status == LUA_ERRMEM)
+        snprintf(err, err_size, "%s: needs too much memory", file);
+    else if (message == NULL)
+        snprintf(err, err_size, "%s: cannot be read", file);
+    else if (strncmp(message, file, n) == 0 && message[n] == ':')
+        snprintf(err, err_size, "%s", message);
+    else
+        snprintf(err, err_size, "%s: %s", file, message);
+    for (; *err != '\0'; err++) /* a sentence stays one line, whatever the text quotes */
+        if ((unsigned char)*err < 32 || *err == 127)
+            *err = ' ';
+}
+
+/* A folder's name as an id: lower case, _ for what an id may not hold. */
+static void id_from(const char *folder, char id[32])
+{
+    size_t i = 0;
+
+    for (; i < 31 && folder[i] != '\0'; i++) {
+        char c = folder[i] >= 'A' && folder[i] <= 'Z' ? (char)(folder[i] + 32) : folder[i];
+        id[i] = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '_';
+    }
+    memset(id + i, 0, 32 - i);
+}
+
+/* Runs the text; false and one sentence when it is no manifest. */
+static bool read_text(struct reader *r, void *work, char *err, size_t err_size)
+{
+    struct memory memory = { heap_init(work, MANIFEST_WORK), NULL, 0 };
+    lua_State *lua = lua_newstate(allocate, &memory);
+
+    memory.lua = lua;
+    lua_pushcfunction(lua, run);
+    lua_pushlightuserdata(lua, r);
+    int status = lua_pcall(lua, 1, 0, 0);
+    if (status != LUA_OK)
+        explain(lua, status, memory.line, r->file, err, err_size);
+    lua_close(lua);
+    return status == LUA_OK;
+}
+
+bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
+                   struct art *art, void *work, char *err, size_t err_size)
+{
+    struct reader r = { text, n, file, m, art };
+    struct host host;
+    char why[256];
+
+    manifest_default(m);
+    if (folder[0] != '\0')
+        id_from(folder, m->id);
+    memset(art, 0, sizeof *art);
+    if (n > MAX_TEXT) {
+        snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_TEXT);
+        return false;
+    }
+    host_aside(&host);
+    bool good = read_text(&r, work, err, err_size);
+    host_back(&host);
+    if (!good || manifest_check(m, why, sizeof why))
+        return good;
+    snprintf(err, err_size, "%s: %s", file, why);
+    return false;
+}

@@ -1,0 +1,456 @@
+/*
+ * check_lua.c - what is wrong with scripts, before they run.
+ *
+ * All scripts are read first, for what one of them adds to a table of the API is there for all. A name is only found
+ * missing where nobody can have put it: when a table of the API is handed around, or _G is, its names are let through.
+ */
+#include "check_parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/api.h"
+#include "../../board/script.h"
+#include "../pack/pack.h"
+
+static bool same(const char *a, const char *b)
+{
+    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
+}
+
+/* ---- reading ---- */
+
+static void scan(struct check *c, const struct check_script *s, size_t size)
+{
+    struct script_place place = { 0, 1 };
+    const char *what;
+    int line;
+
+    while (!script_scan_on((const char *)s->text, size, &place, &line, &what)) {
+        findings_add(&c->found, s->path, line, "%s", what);
+        c->broken = true;
+    }
+}
+
+static void compile(struct check *c, const struct check_script *s, size_t size)
+{
+    void *block, *work = tree_work(TREE_WORK, &block);
+    char chunk[TREE_PATH], err[512] = "out of memory";
+
+    snprintf(chunk, sizeof chunk, "@%s", s->path);
+    if (work == NULL || !script_compile((const char *)s->text, size, chunk, work, TREE_WORK, err, sizeof err)) {
+        findings_add_sentence(&c->found, s->path, err);
+        c->broken = true;
+    }
+    free(block);
+}
+
+static bool ends_with(const char *s, const char *tail)
+{
+    size_t n = strlen(s), m = strlen(tail);
+
+    return n > m && strcmp(s + n - m, tail) == 0;
+}
+
+static void refuse(struct check *c, const char *path, const char *what)
+{
+    findings_add(&c->found, path, 0, "%s", what);
+    c->broken = true;
+}
+
+static void read_script(struct check *c, const char *path)
+{
+    struct check_script *s = &c->scripts[c->n_scripts];
+    size_t size;
+
+    if (!manifest_path_ok(path)) {
+        refuse(c, path, "expected a name of letters, digits, _ - and . only");
+        return;
+    }
+    if (strncmp(path, "std/", 4) == 0 && !pack_is_std(path)) {
+        refuse(c, path, "the standard library has no such script to replace");
+        return;
+    }
+    *s = (struct check_script){ .path = path };
+    if (!check_load(c, path, TREE_SCRIPT, &s->text, &size))
+        return;
+    c->n_scripts++;
+    tree_drop_mark(s->text, &size);
+    snprintf(s->name, sizeof s->name, "%.*s", (int)(strlen(path) - strlen(".lua")), path);
+    scan(c, s, size);
+    compile(c, s, size);
+    facts_read(&s->facts, (const char *)s->text, size, known_global);
+}
+
+static bool replaced(const struct check *c, const char *name)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "std/%s.lua", name);
+    return tree_has(&c->files, path);
+}
+
+static void read_library(struct check *c)
+{
+    for (int i = 0; i < std_script_count; i++) {
+        struct check_script *s = &c->library[c->n_library];
+        if (replaced(c, std_scripts[i].name))
+            continue;
+        c->n_library++;
+        snprintf(s->name, sizeof s->name, "std/%s", std_scripts[i].name);
+        facts_read(&s->facts, (const char *)std_scripts[i].data, std_scripts[i].size, known_global);
+    }
+}
+
+void check_scripts(struct check *c)
+{
+    c->scripts = calloc((size_t)c->files.n + 1, sizeof *c->scripts);
+    c->library = calloc((size_t)std_script_count + 1, sizeof *c->library);
+    if (c->scripts == NULL || c->library == NULL) {
+        c->found.failed = true;
+        return;
+    }
+    for (int i = 0; i < c->files.n; i++)
+        if (ends_with(c->files.name[i], ".lua") && strcmp(c->files.name[i], "rom.lua") != 0)
+            read_script(c, c->files.name[i]);
+    read_library(c);
+}
+
+/* ---- what there is ---- */
+
+static void add_library(struct check *c, const struct check_script *s)
+{
+    const char *name = s->name + strlen("std/");
+
+    if (strncmp(s->name, "std/", 4) == 0 && !known_add_library(&c->known, name, &s->facts))
+        known_add(&c->open, NULL, name);
+}
+
+/* What the use of a global by a script of the game may change. */
+static void add_use(struct check *c, const struct fact_global *g)
+{
+    bool all = strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0;
+
+    if (g->use == USE_MEMBER || g->use == USE_SELF) {
+        known_add(&c->known, g->name, g->field);
+        known_add(&c->changed, g->name, g->field);
+    }
+    if (g->use == USE_WRITE)
+        known_add(&c->changed, NULL, g->name);
+    if (g->use != USE_VALUE && g->use != USE_WRITE && g->use != USE_SELF)
+        return;
+    c->any_global = c->any_global || all;
+    known_add(&c->open, NULL, g->name);
+}
+
+static void gather(struct check *c)
+{
+    known_open(&c->known);
+    for (int i = 0; i < c->n_library; i++)
+        add_library(c, &c->library[i]);
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct facts *f = &c->scripts[i].facts;
+        add_library(c, &c->scripts[i]);
+        for (int k = 0; k < f->n_globals; k++)
+            add_use(c, &f->globals[k]);
+    }
+}
+
+/* May a script of the game have put a function of its own there? */
+static bool is_changed(const struct check *c, const char *space, const char *name)
+{
+    return (space != NULL && known_has(&c->open, NULL, space)) || known_has(&c->changed, space, name);
+}
+
+/* ---- names ---- */
+
+/* " (did you mean "speed"?)", or nothing. */
+static void hint(char out[96], const char *word, const char *near, const char *local)
+{
+    bool inner = local != NULL && (near == NULL || words_apart(word, local) <= words_apart(word, near));
+    const char *meant = inner ? local : near;
+
+    out[0] = '\0';
+    if (meant != NULL)
+        snprintf(out, 96, " (did you mean \"%s\"?)", meant);
+}
+
+static void unknown_global(struct check *c, const char *path, const struct fact_global *g)
+{
+    const char *instead = known_instead(NULL, g->name);
+    char meant[96];
+
+    if (instead != NULL && g->use != USE_WRITE) {
+        findings_add(&c->found, path, g->line, "%s is not available (%s)", g->name, instead);
+        return;
+    }
+    hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
+    if (api_later("", '.', g->name) && g->use != USE_WRITE)
+        findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
+                     g->local != NULL ? meant : "");
+    else if (g->use == USE_WRITE && meant[0] == '\0')
+        findings_add(&c->found, path, g->line,
+                     "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);
+    else
+        findings_add(&c->found, path, g->line, "undeclared global \"%s\"%s", g->name, meant);
+}
+
+static void unknown_field(struct check *c, const char *path, const struct fact_global *g)
+{
+    const char *instead = known_instead(g->name, g->field);
+    char meant[96];
+
+    hint(meant, g->field, known_near(&c->known, g->name, g->field), NULL);
+    if (instead != NULL)
+        findings_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
+    else if (api_later(g->name, '.', g->field))
+        findings_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
+    else
+        findings_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
+}
+
+/* Does a script that cannot be read to its end have the word? What it does with it nobody knows. */
+static bool in_broken_script(const struct check *c, const char *word)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        if (!c->scripts[i].facts.whole && strstr((const char *)c->scripts[i].text, word) != NULL)
+            return true;
+    return false;
+}
+
+static bool has_fields(const struct check *c, const char *space)
+{
+    for (int i = 0; i < c->known.n; i++)
+        if (same(c->known.list[i].space, space))
+            return true;
+    return false;
+}
+
+static const struct api_entry *entry(const char *space, const char *name)
+{
+    char full[96];
+
+    snprintf(full, sizeof full, "%s%s%s", space != NULL ? space : "", space != NULL ? "." : "", name);
+    for (int i = 0; i < api_count(); i++)
+        if (strcmp(api_entry(i)->name, full) == 0)
+            return api_entry(i);
+    return NULL;
+}
+
+/* What load runs may do anything too. */
+static bool is_open(const struct check *c, const char *space)
+{
+    return c->any_global || known_has(&c->open, NULL, space) || known_has(&c->open, NULL, "load");
+}
+
+static void judge_global(struct check *c, const char *path, const struct fact_global *g)
+{
+    if (strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0)
+        return;
+    if (!known_has(&c->known, NULL, g->name)) {
+        if (!c->any_global)
+            unknown_global(c, path, g);
+        return;
+    }
+    bool read = g->use == USE_FIELD || g->use == USE_METHOD;
+    if (!read || is_open(c, g->name) || !has_fields(c, g->name) || in_broken_script(c, g->field))
+        return;
+    if (!known_has(&c->known, g->name, g->field))
+        unknown_field(c, path, g);
+    else if (g->use == USE_METHOD && entry(g->name, g->field) != NULL && !is_changed(c, g->name, g->field))
+        findings_add(&c->found, path, g->line, "%s:%s: call it with a dot, as %s.%s", g->name, g->field, g->name,
+                     g->field);
+}
+
+/* ---- values ---- */
+
+static void judge_walk(struct check *c, const char *path, const struct fact_walk *w)
+{
+    const char *space = w->of.space, *dot = space != NULL ? "." : "";
+    const char *handle = w->of.arg == 0 ? known_handle(space, w->of.name) : NULL;
+    bool handed = w->of.arg > 0 && known_handed(&w->of);
+
+    if ((handle == NULL && !handed) || is_changed(c, space, w->of.name) || is_changed(c, NULL, w->how))
+        return;
+    space = space != NULL ? space : "";
+    if (handed)
+        findings_add(&c->found, path, w->line, "%s: what %s%s%s hands to its function is a thing, not a table", w->how,
+                     space, dot, w->of.name);
+    else
+        findings_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s", w->how, space, dot,
+                     w->of.name, handle, strcmp(handle, "group") == 0 ? " (bullet.each visits one by one)" : "");
+}
+
+static void judge_zero(struct check *c, const char *path, const struct fact_zero *z)
+{
+    if (strcmp(z->how, "/") != 0)
+        findings_add(&c->found, path, z->line, "%s 0: an error that ends the run when both are whole numbers", z->how);
+    else if (z->zero)
+        findings_add(&c->found, path, z->line, "0/0 is no number: it equals nothing, and the board refuses it");
+    else if (z->constant)
+        findings_add(&c->found, path, z->line, "divided by 0: the board refuses what is infinite (math.huge compares)");
+    else
+        findings_add(&c->found, path, z->line, "divided by 0: the result is infinite or no number");
+}
+
+static void judge_format(struct check *c, const struct check_script *s, const struct fact_text *t)
+{
+    for (const char *p = t->s; (p = strchr(p, '%')) != NULL; p++) {
+        p += 1 + strspn(p + 1, "-+ #0123456789.");
+        if (*p == 'p')
+            findings_add(&c->found, s->path, t->line, "%%p is not available (an address differs between runs)");
+        if (*p == 'a' || *p == 'A')
+            findings_add(&c->found, s->path, t->line, "%%%c is not available (it differs between machines; %%.17g)",
+                         *p);
+        if (*p == '\0')
+            return;
+    }
+}
+
+/* ---- what they ask for ---- */
+
+static void judge_require(struct check *c, const struct check_script *s, const struct fact_call *call)
+{
+    const char *name = call->arg[0];
+    char path[TREE_PATH];
+
+    if (call->space != NULL || strcmp(call->name, "require") != 0 || name == NULL || name[0] == '@')
+        return;
+    snprintf(path, sizeof path, "%s.lua", name);
+    if (!tree_has(&c->files, path))
+        findings_add(&c->found, s->path, call->line, "require: there is no %s in the game%s", path,
+                     ends_with(name, ".lua") ? " (the name goes without .lua)" : "");
+}
+
+static void judge_demo(struct check *c, const struct check_script *s, int line, const char *how, const char *name)
+{
+    char path[TREE_PATH];
+
+    snprintf(path, sizeof path, "demos/%s.demo", name);
+    if (!tree_has(&c->files, path))
+        findings_add(&c->found, s->path, line, "%s: there is no %s", how, path);
+}
+
+/* Does a script ask whether it is there? Then it knows what to do without. */
+static bool is_asked_for(const struct check *c, const char *name)
+{
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct facts *f = &c->scripts[i].facts;
+        for (int k = 0; k < f->n_calls; k++)
+            if (same(f->calls[k].space, "rom") && same(f->calls[k].name, "has") && same(f->calls[k].arg[0], name))
+                return true;
+    }
+    return false;
+}
+
+/* The names of one kind in rom.lua. */
+struct names {
+    const char *what, *first; /* the first name; the next is `stride` bytes on */
+    size_t stride;
+    int n;
+};
+
+static void judge_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
+{
+    const char *near = NULL, *at = have.first;
+    char meant[96];
+    int best = 99;
+
+    if (!c->manifest || is_asked_for(c, name))
+        return;
+    for (int i = 0; i < have.n; i++, at += have.stride) {
+        int apart = words_apart(name, at);
+        if (strcmp(name, at) == 0)
+            return;
+        near = apart < best ? at : near;
+        best = apart < best ? apart : best;
+    }
+    hint(meant, name, near, NULL);
+    findings_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);
+}
+
+static struct names sprites(const struct check *c)
+{
+    return (struct names){ "sprite", c->art.sprites[0].name, sizeof c->art.sprites[0], c->art.n_sprites };
+}
+
+static struct names blends(const struct check *c)
+{
+    return (struct names){ "blend", c->art.blends[0].name, sizeof c->art.blends[0], c->art.n_blends };
+}
+
+static struct names palettes(const struct check *c)
+{
+    return (struct names){ "palette", c->art.palettes[0].name, sizeof c->art.palettes[0], c->art.n_palettes };
+}
+
+static void judge_palette(struct check *c, const struct check_script *s, int line, const char *name)
+{
+    if (strcmp(name, "main") != 0)
+        judge_name(c, s, line, palettes(c), name);
+}
+
+static enum api_type type_of(const struct api_entry *e, const char *param)
+{
+    for (int i = 0; e != NULL && i < e->count; i++)
+        if (strcmp(e->params[i].name, param) == 0)
+            return e->params[i].type;
+    return A_ANY;
+}
+
+/* A key with a string for its value, right in the table a function of the API is given. */
+static void judge_key(struct check *c, const struct check_script *s, const struct fact_key *k)
+{
+    const struct fact_table *t = &s->facts.tables[k->table];
+
+    if (k->value == NULL || t->space == NULL || t->key >= 0 || is_changed(c, t->space, t->name))
+        return;
+    enum api_type type = type_of(entry(t->space, t->name), k->name);
+    if (type == A_SPRITE)
+        judge_name(c, s, k->line, sprites(c), k->value);
+    else if (type == A_BLEND)
+        judge_name(c, s, k->line, blends(c), k->value);
+    else if (same(t->space, "palette") && same(t->name, "fade") && same(k->name, "to"))
+        judge_palette(c, s, k->line, k->value);
+    else if (same(t->space, "boot") && same(t->name, "run") && same(k->name, "demo"))
+        judge_demo(c, s, k->line, "boot.run: demo", k->value);
+}
+
+static void judge_call(struct check *c, const struct check_script *s, const struct fact_call *call)
+{
+    const char *arg = call->arg[0];
+
+    judge_require(c, s, call);
+    if (arg == NULL || call->space == NULL || is_changed(c, call->space, call->name))
+        return;
+    if (same(call->space, "palette") && same(call->name, "load"))
+        judge_palette(c, s, call->line, arg);
+    if (same(call->space, "board") && same(call->name, "attract"))
+        judge_demo(c, s, call->line, "board.attract", arg);
+}
+
+static void judge(struct check *c, const struct check_script *s)
+{
+    const struct facts *f = &s->facts;
+
+    for (int i = 0; i < f->n_globals; i++)
+        judge_global(c, s->path, &f->globals[i]);
+    for (int i = 0; i < f->n_walks; i++)
+        judge_walk(c, s->path, &f->walks[i]);
+    for (int i = 0; i < f->n_zeros; i++)
+        judge_zero(c, s->path, &f->zeros[i]);
+    for (int i = 0; i < f->n_formats; i++)
+        judge_format(c, s, &f->formats[i]);
+    for (int i = 0; i < f->n_calls; i++)
+        judge_call(c, s, &f->calls[i]);
+    for (int i = 0; i < f->n_keys; i++)
+        judge_key(c, s, &f->keys[i]);
+}
+
+void check_lua(struct check *c)
+{
+    gather(c);
+    for (int i = 0; i < c->n_scripts; i++)
+        if (c->scripts[i].facts.whole)
+            judge(c, &c->scripts[i]);
+}

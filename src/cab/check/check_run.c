@@ -1,0 +1,325 @@
+/*
+ * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game that
+ * nobody plays; then every stage and every phase of a boss by itself. What faults, what does not hold, and how much Lua RAM was in use at most.
+ */
+#include "check_parts.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
+#include "../demo/demo.h"
+#include "../run/guard.h"
+#include "../run/pieces.h"
+#include "../pack/pack.h"
+
+enum {
+    IDLE_FRAMES = 600,    /* of a game without demos */
+    MOST_FRAMES = 36000,  /* of a demo: ten minutes */
+    PIECE_FRAMES = 18000, /* of a stage or a phase: five minutes */
+    SWEEP = 40,           /* frames a ship flies one way meanwhile */
+    MOST_LUA = 75         /* percent of board.lua_kib */
+};
+
+#define ALL UINT32_MAX /* frames */
+
+struct run {
+    struct check *c;
+    const char *what; /* "demos/attract.demo", "600 frames of nobody playing" */
+    struct rom_image image;
+    struct cart cart;
+    struct guard guard;
+    struct demo demo;
+    uint64_t hashes[MAX_PARTS];
+    void *copies; /* of board_hashes_again */
+    size_t most;  /* bytes of Lua RAM, of all runs so far */
+    char who[TREE_PATH];
+    bool memory_fault;
+};
+
+/* ---- one run ---- */
+
+/* A line that has a finding already is most likely the reason of the fault. */
+static void note_fault(struct run *r, const struct board_fault *fault)
+{
+    struct findings alone = { 0 };
+
+    r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
+    findings_add_sentence(&alone, r->what, fault->message);
+    bool known =
+        alone.n > 0 && alone.list[0].line > 0 && findings_at(&r->c->found, alone.list[0].file, alone.list[0].line);
+    findings_close(&alone);
+    if (!known)
+        findings_add_sentence(&r->c->found, r->what, fault->message);
+}
+
+/* Does a script ask board.refused for it? Then the game knows that it may be full. */
+static bool is_watched(const struct check *c, const char *part)
+{
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct facts *f = &c->scripts[i].facts;
+        for (int k = 0; k < f->n_calls; k++) {
+            const struct fact_call *call = &f->calls[k];
+            if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
+                (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Pools that are full for the first time. Sparks are for the eye: one that is not there nobody misses. */
+static void note_full(struct run *r, const struct board_out *out)
+{
+    for (int i = 0; i < out->fulls; i++)
+        if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
+            findings_add_sentence(&r->c->found, r->what, out->full[i].line);
+}
+
+static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
+{
+    const struct board_out *out = guard_tick(&r->guard, pads);
+
+    note_full(r, out);
+    return out;
+}
+
+static bool power(struct run *r, const struct board_start *start)
+{
+    char err[512];
+
+    if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
+        note_full(r, board_last(r->guard.board));
+        return true;
+    }
+    findings_add_sentence(&r->c->found, "rom.lua", err);
+    return false;
+}
+
+static void finish(struct run *r)
+{
+    size_t most = board_lua_most(r->guard.board);
+
+    if (board_last(r->guard.board)->fault)
+        note_fault(r, board_last(r->guard.board)->fault);
+    if (most > r->most) {
+        r->most = most;
+        snprintf(r->who, sizeof r->who, "%s", r->what);
+    }
+    guard_close(&r->guard);
+}
+
+static struct board_start plain_start(const struct run *r)
+{
+    struct board_start start = { .difficulty = -1 };
+
+    for (int i = 0; i < r->cart.m.n_dips; i++)
+        start.dip[i] = r->cart.m.dips[i].value;
+    return start;
+}
+
+static void run_idle(struct run *r)
+{
+    const uint16_t nothing[PADS] = { 0 };
+    struct board_start start = plain_start(r);
+
+    r->what = "600 frames of nobody playing";
+    if (!power(r, &start))
+        return;
+    for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
+        tick(r, nothing);
+    finish(r);
+}
+
+/* ---- pieces ---- */
+
+/* Is the stage cleared, or the phase won or lost? */
+static bool piece_over(const struct board_out *out)
+{
+    for (int i = 0; i < out->marks; i++) {
+        enum board_mark_kind kind = out->mark[i].kind;
+        if (kind == MARK_CLEAR || kind == MARK_WON || kind == MARK_LOST)
+            return true;
+    }
+    return false;
+}
+
+/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are pieces
+ * too: what a stage's phase ends does not end the stage. */
+static void run_piece(struct run *r, const struct piece *piece)
+{
+    static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
+    struct board_start start = plain_start(r);
+    bool over = false;
+
+    r->what = piece->mark;
+    snprintf(start.practice.mark, sizeof start.practice.mark, "%s", piece->mark);
+    start.practice.invincible = true;
+    if (!power(r, &start))
+        return;
+    for (int f = 0; f < PIECE_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+        const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
+        over = piece->kind == PIECE_PHASE && piece_over(out);
+        for (int i = 0; i < out->marks; i++)
+            over = over || out->mark[i].kind == MARK_CLEAR;
+    }
+    finish(r);
+    r->c->pieces++;
+}
+
+static void run_pieces(struct run *r)
+{
+    struct board_start start = plain_start(r);
+    struct pieces *list = calloc(1, sizeof *list);
+
+    r->c->found.failed = r->c->found.failed || list == NULL;
+    if (list == NULL)
+        return;
+    pieces_list(list, &r->image.rom, &start, false);
+    for (int i = 0; i < list->n; i++)
+        if (list->piece[i].kind == PIECE_STAGE || list->piece[i].kind == PIECE_PHASE)
+            run_piece(r, &list->piece[i]);
+    free(list);
+}
+
+/* ---- a demo ---- */
+
+/* Does the board agree with what the demo knows of this frame? */
+static bool agrees(struct run *r, uint32_t frame)
+{
+    uint64_t hashes[MAX_PARTS];
+
+    board_hashes_again(r->guard.board, r->copies, r->hashes);
+    return demo_order(&r->demo, r->guard.board, r->hashes, hashes) == 0 && demo_differs(&r->demo, frame, hashes) == 0;
+}
+
+/* A demo that was recorded with a fault holds when that comes again, there and only there. */
+static bool is_as_recorded(struct run *r, uint32_t frame)
+{
+    const struct board_fault *fault = board_last(r->guard.board)->fault;
+    const struct demo *d = &r->demo;
+
+    if (fault)
+        return d->fault == fault->kind && frame == d->frames;
+    return agrees(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
+}
+
+/* Plays the demo, also on after it went wrong. Returns the first frame that is not as it was recorded, or ALL. */
+static uint32_t play(struct run *r)
+{
+    uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
+    uint16_t pads[PADS];
+
+    for (uint32_t f = 0;; f++) {
+        if (wrong == ALL && !is_as_recorded(r, f))
+            wrong = f;
+        if (f == last || board_last(r->guard.board)->fault)
+            return wrong;
+        demo_pads(&r->demo, f, pads);
+        tick(r, pads);
+    }
+}
+
+static void run_loaded(struct run *r)
+{
+    char doubt[128];
+    bool doubted = demo_doubt(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
+
+    if (!power(r, &r->demo.start))
+        return;
+    r->copies = calloc(1, board_copies(r->guard.board));
+    if (r->copies == NULL) {
+        r->c->found.failed = true;
+        guard_close(&r->guard);
+        return;
+    }
+    uint32_t wrong = play(r);
+    free(r->copies);
+    if (wrong != ALL && !doubted)
+        findings_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
+                     wrong, r->c->dir, r->c->dir, r->what);
+    finish(r);
+    r->c->demos++;
+}
+
+static void run_demo(struct run *r, const char *path)
+{
+    char err[512];
+    uint8_t *data;
+    size_t size;
+
+    r->what = path;
+    if (!check_load(r->c, path, DEMO_MAX_BYTES, &data, &size))
+        return;
+    bool good = demo_read(&r->demo, data, size, err, sizeof err);
+    free(data);
+    if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
+        findings_add(&r->c->found, path, 0, "%s", err);
+    else if (!r->demo.complete)
+        findings_add(&r->c->found, path, 0, "cut short: it has no end mark");
+    if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
+        run_loaded(r);
+    demo_free(&r->demo);
+}
+
+static bool is_demo(const char *path)
+{
+    size_t n = strlen(path), m = strlen(".demo");
+
+    return strncmp(path, "demos/", 6) == 0 && n > 6 + m && strcmp(path + n - m, ".demo") == 0;
+}
+
+/* ---- all runs ---- */
+
+static void judge_memory(struct run *r)
+{
+    size_t room = (size_t)r->cart.m.lua_kib * 1024;
+
+    r->c->lua_most = r->most;
+    if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
+        return;
+    findings_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
+                 "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
+                 r->most / 1024, MOST_LUA);
+}
+
+static void run_all(struct run *r)
+{
+    const struct tree *files = &r->c->files;
+
+    for (int i = 0; i < files->n; i++)
+        if (is_demo(files->name[i]))
+            run_demo(r, files->name[i]);
+    if (r->most == 0)
+        run_idle(r);
+    run_pieces(r);
+    judge_memory(r);
+}
+
+/* Colours are looked at elsewhere; here the nearest will do. */
+void check_run(struct check *c)
+{
+    struct run *r = calloc(1, sizeof *r);
+    char err[512];
+
+    if (r == NULL) {
+        c->found.failed = true;
+        return;
+    }
+    r->c = c;
+    if (!pack_folder(c->dir, true, &r->image.bytes, &r->image.size, err, sizeof err)) {
+        r->image.bytes = NULL;
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else if (!rom_open(&r->image.rom, r->image.bytes, r->image.size, err, sizeof err) ||
+               !cart_open(&r->cart, &r->image.rom, err, sizeof err)) {
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else {
+        run_all(r);
+    }
+    rom_image_free(&r->image);
+    free(r);
+}

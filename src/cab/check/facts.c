@@ -1,0 +1,1044 @@
+/*
+ * facts.c - see facts.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of look-ahead,
+ * priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An expression that may
+ * still become the target of an assignment is pending: `value` notes that it was read, `store` that it was written.
+ * Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
+ */
+#include "facts.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/api.h"
+
+enum {
+    DEPTH = 220, /* statements and expressions inside each other; Lua allows 200 */
+    LOCALS = 200 /* in sight at a time in one function: Lua's limit */
+};
+
+struct local {
+    const char *s; /* inside the text */
+    size_t n;
+    struct fact_origin from; /* of the only value it ever gets */
+    int table;               /* that value is this table; -1 */
+    int writes;              /* assignments after its declaration */
+    int values;              /* uses as a value that may go anywhere */
+    bool empty;              /* declared without a value */
+    bool unknown;            /* its value is not `from` after all */
+};
+
+/* Where the expression that comes next stands. */
+struct context {
+    struct fact_origin from; /* name NULL: nowhere special */
+    int key;                 /* whose value it is, or -1 */
+};
+
+struct pending_walk {
+    int line, local; /* local -1: of is the origin */
+    const char *how;
+    struct fact_origin of;
+};
+
+struct parse {
+    struct facts *f;
+    struct lex l;
+    struct local *locals; /* all, in order of declaration */
+    int *active;          /* those in sight, indices of locals */
+    struct pending_walk *walks;
+    int n_locals, n_active, n_walks;
+    int depth, functions;
+    int base; /* of active: where those of this function begin */
+    bool (*known)(const char *name);
+};
+
+enum kind {
+    X_OTHER,
+    X_GLOBAL, /* name */
+    X_FIELD,  /* space.name of a global */
+    X_INDEX,  /* name[...] of a global */
+    X_LOCAL,  /* at */
+    X_MEMBER, /* local at, .name */
+    X_INSIDE, /* local at, [...] */
+    X_CALL,   /* of space.name, or of name */
+    X_STRING, /* at: index of texts */
+    X_NUMBER,
+    X_TABLE, /* at: index of tables */
+};
+
+struct expr {
+    enum kind kind;
+    int line, at;
+    const char *space, *name;
+    bool zero;
+};
+
+static void stop(struct parse *p)
+{
+    p->l.now.type = T_BAD;
+}
+
+/* Room for one more at the end of a list of n; lists grow when n is a power of two. */
+static bool room(struct parse *p, void *list, int n, size_t size)
+{
+    void **at = list;
+
+    if ((n & (n - 1)) != 0)
+        return true;
+    void *more = realloc(*at, (size_t)(n == 0 ? 1 : n * 2) * size);
+    if (more == NULL) {
+        p->f->arena.failed = true;
+        stop(p);
+        return false;
+    }
+    *at = more;
+    return true;
+}
+
+#define ADD(p, list, n, ...)                                                                                           \
+    (room(p, &(list), n, sizeof *(list)) ? (void)((list)[(n)++] = __VA_ARGS__) : (void)0) /* adds to a list */
+
+static const char *copy(struct parse *p, struct token t)
+{
+    bool odd = t.n > 0 && memchr(t.s, '\0', t.n) != NULL;
+
+    return arena_copy(&p->f->arena, t.s, odd ? 0 : t.n);
+}
+
+/* ---- tokens ---- */
+
+static int type(const struct parse *p)
+{
+    return p->l.now.type;
+}
+
+static bool accept(struct parse *p, int token)
+{
+    if (type(p) != token)
+        return false;
+    lex_step(&p->l);
+    return true;
+}
+
+static void expect(struct parse *p, int token)
+{
+    if (!accept(p, token))
+        stop(p);
+}
+
+static struct token expect_name(struct parse *p)
+{
+    struct token t = p->l.now;
+
+    if (t.type != T_NAME)
+        stop(p);
+    lex_step(&p->l);
+    return t.type == T_NAME ? t : (struct token){ .s = "", .line = t.line };
+}
+
+static bool enter(struct parse *p)
+{
+    if (++p->depth > DEPTH)
+        stop(p);
+    return type(p) != T_BAD;
+}
+
+/* ---- names ---- */
+
+static int declare(struct parse *p, struct token name)
+{
+    ADD(p, p->locals, p->n_locals, (struct local){ .s = name.s, .n = name.n, .table = -1 });
+    return p->n_locals - 1;
+}
+
+static void show(struct parse *p, int local)
+{
+    if (p->n_active - p->base >= LOCALS)
+        stop(p);
+    if (type(p) != T_BAD)
+        ADD(p, p->active, p->n_active, local);
+}
+
+static int declare_unknown(struct parse *p, struct token name)
+{
+    int local = declare(p, name);
+
+    if (local >= 0)
+        p->locals[local].unknown = true;
+    return local;
+}
+
+static bool is_named(const struct local *l, const char *s, size_t n)
+{
+    return l->n == n && memcmp(l->s, s, n) == 0;
+}
+
+static int find_local(const struct parse *p, const char *s, size_t n)
+{
+    for (int i = p->n_active; i-- > 0;)
+        if (is_named(&p->locals[p->active[i]], s, n))
+            return p->active[i];
+    return -1;
+}
+
+/* The nearest local in sight of a name that is none, the innermost of equals. */
+static const char *near_local(struct parse *p, const char *name)
+{
+    int best = (int)strlen(name) < 3 ? 0 : 98;
+    const struct local *found = NULL;
+    char word[33];
+
+    for (int i = p->n_active; i-- > 0;) {
+        const struct local *l = &p->locals[p->active[i]];
+        if (l->n >= sizeof word || l->n < 2)
+            continue;
+        memcpy(word, l->s, l->n);
+        word[l->n] = '\0';
+        int apart = words_apart(name, word);
+        if (apart >= best)
+            continue;
+        best = apart;
+        found = l;
+    }
+    return found != NULL ? arena_copy(&p->f->arena, found->s, found->n) : NULL;
+}
+
+static void use(struct parse *p, enum fact_use how, int line, const char *name, const char *field)
+{
+    bool sure = p->known == NULL || p->known(name);
+
+    ADD(p, p->f->globals, p->f->n_globals,
+        (struct fact_global){ how, line, name, field, sure ? NULL : near_local(p, name) });
+}
+
+static int add_text(struct parse *p, struct token t, int how)
+{
+    ADD(p, p->f->texts, p->f->n_texts, (struct fact_text){ t.line, copy(p, t), how });
+    return p->f->n_texts - 1;
+}
+
+/* ---- what becomes of an expression ---- */
+
+static void value(struct parse *p, const struct expr *e)
+{
+    if (e->kind == X_GLOBAL)
+        use(p, USE_VALUE, e->line, e->name, NULL);
+    else if (e->kind == X_INDEX)
+        use(p, USE_INDEX, e->line, e->name, NULL);
+    else if (e->kind == X_FIELD)
+        use(p, USE_FIELD, e->line, e->space, e->name);
+    else if (e->kind == X_LOCAL)
+        p->locals[e->at].values++;
+}
+
+static void store(struct parse *p, const struct expr *e)
+{
+    if (e->kind == X_GLOBAL)
+        use(p, USE_WRITE, e->line, e->name, NULL);
+    else if (e->kind == X_INDEX)
+        use(p, USE_VALUE, e->line, e->name, NULL);
+    else if (e->kind == X_FIELD)
+        use(p, USE_MEMBER, e->line, e->space, e->name);
+    else if (e->kind == X_MEMBER)
+        ADD(p, p->f->members, p->f->n_members, (struct fact_member){ e->at, e->name });
+    else if (e->kind == X_LOCAL)
+        p->locals[e->at].writes++;
+    else if (e->kind == X_INSIDE)
+        p->locals[e->at].values++;
+}
+
+static struct fact_origin origin(const struct expr *e)
+{
+    if (e->kind != X_CALL)
+        return (struct fact_origin){ 0 };
+    return (struct fact_origin){ .space = e->space, .name = e->name };
+}
+
+/* A local gets the value of e, its i-th assignment. */
+static void give(struct parse *p, int local, const struct expr *e)
+{
+    struct local *l = &p->locals[local];
+
+    l->from = origin(e);
+    l->table = e->kind == X_TABLE ? e->at : -1;
+}
+
+static void primary(struct parse *p, struct expr *e);
+static void expression(struct parse *p, struct expr *e, struct context c);
+static void block(struct parse *p);
+
+static const struct context nowhere = { { NULL, NULL, NULL, 0, 0 }, -1 };
+
+static void plain(struct parse *p)
+{
+    struct expr e;
+
+    expression(p, &e, nowhere);
+}
+
+/* ---- functions ---- */
+
+static void parameters(struct parse *p, struct fact_origin from)
+{
+    for (from.param = 1; type(p) == T_NAME; from.param++) {
+        int local = declare_unknown(p, expect_name(p));
+        if (local >= 0) {
+            p->locals[local].from = from;
+            p->locals[local].unknown = from.name == NULL;
+        }
+        show(p, local);
+        if (!accept(p, ','))
+            return;
+    }
+    accept(p, T_DOTS);
+}
+
+/* From the ( on to the word end. */
+static void body(struct parse *p, struct fact_origin from, bool method)
+{
+    int sight = p->n_active, base = p->base;
+
+    p->base = sight;
+    p->functions++;
+    if (method)
+        show(p, declare_unknown(p, (struct token){ .s = "self", .n = 4 }));
+    expect(p, '(');
+    parameters(p, from);
+    expect(p, ')');
+    block(p);
+    expect(p, T_ENDS);
+    p->n_active = sight;
+    p->base = base;
+    p->functions--;
+}
+
+/* ---- tables ---- */
+
+static int add_key(struct parse *p, int table, struct token name)
+{
+    const char *s = copy(p, name);
+
+    ADD(p, p->f->keys, p->f->n_keys, (struct fact_key){ table, name.line, s, NULL });
+    return p->f->n_keys - 1;
+}
+
+/* The value of a key. */
+static void key_value(struct parse *p, int key, struct context c)
+{
+    struct expr e;
+
+    c.key = key;
+    if (key >= 0 && c.from.name != NULL)
+        c.from.key = p->f->keys[key].name;
+    expression(p, &e, c);
+    if (e.kind == X_STRING && key >= 0)
+        p->f->keys[key].value = p->f->texts[e.at].s;
+}
+
+static void bracket_key(struct parse *p, int table, struct context c)
+{
+    struct token t = { .s = "", .line = p->l.now.line };
+    struct expr e;
+
+    expect(p, '[');
+    if (type(p) == T_STRING)
+        t = p->l.now;
+    expression(p, &e, nowhere);
+    expect(p, ']');
+    expect(p, '=');
+    key_value(p, e.kind == X_STRING ? add_key(p, table, t) : -1, c);
+}
+
+static void field(struct parse *p, int table, struct context c)
+{
+    struct expr e;
+
+    if (type(p) == '[') {
+        bracket_key(p, table, c);
+    } else if (type(p) == T_NAME && lex_peek(&p->l) == '=') {
+        struct token t = expect_name(p);
+        add_text(p, t, FACT_KEY);
+        lex_step(&p->l);
+        key_value(p, add_key(p, table, t), c);
+    } else if (type(p) == '{') { /* a table in a list is the value of a nameless key */
+        c.key = add_key(p, table, (struct token){ .s = "", .line = p->l.now.line });
+        expression(p, &e, c);
+    } else {
+        plain(p);
+    }
+}
+
+static void constructor(struct parse *p, struct expr *e, struct context c)
+{
+    int table = p->f->n_tables;
+
+    ADD(p, p->f->tables, p->f->n_tables,
+        (struct fact_table){ p->l.now.line, c.from.space, c.from.name, c.from.arg, c.key });
+    *e = (struct expr){ .kind = X_TABLE, .line = p->l.now.line, .at = table };
+    expect(p, '{');
+    while (type(p) != '}' && type(p) != T_BAD) {
+        field(p, table, c);
+        if (!accept(p, ',') && !accept(p, ';'))
+            break;
+    }
+    expect(p, '}');
+}
+
+/* ---- calls ---- */
+
+static void note_walk(struct parse *p, int line, const char *how, const struct expr *e)
+{
+    if (e->kind == X_CALL)
+        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, -1, how, origin(e) });
+    else if (e->kind == X_LOCAL)
+        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, e->at, how, { 0 } });
+}
+
+/* One argument; adds it to the call. */
+static void argument(struct parse *p, struct fact_call *call, struct expr *e)
+{
+    struct context c = { { call->space, call->name, NULL, call->args + 1, 0 }, -1 };
+
+    expression(p, e, c);
+    if (e->kind == X_STRING && call->args < FACT_ARGS && type(p) != T_BAD)
+        call->arg[call->args] = p->f->texts[e->at].s;
+    call->args++;
+}
+
+/* The arguments of a call; *first is the first one. */
+static void arguments(struct parse *p, struct fact_call *call, struct expr *first)
+{
+    struct expr e;
+
+    *first = (struct expr){ 0 };
+    if (type(p) == T_STRING || type(p) == '{') {
+        struct context c = { { call->space, call->name, NULL, 1, 0 }, -1 };
+        if (type(p) == '{') {
+            constructor(p, first, c);
+        } else {
+            *first = (struct expr){ .kind = X_STRING, .line = p->l.now.line, .at = add_text(p, p->l.now, 0) };
+            lex_step(&p->l);
+            call->arg[0] = type(p) != T_BAD ? p->f->texts[first->at].s : NULL;
+        }
+        call->args = 1;
+        return;
+    }
+    expect(p, '(');
+    while (type(p) != ')' && type(p) != T_BAD) {
+        argument(p, call, call->args == 0 ? first : &e);
+        if (type(p) != ')')
+            expect(p, ',');
+    }
+    expect(p, ')');
+}
+
+static void note_format(struct parse *p, const struct expr *e)
+{
+    if (e->kind == X_STRING && type(p) != T_BAD)
+        ADD(p, p->f->formats, p->f->n_formats, (struct fact_text){ e->line, p->f->texts[e->at].s, 0 });
+}
+
+static bool is(const char *a, const char *b)
+{
+    return a != NULL && strcmp(a, b) == 0;
+}
+
+static void call(struct parse *p, struct expr *e)
+{
+    bool named = e->kind == X_GLOBAL || e->kind == X_FIELD;
+    struct fact_call c = { .line = e->line };
+    struct expr first;
+
+    value(p, e);
+    if (named) {
+        c.space = e->kind == X_FIELD ? e->space : NULL;
+        c.name = e->name;
+    }
+    arguments(p, &c, &first);
+    if (named) {
+        ADD(p, p->f->calls, p->f->n_calls, c);
+        if (c.space == NULL && (is(c.name, "pairs") || is(c.name, "ipairs")))
+            note_walk(p, c.line, c.name, &first);
+        if (is(c.space, "string") && is(c.name, "format"))
+            note_format(p, &first);
+    }
+    *e = (struct expr){ named ? X_CALL : X_OTHER, c.line, 0, c.space, c.name, false };
+}
+
+static void method(struct parse *p, struct expr *e)
+{
+    struct fact_call c = { .line = e->line };
+    struct token name = expect_name(p);
+    struct expr first;
+
+    add_text(p, name, FACT_KEY);
+    if (e->kind == X_GLOBAL)
+        use(p, USE_METHOD, e->line, e->name, copy(p, name));
+    else
+        value(p, e);
+    if (name.n == 6 && memcmp(name.s, "format", 6) == 0)
+        note_format(p, e);
+    arguments(p, &c, &first);
+    *e = (struct expr){ .kind = X_OTHER, .line = c.line };
+}
+
+/* ---- expressions ---- */
+
+/* .name or ["name"] behind e. What stands in _G or _ENV is a global. */
+static void select_field(struct parse *p, struct expr *e, const char *name)
+{
+    if (e->kind == X_GLOBAL && (is(e->name, "_G") || is(e->name, "_ENV"))) {
+        e->name = name;
+    } else if (e->kind == X_GLOBAL) {
+        e->space = e->name;
+        e->name = name;
+        e->kind = X_FIELD;
+    } else if (e->kind == X_LOCAL) {
+        e->name = name;
+        e->kind = X_MEMBER;
+    } else {
+        value(p, e);
+        e->kind = X_OTHER;
+    }
+}
+
+static void index_with(struct parse *p, struct expr *e)
+{
+    struct expr key;
+
+    expression(p, &key, nowhere);
+    expect(p, ']');
+    if (key.kind == X_STRING && type(p) != T_BAD)
+        select_field(p, e, p->f->texts[key.at].s);
+    else if (e->kind == X_GLOBAL)
+        e->kind = X_INDEX;
+    else if (e->kind == X_LOCAL)
+        e->kind = X_INSIDE;
+    else
+        value(p, e), e->kind = X_OTHER;
+}
+
+static void primary_name(struct parse *p, struct expr *e)
+{
+    struct token t = expect_name(p);
+    int local = find_local(p, t.s, t.n);
+
+    *e = (struct expr){ .kind = X_LOCAL, .line = t.line, .at = local };
+    if (local >= 0)
+        return;
+    e->kind = find_local(p, "_ENV", 4) >= 0 ? X_OTHER : X_GLOBAL;
+    e->name = copy(p, t);
+}
+
+static void bracketed(struct parse *p, struct expr *e)
+{
+    lex_step(&p->l);
+    expression(p, e, nowhere);
+    expect(p, ')');
+    if (e->kind != X_STRING && e->kind != X_NUMBER && e->kind != X_CALL) /* was read, and is no target any more */
+        e->kind = X_OTHER;
+}
+
+static void primary(struct parse *p, struct expr *e)
+{
+    *e = (struct expr){ .line = p->l.now.line };
+    if (type(p) == '(')
+        bracketed(p, e);
+    else
+        primary_name(p, e);
+    while (type(p) != T_BAD) {
+        if (accept(p, '.')) {
+            struct token t = expect_name(p);
+            add_text(p, t, FACT_KEY);
+            select_field(p, e, copy(p, t));
+        } else if (accept(p, '[')) {
+            index_with(p, e);
+        } else if (accept(p, ':')) {
+            method(p, e);
+        } else if (type(p) == '(' || type(p) == '{' || type(p) == T_STRING) {
+            call(p, e);
+        } else {
+            return;
+        }
+    }
+}
+
+static void simple(struct parse *p, struct expr *e, struct context c)
+{
+    struct token t = p->l.now;
+
+    *e = (struct expr){ .line = t.line };
+    if (t.type == '{') {
+        constructor(p, e, c);
+    } else if (t.type == T_NAME || t.type == '(') {
+        primary(p, e);
+        value(p, e);
+    } else if (t.type == T_FUNCTION) {
+        lex_step(&p->l);
+        body(p, c.from, false);
+    } else if (t.type == T_STRING) {
+        e->kind = X_STRING;
+        e->at = add_text(p, t, 0);
+        lex_step(&p->l);
+    } else if (t.type == T_NUMBER) {
+        e->kind = X_NUMBER;
+        e->zero = t.zero;
+        lex_step(&p->l);
+    } else if (t.type == T_NIL || t.type == T_TRUE || t.type == T_FALSE || t.type == T_DOTS) {
+        lex_step(&p->l);
+    } else {
+        stop(p);
+    }
+}
+
+static const struct operator
+{
+    int type, left, right;
+}
+operators[] = { { '+', 10, 10 },    { '-', 10, 10 }, { '*', 11, 11 }, { '%', 11, 11 }, { '^', 14, 13 }, { '/', 11, 11 },
+                { T_IDIV, 11, 11 }, { '&', 6, 6 },   { '|', 4, 4 },   { '~', 5, 5 },   { T_SHL, 7, 7 }, { T_SHR, 7, 7 },
+                { T_CONCAT, 9, 8 }, { T_EQ, 3, 3 },  { T_NE, 3, 3 },  { '<', 3, 3 },   { '>', 3, 3 },   { T_LE, 3, 3 },
+                { T_GE, 3, 3 },     { T_AND, 2, 2 }, { T_OR, 1, 1 } };
+
+enum { UNARY = 12 };
+
+static const struct operator* find_operator(int token)
+{
+    for (size_t i = 0; i < sizeof operators / sizeof operators[0]; i++)
+        if (operators[i].type == token)
+            return &operators[i];
+    return NULL;
+}
+
+static void operation(struct parse *p, struct expr *e, int limit, struct context c);
+
+static void unary(struct parse *p, struct expr *e)
+{
+    int sign = type(p), line = p->l.now.line;
+
+    lex_step(&p->l);
+    operation(p, e, UNARY, nowhere);
+    if (sign == '#' && type(p) != T_BAD)
+        note_walk(p, line, "#", e);
+    if (sign != '-' || e->kind != X_NUMBER)
+        e->kind = X_OTHER;
+    e->line = line;
+}
+
+static void note_zero(struct parse *p, int line, int sign, const struct expr *a, const struct expr *b)
+{
+    const char *how = sign == '/' ? "/" : sign == '%' ? "%" : "//";
+
+    if (b->kind == X_NUMBER && b->zero)
+        ADD(p, p->f->zeros, p->f->n_zeros,
+            (struct fact_zero){ line, how, a->kind == X_NUMBER && a->zero, a->kind == X_NUMBER });
+}
+
+/* a, an operator and what stands to its right; the result in *a. */
+static void binary(struct parse *p, struct expr *a, const struct operator* o)
+{
+    int line = p->l.now.line, text;
+    struct expr b;
+
+    lex_step(&p->l);
+    text = type(p) == T_STRING ? p->f->n_texts : -1;
+    if (o->type == T_CONCAT && a->kind == X_STRING)
+        p->f->texts[a->at].how |= FACT_FIRST;
+    operation(p, &b, o->right, nowhere);
+    if (type(p) == T_BAD)
+        return;
+    if (o->type == T_CONCAT && text >= 0)
+        p->f->texts[text].how |= FACT_LAST;
+    if (o->type == '/' || o->type == T_IDIV || o->type == '%')
+        note_zero(p, line, o->type, a, &b);
+    *a = (struct expr){ .line = a->line };
+}
+
+/* Operators that bind tighter than the limit. */
+static void operation(struct parse *p, struct expr *e, int limit, struct context c)
+{
+    const struct operator* o;
+
+    *e = (struct expr){ .line = p->l.now.line };
+    if (enter(p)) {
+        if (type(p) == T_NOT || type(p) == '-' || type(p) == '~' || type(p) == '#')
+            unary(p, e);
+        else
+            simple(p, e, c);
+        while ((o = find_operator(type(p))) != NULL && o->left > limit)
+            binary(p, e, o);
+    }
+    if (type(p) == T_BAD)
+        e->kind = X_OTHER;
+    p->depth--;
+}
+
+static void expression(struct parse *p, struct expr *e, struct context c)
+{
+    operation(p, e, 0, c);
+}
+
+static void expression_list(struct parse *p)
+{
+    do
+        plain(p);
+    while (accept(p, ','));
+}
+
+/* ---- statements ---- */
+
+static bool block_ends(const struct parse *p)
+{
+    int t = type(p);
+
+    return t == T_END || t == T_BAD || t == T_ENDS || t == T_ELSE || t == T_ELSEIF || t == T_UNTIL;
+}
+
+static void if_statement(struct parse *p)
+{
+    do {
+        lex_step(&p->l);
+        plain(p);
+        expect(p, T_THEN);
+        block(p);
+    } while (type(p) == T_ELSEIF);
+    if (accept(p, T_ELSE))
+        block(p);
+    expect(p, T_ENDS);
+}
+
+static void statements(struct parse *p);
+
+/* What the block declares is in sight of the condition too. */
+static void repeat_statement(struct parse *p)
+{
+    int sight = p->n_active;
+
+    lex_step(&p->l);
+    statements(p);
+    expect(p, T_UNTIL);
+    plain(p);
+    p->n_active = sight;
+}
+
+/* The names of a for, a local or nothing more: declared, not yet in sight. Returns the first; *n of them. */
+static int name_list(struct parse *p, struct token first, int *n)
+{
+    int from = declare_unknown(p, first);
+
+    for (*n = 1; accept(p, ','); ++*n)
+        declare_unknown(p, expect_name(p));
+    return from;
+}
+
+static void show_all(struct parse *p, int first, int n)
+{
+    for (int i = 0; i < n; i++)
+        show(p, first + i);
+}
+
+static void for_statement(struct parse *p)
+{
+    int sight = p->n_active, n = 1;
+
+    lex_step(&p->l);
+    struct token name = expect_name(p);
+    int first = name_list(p, name, &n);
+    if (!accept(p, '='))
+        expect(p, T_IN);
+    expression_list(p);
+    show_all(p, first, n);
+    expect(p, T_DO);
+    block(p);
+    expect(p, T_ENDS);
+    p->n_active = sight;
+}
+
+/* The name behind the colon: in the function, e is self, and may get fields. */
+static void own_method(struct parse *p, struct expr *e)
+{
+    const char *name = copy(p, expect_name(p));
+
+    if (e->kind == X_GLOBAL)
+        use(p, USE_SELF, e->line, e->name, name);
+    else if (e->kind == X_LOCAL)
+        p->locals[e->at].values++;
+    if (e->kind == X_GLOBAL)
+        return;
+    select_field(p, e, name);
+    store(p, e);
+}
+
+/* function a.b.c:d() */
+static void function_statement(struct parse *p)
+{
+    struct expr e;
+
+    lex_step(&p->l);
+    primary_name(p, &e);
+    while (type(p) == '.') {
+        lex_step(&p->l);
+        select_field(p, &e, copy(p, expect_name(p)));
+    }
+    bool own = accept(p, ':');
+    if (own)
+        own_method(p, &e);
+    else
+        store(p, &e);
+    body(p, nowhere.from, own);
+}
+
+static void local_function(struct parse *p)
+{
+    show(p, declare_unknown(p, expect_name(p)));
+    body(p, nowhere.from, false);
+}
+
+/* The names with their <attributes>. Returns the first; *n of them. */
+static int local_names(struct parse *p, int *n)
+{
+    int first = p->n_locals;
+
+    *n = 0;
+    do {
+        declare(p, expect_name(p));
+        ++*n;
+        if (accept(p, '<')) {
+            expect_name(p);
+            expect(p, '>');
+        }
+    } while (accept(p, ','));
+    return first;
+}
+
+static void local_statement(struct parse *p)
+{
+    int n, given = 0, first = local_names(p, &n);
+    struct expr e;
+
+    if (accept(p, '=')) {
+        do {
+            expression(p, &e, nowhere);
+            if (given < n && type(p) != T_BAD)
+                give(p, first + given, &e);
+            given++;
+        } while (accept(p, ','));
+        for (int i = given; i < n && type(p) != T_BAD; i++)
+            p->locals[first + i].unknown = true;
+    } else {
+        for (int i = 0; i < n && type(p) != T_BAD; i++)
+            p->locals[first + i].empty = true;
+    }
+    show_all(p, first, n);
+}
+
+/* A local that was declared empty and is assigned once, by itself, is as good as one declared so. */
+static void assign(struct parse *p, struct expr *target)
+{
+    bool alone = type(p) == '=';
+    struct expr e;
+
+    store(p, target);
+    while (accept(p, ',')) {
+        struct expr more;
+        primary(p, &more);
+        store(p, &more);
+        if (more.kind == X_LOCAL)
+            p->locals[more.at].unknown = true;
+    }
+    expect(p, '=');
+    expression(p, &e, nowhere);
+    if (type(p) == T_BAD)
+        return;
+    if (alone && target->kind == X_LOCAL && p->locals[target->at].empty)
+        give(p, target->at, &e);
+    else if (target->kind == X_LOCAL)
+        p->locals[target->at].unknown = true;
+    while (accept(p, ','))
+        plain(p);
+}
+
+static void expression_statement(struct parse *p)
+{
+    struct expr e;
+
+    primary(p, &e);
+    if (type(p) == '=' || type(p) == ',')
+        assign(p, &e);
+}
+
+/* A script's last return tells others what it made. */
+static void return_statement(struct parse *p)
+{
+    struct expr e = { 0 };
+
+    lex_step(&p->l);
+    if (!block_ends(p) && type(p) != ';') {
+        expression(p, &e, nowhere);
+        while (accept(p, ','))
+            plain(p);
+    }
+    accept(p, ';');
+    if (p->functions > 0 || type(p) != T_END)
+        return;
+    if (e.kind == X_TABLE)
+        p->f->result_table = e.at;
+    if (e.kind != X_LOCAL)
+        return;
+    p->locals[e.at].values--;
+    p->f->result_local = e.at;
+}
+
+static void statement(struct parse *p)
+{
+    switch (type(p)) {
+    case ';':
+    case T_BREAK:
+        lex_step(&p->l);
+        break;
+    case T_IF:
+        if_statement(p);
+        break;
+    case T_WHILE:
+        lex_step(&p->l);
+        plain(p);
+        expect(p, T_DO);
+        block(p);
+        expect(p, T_ENDS);
+        break;
+    case T_DO:
+        lex_step(&p->l);
+        block(p);
+        expect(p, T_ENDS);
+        break;
+    case T_FOR:
+        for_statement(p);
+        break;
+    case T_REPEAT:
+        repeat_statement(p);
+        break;
+    case T_FUNCTION:
+        function_statement(p);
+        break;
+    case T_LOCAL:
+        lex_step(&p->l);
+        if (accept(p, T_FUNCTION))
+            local_function(p);
+        else
+            local_statement(p);
+        break;
+    case T_LABEL:
+        lex_step(&p->l);
+        expect_name(p);
+        expect(p, T_LABEL);
+        break;
+    case T_GOTO:
+        lex_step(&p->l);
+        expect_name(p);
+        break;
+    default:
+        expression_statement(p);
+    }
+}
+
+static void statements(struct parse *p)
+{
+    while (!block_ends(p)) {
+        if (type(p) == T_RETURN) {
+            return_statement(p);
+            return;
+        }
+        if (enter(p))
+            statement(p);
+        p->depth--;
+    }
+}
+
+static void block(struct parse *p)
+{
+    int sight = p->n_active;
+
+    statements(p);
+    p->n_active = sight;
+}
+
+/* ---- the end ---- */
+
+/* Of the walks over locals, those whose only value is known. */
+static void keep_walks(struct parse *p)
+{
+    for (int i = 0; i < p->n_walks; i++) {
+        const struct pending_walk *w = &p->walks[i];
+        const struct local *l = w->local >= 0 ? &p->locals[w->local] : NULL;
+        struct fact_origin of = l != NULL ? l->from : w->of;
+        if (of.name != NULL && (l == NULL || (!l->unknown && l->writes == (l->empty ? 1 : 0))))
+            ADD(p, p->f->walks, p->f->n_walks, (struct fact_walk){ w->line, w->how, of });
+    }
+}
+
+static void keep_result(struct parse *p)
+{
+    if (p->f->result_local < 0)
+        return;
+    const struct local *l = &p->locals[p->f->result_local];
+    p->f->result_table = l->table;
+    p->f->result_open = l->values > 0 || l->writes > 0 || l->unknown || l->table < 0;
+}
+
+bool facts_read(struct facts *f, const char *text, size_t n, bool (*known)(const char *name))
+{
+    struct parse p = { .f = f, .known = known };
+
+    *f = (struct facts){ .result_local = -1, .result_table = -1 };
+    lex_open(&p.l, text, n, &f->arena);
+    statements(&p);
+    f->whole = type(&p) == T_END;
+    keep_walks(&p);
+    keep_result(&p);
+    f->whole = f->whole && !f->arena.failed;
+    lex_close(&p.l);
+    free(p.locals);
+    free(p.active);
+    free(p.walks);
+    return f->whole;
+}
+
+void facts_free(struct facts *f)
+{
+    void *const lists[] = { f->globals, f->walks,  f->zeros, f->formats, f->texts,
+                            f->calls,   f->tables, f->keys,  f->members };
+
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++)
+        free(lists[i]);
+    arena_close(&f->arena);
+    *f = (struct facts){ 0 };
+}
+
+/* The key of that name in the table, or -1. */
+static int find_key(const struct facts *f, int table, const char *name)
+{
+    for (int i = 0; i < f->n_keys; i++)
+        if (f->keys[i].table == table && strcmp(f->keys[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+static int table_of(const struct facts *f, int key)
+{
+    for (int i = 0; i < f->n_tables; i++)
+        if (f->tables[i].key == key)
+            return i;
+    return -1;
+}
+
+int facts_line(const struct facts *f, const char *const *path)
+{
+    int table = f->result_table, line = 1;
+
+    for (; *path != NULL && table >= 0; path++) {
+        int key = find_key(f, table, *path);
+        if (key < 0)
+            break;
+        line = f->keys[key].line;
+        table = table_of(f, key);
+    }
+    return line;
+}

@@ -1,0 +1,211 @@
+/*
+ * demo.c - see demo.h. What a demo says; reading is in demo_read.c, recording in demo_write.c.
+ */
+#include "demo.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "demo_parts.h"
+#include "../pack/tree.h"
+
+/* ---- room ---- */
+
+/* Makes *p hold `want` items of `size` bytes, doubling; false: no memory, *p unchanged. */
+static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
+{
+    void *old, *grown;
+    uint32_t n = *room ? *room : 64;
+
+    if (want <= *room)
+        return true;
+    while (n < want)
+        n *= 2;
+    memcpy(&old, p, sizeof old);
+    grown = (size_t)n > SIZE_MAX / size ? NULL : realloc(old, n * size);
+    if (!grown)
+        return false;
+    memcpy(p, &grown, sizeof grown);
+    *room = n;
+    return true;
+}
+
+bool demo_room_frames(struct demo *d, uint32_t more)
+{
+    return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
+           reserve(&d->prints, &d->room_prints, d->frames + more, sizeof d->prints[0] * (size_t)d->parts);
+}
+
+bool demo_room_second(struct demo *d)
+{
+    return reserve(&d->track, &d->room_seconds, d->seconds + 1, sizeof d->track[0] * (size_t)d->parts);
+}
+
+bool demo_room_moment(struct demo *d)
+{
+    return reserve(&d->moment, &d->room_moments, d->moments + 1, sizeof d->moment[0]);
+}
+
+void demo_free(struct demo *d)
+{
+    free(d->pads);
+    free(d->prints);
+    free(d->track);
+    free(d->moment);
+    memset(d, 0, sizeof *d);
+}
+
+/* ---- what it says ---- */
+
+uint64_t *demo_row(const struct demo *d, uint32_t i)
+{
+    return d->track + (size_t)i * (size_t)d->parts;
+}
+
+bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
+{
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    memset(d, 0, sizeof *d);
+    if (!tree_load(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
+        return false;
+    bool ok = demo_read(d, data, size, why, sizeof why);
+    if (!ok)
+        snprintf(err, err_size, "%s: %s", path, why);
+    free(data);
+    return ok;
+}
+
+void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS])
+{
+    static const uint16_t none[PADS];
+
+    memcpy(pads, frame < d->frames ? d->pads[frame] : none, sizeof none);
+}
+
+uint32_t demo_row_frame(const struct demo *d, uint32_t i)
+{
+    uint32_t frame = i * DEMO_SECOND;
+
+    return frame < d->frames ? frame : d->frames;
+}
+
+const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
+{
+    uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
+
+    return i < d->seconds && demo_row_frame(d, i) == frame ? demo_row(d, i) : NULL;
+}
+
+const uint16_t *demo_prints(const struct demo *d, uint32_t frame)
+{
+    return frame < 1 || frame > d->printed ? NULL : d->prints + (size_t)(frame - 1) * (size_t)d->parts;
+}
+
+/* The board's part of that name, or -1. Mostly it is the i-th of both. */
+static int part_of(const struct board *b, const char *name, int i)
+{
+    int parts = board_parts(b);
+
+    for (int n = 0; n < parts; n++) {
+        int k = (i + n) % parts;
+        if (strncmp(board_part(b, k), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
+            return k;
+    }
+    return -1;
+}
+
+uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+                    uint64_t hashes[MAX_PARTS])
+{
+    uint32_t missing = 0;
+
+    for (int i = 0; i < d->parts; i++) {
+        int part = part_of(b, d->part[i], i);
+        hashes[i] = part < 0 ? 0 : board[part];
+        missing |= (uint32_t)(part < 0) << i;
+    }
+    return missing;
+}
+
+uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
+{
+    const uint64_t *row = demo_hashes(d, frame);
+    const uint16_t *prints = demo_prints(d, frame);
+    uint32_t differ = 0;
+
+    for (int i = 0; i < d->parts; i++) {
+        bool print = prints && d->printing >> i & 1 && prints[i] != (uint16_t)hashes[i];
+        if (print || (row && row[i] != hashes[i]))
+            differ |= 1u << i;
+    }
+    return differ;
+}
+
+/* A whole number of up to twelve digits, as a score is, written as printf does. */
+static bool read_points(const char *text, int64_t *points)
+{
+    size_t n = strspn(text, "0123456789");
+
+    if (n < 1 || n > 12 || text[n] || (text[0] == '0' && n > 1))
+        return false;
+    *points = strtoll(text, NULL, 10);
+    return true;
+}
+
+bool demo_points(const struct demo *d, int player, int64_t *points)
+{
+    char who[16];
+    int n = snprintf(who, sizeof who, DEMO_POINTS, player + 1);
+
+    for (uint32_t i = d->moments; d->complete && i-- > 0 && d->moment[i].frame == d->frames;) {
+        const struct board_mark *m = &d->moment[i].mark;
+        if (m->kind == MARK_LISTED && strncmp(m->name, who, (size_t)n) == 0)
+            return read_points(m->name + n, points);
+    }
+    return false;
+}
+
+/* The first DIP switch that has no such value as the demo's; -1: none. */
+static int bad_dip(const struct demo *d, const struct manifest *m)
+{
+    for (int i = 0; i < m->n_dips; i++) {
+        const struct dip *dip = &m->dips[i];
+        int32_t v = d->start.dip[i];
+        if (v < dip->lo || v > dip->hi)
+            return i;
+    }
+    return -1;
+}
+
+bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size)
+{
+    const struct manifest *m = &cart->m;
+    int dip = bad_dip(d, m);
+
+    if (strcmp(d->id, m->id) != 0)
+        snprintf(err, err_size, "a demo of another game (\"%s\", this is \"%s\")", d->id, m->id);
+    else if (d->start.difficulty >= m->n_difficulties)
+        snprintf(err, err_size, "its difficulty %d is none of this build's %d", (int)d->start.difficulty,
+                 (int)m->n_difficulties);
+    else if (dip >= 0)
+        snprintf(err, err_size, "its DIP switch %s has %d, which this build does not know", m->dips[dip].name,
+                 (int)d->start.dip[dip]);
+    else
+        return true;
+    return false;
+}
+
+const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size)
+{
+    if (d->core != CORE_VERSION)
+        snprintf(buf, size, "recorded on core version %u, this is %d", (unsigned)d->core, CORE_VERSION);
+    else if (d->game_hash != rom_game_hash(cart->rom))
+        snprintf(buf, size, "recorded on another build");
+    else
+        return NULL;
+    return buf;
+}

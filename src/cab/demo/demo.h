@@ -1,0 +1,156 @@
+/*
+ * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
+ * floor: cab    used by: cab/ tests/
+ *
+ * The file is described byte by byte in docs/demos.md. In short: a header, then a record a second with pads and hashes,
+ * a record a moment (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
+ * disk) is read as far as it goes, and says so in .complete.
+ *
+ * Hashes: a whole one of every part each second, a row of the track; and after every frame the low 16 bits of each
+ * part's, its print, so that a replay that differs is known by frame and part.
+ */
+#ifndef CAB_DEMO_H
+#define CAB_DEMO_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
+
+enum {
+    DEMO_FORMAT = 3,
+    DEMO_OLDEST = 2,            /* format that is read; written is the newest */
+    DEMO_SECOND = 60,           /* frames between two rows of the track */
+    DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
+    DEMO_MAX_BYTES = 256 << 20, /* of a file */
+    DEMO_PATH = 1024
+};
+
+enum {
+    DEMO_BRANCHED = 1 << 0, /* went on from a frame gone back to */
+    DEMO_TOUCHED = 1 << 1,  /* the board was changed from outside (console, reload) */
+    DEMO_ASSISTED = 1 << 2, /* slow motion or steps were used */
+    DEMO_FLAGS = (1 << 3) - 1
+};
+
+/* A moment, for finding one's way in a run. */
+struct demo_moment {
+    uint32_t frame; /* it happened in the tick that made this frame */
+    struct board_mark mark;
+};
+
+struct demo {
+    uint32_t format;              /* of the file it was read from */
+    uint32_t core;                /* core version that recorded it */
+    uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
+    char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
+    struct board_start start;     /* .nvram points to nvram below, so a struct demo is not copied by = */
+    uint8_t nvram[NVRAM_BYTES];
+    unsigned flags;
+    int parts;
+    char part[MAX_PARTS][16];
+    uint32_t frames;        /* ticks recorded */
+    uint16_t (*pads)[PADS]; /* pads[f] made frame f + 1 */
+    uint16_t *prints;       /* frames x parts; those from f * parts on are of frame f + 1 */
+    uint32_t printing;      /* which parts have prints, 1 << part: all; in format 2 script alone */
+    uint32_t printed;       /* frames that have them: all, but for a last one that faulted */
+    uint32_t seconds;       /* hash rows; row i is of frame demo_row_frame(d, i) */
+    uint64_t *track;        /* seconds x parts */
+    uint32_t moments;
+    struct demo_moment *moment;  /* frames ascending */
+    bool complete;               /* has its end mark */
+    enum board_fault_kind fault; /* the last recorded tick (or, with no frames, power-on) ended in this */
+    uint32_t room_frames, room_prints, room_seconds, room_moments;
+};
+
+/* Reads and checks a whole demo; false and one sentence (without the file's name) for anything that is not one. A file
+ * cut short is read up to its last whole second and is not .complete. data is not kept. */
+bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size);
+
+/* The same of a file; err includes its name. */
+bool demo_load(struct demo *d, const char *path, char *err, size_t err_size);
+
+/* Frees what a read or a recording holds; a zeroed struct is fine. */
+void demo_free(struct demo *d);
+
+/* The pads that make frame `frame` + 1; none after the demo's end. */
+void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
+
+/* The frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., the last one at the demo's end. */
+uint32_t demo_row_frame(const struct demo *d, uint32_t i);
+
+/* The whole hashes after a frame, in the order of .part, if it has a row of the track; else NULL. */
+const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
+
+/* The prints after a frame, in the order of .part (only those of .printing are known), or NULL for a frame that has
+ * none: the first and one that faulted. */
+const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
+
+/* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
+ * that the board does not have, a bit a part: their hash is 0. */
+uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+                    uint64_t hashes[MAX_PARTS]);
+
+/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their prints, and where
+ * there is a row by the whole hashes. A difference that a print does not show (one in 65536) shows in a later frame's.
+ * 0 where there is neither: in the frame that faulted, after the end. */
+uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
+
+/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not say. */
+bool demo_points(const struct demo *d, int player, int64_t *points);
+
+/* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's
+ * manifest allows. */
+bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size);
+
+/* "recorded on another build", "recorded on core version 2" ... for one that may not hold on this ROM and engine; NULL:
+ * no reason to doubt it. */
+const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size);
+
+/*
+ * Recording. Every call is harmless on a zeroed or ended writer, so a caller need not ask whether it is recording.
+ * False, once: the file could not be written, and w->err says so; recording goes on in memory only, and what is in the
+ * file stays readable. (Out of memory is the same, but stops the recording altogether.)
+ */
+struct demo_writer {
+    struct demo demo;     /* as recorded so far; demo.pads and demo.frames are good for going back to any frame */
+    char path[DEMO_PATH]; /* "": kept in memory only */
+    char err[DEMO_PATH + 64];
+    uint32_t written; /* frames in the file */
+    uint32_t told;    /* moments in the file */
+    uint32_t crc;     /* of the last record written */
+    uint64_t hashes[MAX_PARTS];
+    void *copies; /* of board_hashes_again */
+    bool on;
+};
+
+/* Starts. b is just powered on (also when it faulted doing so: demo_end follows) with start; path NULL: in memory only.
+ * An existing file is replaced. */
+bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
+                const struct board_start *start, unsigned flags);
+
+/* Call after every board_tick with the pads it got. Once a second the file grows. */
+bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
+
+/* From now on in this file too; what is recorded so far is written at once. An existing file is replaced. */
+bool demo_keep(struct demo_writer *w, const char *path);
+
+/* Adds flags. */
+bool demo_flag(struct demo_writer *w, unsigned flags);
+
+/* The board went back to `frame` and play goes on from there: forgets what came after (rewriting the file) and adds
+ * DEMO_BRANCHED. frame <= demo.frames. */
+bool demo_rewind(struct demo_writer *w, uint32_t frame);
+
+/* Ends: writes what is left and the end mark, with the board's fault if it has one. demo stays until demo_free. */
+bool demo_end(struct demo_writer *w, const struct board *b);
+
+/* Gives everything back, recording or not; the file stays as it is. */
+void demo_drop(struct demo_writer *w);
+
+/* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence, also for one
+ * that does not have every part's prints: that has to be replayed first. */
+bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size);
+
+#endif

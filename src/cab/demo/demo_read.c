@@ -1,0 +1,394 @@
+/*
+ * demo_read.c - reading a demo's file; see demo.h, and docs/demos.md for the bytes.
+ *
+ * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are in
+ * the file one by one.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/hash.h"
+#include "demo_parts.h"
+
+enum {
+    MAX_HEADER = 64 << 10,
+    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (4 + 2 * MAX_PARTS) + MAX_PARTS * 8,
+    MAX_MOMENT = 5 + 1 + sizeof((struct board_mark *)0)->name
+};
+
+/* ---- reading ---- */
+
+struct source {
+    const uint8_t *p;
+    size_t left;
+    bool bad; /* something was asked for beyond the end; zeroes were given */
+};
+
+struct parse {
+    struct demo *d;
+    char *err;
+    size_t err_size;
+    size_t at;     /* byte of the record being read */
+    uint32_t crc;  /* of the record before */
+    bool header;   /* was read */
+    bool last;     /* no further second may come */
+    bool unhashed; /* the last second has no hashes */
+};
+
+static const uint8_t zeroes[256];
+
+static const uint8_t *take(struct source *s, size_t n)
+{
+    const uint8_t *p = s->p;
+
+    if (n > s->left) {
+        s->bad = true;
+        s->left = 0;
+        return zeroes;
+    }
+    s->p += n;
+    s->left -= n;
+    return p;
+}
+
+static uint8_t take8(struct source *s)
+{
+    return *take(s, 1);
+}
+
+static uint16_t take16(struct source *s)
+{
+    return get16(take(s, 2));
+}
+
+static uint32_t take32(struct source *s)
+{
+    return get32(take(s, 4));
+}
+
+static uint64_t take64(struct source *s)
+{
+    return get64(take(s, 8));
+}
+
+/* A string of printable ASCII that fits out; anything else is bad. */
+static void take_str(struct source *s, char *out, size_t size)
+{
+    size_t n = take8(s);
+    const uint8_t *p = take(s, n);
+
+    if (n >= size) {
+        s->bad = true;
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        s->bad |= p[i] < 32 || p[i] > 126;
+        out[i] = (char)p[i];
+    }
+    out[n] = 0;
+}
+
+static bool fail(struct parse *p, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(p->err, p->err_size, format, args);
+    va_end(args);
+    return false;
+}
+
+static bool damaged(struct parse *p, const char *what)
+{
+    return fail(p, "the record at byte %zu is damaged (%s)", p->at, what);
+}
+
+static bool good_id(const char *id)
+{
+    return id[0] && id[strspn(id, "abcdefghijklmnopqrstuvwxyz0123456789_")] == 0;
+}
+
+static bool take_nvram(struct source *s, uint8_t *out, size_t size)
+{
+    size_t n = 0;
+
+    while (s->left > 0 && !s->bad) {
+        size_t c = take8(s), run = c < 128 ? c + 1 : c - 125;
+        if (run > size - n)
+            return false;
+        if (c < 128)
+            memcpy(out + n, take(s, run), run);
+        else
+            memset(out + n, take8(s), run);
+        n += run;
+    }
+    return n == size && !s->bad;
+}
+
+static void take_start(struct source *s, struct board_start *start)
+{
+    start->seed = take64(s);
+    for (int i = 0; i < MAX_DIPS; i++)
+        start->dip[i] = (int32_t)take32(s);
+    start->difficulty = (int32_t)take32(s);
+    take_str(s, start->practice.mark, sizeof start->practice.mark);
+    s->bad |= start->difficulty < -1 || start->difficulty >= MAX_DIFFICULTIES;
+}
+
+/* The rest of a practice start, which format 2 does not have. */
+static void take_practice(struct source *s, struct practice *p)
+{
+    uint8_t n, invincible;
+
+    p->lives = (int32_t)take32(s);
+    invincible = take8(s);
+    n = take8(s);
+    s->bad |= p->lives < 0 || p->lives > 99 || invincible > 1 || n > PRACTICE_REGISTERS;
+    p->invincible = invincible;
+    p->registers = s->bad ? 0 : n;
+    for (int i = 0; i < p->registers; i++) {
+        take_str(s, p->reg[i].name, sizeof p->reg[i].name);
+        p->reg[i].value = (int32_t)take32(s);
+    }
+}
+
+/* The part whose prints format 2 has, or -1. */
+static int script_of(const struct demo *d)
+{
+    for (int i = 0; i < d->parts; i++)
+        if (strcmp(d->part[i], "script") == 0)
+            return i;
+    return -1;
+}
+
+static bool read_header(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+
+    if (p->header)
+        return damaged(p, "a second header");
+    p->header = true;
+    d->core = take32(s);
+    d->game_hash = take64(s);
+    d->rom_hash = take64(s);
+    take_str(s, d->id, sizeof d->id);
+    take_str(s, d->lua, sizeof d->lua);
+    take_start(s, &d->start);
+    if (d->format > 2)
+        take_practice(s, &d->start.practice);
+    d->parts = take8(s);
+    if (d->parts < 1 || d->parts > MAX_PARTS)
+        return damaged(p, "the number of parts");
+    for (int i = 0; i < d->parts; i++)
+        take_str(s, d->part[i], sizeof d->part[i]);
+    d->start.nvram_size = take32(s);
+    if (s->bad || !good_id(d->id))
+        return damaged(p, "header");
+    int script = script_of(d);
+    if (script < 0)
+        return damaged(p, "no part script");
+    d->printing = d->format > 2 ? UINT32_MAX : 1u << script;
+    if (d->start.nvram_size > NVRAM_BYTES || !take_nvram(s, d->nvram, d->start.nvram_size))
+        return damaged(p, "nvram");
+    d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
+    return true;
+}
+
+/* The runs of n frames; false when they are not exactly n, or press a button that is none. */
+static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
+{
+    uint32_t f = d->frames, end = f + n;
+
+    for (int i = 0; i < runs; i++) {
+        uint32_t run = take16(s);
+        uint16_t one = take16(s), two = take16(s);
+        if (run < 1 || run > end - f || ((one | two) & ~PAD_ALL) != 0)
+            return false;
+        for (; run > 0; run--, f++) {
+            d->pads[f][0] = one;
+            d->pads[f][1] = two;
+        }
+    }
+    return f == end;
+}
+
+/* The prints of frame f, of which those that differ from the frame before are there. */
+static void take_prints(struct source *s, struct demo *d, uint32_t f)
+{
+    uint16_t *to = d->prints + (size_t)(f - 1) * (size_t)d->parts;
+    uint32_t other = d->format > 2 ? take32(s) : d->printing;
+
+    s->bad |= d->format > 2 && (uint64_t)other >> d->parts != 0;
+    for (int i = 0; i < d->parts; i++) {
+        uint16_t before = f > 1 ? to[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
+        to[i] = other >> i & 1 ? take16(s) : before;
+    }
+}
+
+/* The prints, and if there is one the row, of n frames whose pads were taken. */
+static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
+{
+    uint32_t end = d->frames + n;
+
+    for (uint32_t f = d->frames + 1; f < end; f++)
+        take_prints(s, d, f);
+    d->frames = end;
+    d->printed = hashed ? end : end - 1;
+    if (!hashed)
+        return;
+    uint64_t *row = demo_row(d, d->seconds++);
+    for (int i = 0; i < d->parts; i++)
+        row[i] = take64(s);
+    for (int i = 0; n > 0 && i < d->parts; i++)
+        d->prints[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
+}
+
+static bool read_second(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    uint32_t first = take32(s), n = take8(s);
+    int runs = take8(s), hashed = take8(s), zero = take8(s);
+
+    if (first != d->frames || p->last || hashed > 1 || zero != 0)
+        return damaged(p, "frames out of order");
+    bool start = first == 0 && n == 0 && d->seconds == 0;
+    if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
+        return damaged(p, "number of frames");
+    if (d->frames + n > DEMO_MAX_FRAMES)
+        return fail(p, "longer than %d frames", DEMO_MAX_FRAMES);
+    if (!demo_room_frames(d, n) || !demo_room_second(d))
+        return fail(p, "too large for the memory there is");
+    if (!take_runs(s, d, n, runs))
+        return damaged(p, "pads");
+    take_hashes(s, d, n, hashed);
+    p->unhashed = !hashed;
+    p->last = p->unhashed || (n < DEMO_SECOND && !start);
+    return true;
+}
+
+static bool read_flags(struct parse *p, struct source *s)
+{
+    uint32_t flags = take32(s);
+
+    if (flags & ~(uint32_t)DEMO_FLAGS)
+        return damaged(p, "flags");
+    p->d->flags |= flags;
+    return true;
+}
+
+static bool read_moment(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    struct demo_moment m = { .frame = take32(s) };
+    uint32_t before = d->moments ? d->moment[d->moments - 1].frame : 0;
+
+    m.mark.kind = (enum board_mark_kind)take8(s);
+    take_str(s, m.mark.name, sizeof m.mark.name);
+    if (d->format < 3 || d->seconds == 0 || m.frame < before || m.frame > d->frames || m.mark.kind >= MARK_KINDS)
+        return damaged(p, "a moment");
+    if (!demo_room_moment(d))
+        return fail(p, "too large for the memory there is");
+    d->moment[d->moments++] = m;
+    return true;
+}
+
+static bool read_end(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    uint32_t frames = take32(s), fault = take32(s);
+
+    if (frames != d->frames || fault > FAULT_LOOP)
+        return damaged(p, "end mark");
+    if (fault == FAULT_NONE ? p->unhashed || d->seconds == 0 : frames ? !p->unhashed : d->seconds != 0)
+        return damaged(p, "the end does not match the track");
+    d->fault = (enum board_fault_kind)fault;
+    d->complete = true;
+    return true;
+}
+
+static bool read_record(struct parse *p, uint32_t kind, struct source s)
+{
+    bool ok;
+
+    if (!p->header && kind != KIND_HEADER)
+        return damaged(p, "no header");
+    switch (kind) {
+    case KIND_HEADER:
+        ok = read_header(p, &s);
+        break;
+    case KIND_SECOND:
+        ok = read_second(p, &s);
+        break;
+    case KIND_MOMENT:
+        ok = read_moment(p, &s);
+        break;
+    case KIND_FLAGS:
+        ok = read_flags(p, &s);
+        break;
+    default:
+        ok = read_end(p, &s);
+        break;
+    }
+    if (!ok)
+        return false;
+    return (s.bad || s.left) ? damaged(p, "size") : true;
+}
+
+/* The most bytes a record may have; 0: no such record. */
+static size_t most_bytes(uint32_t kind)
+{
+    switch (kind) {
+    case KIND_HEADER:
+        return MAX_HEADER;
+    case KIND_SECOND:
+        return MAX_SECOND;
+    case KIND_MOMENT:
+        return MAX_MOMENT;
+    case KIND_FLAGS:
+        return 4;
+    case KIND_END:
+        return 8;
+    default:
+        return 0;
+    }
+}
+
+static bool read_records(struct parse *p, const uint8_t *data, size_t size)
+{
+    while (size - p->at >= RECORD_HEAD && !p->d->complete) {
+        const uint8_t *r = data + p->at;
+        uint32_t kind = get32(r), n = get32(r + 4);
+        if (n > most_bytes(kind))
+            return damaged(p, "kind or size");
+        if (size - p->at < RECORD_OVER + (size_t)n)
+            break;
+        p->crc = crc32_add(p->crc, r, RECORD_HEAD + n);
+        if (get32(r + RECORD_HEAD + n) != p->crc)
+            return damaged(p, "CRC");
+        if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEAD, .left = n }))
+            return false;
+        p->at += RECORD_OVER + n;
+    }
+    if (!p->header)
+        return fail(p, "cut short in its header");
+    return p->d->complete && p->at < size ? fail(p, "has %zu bytes after its end", size - p->at) : true;
+}
+
+bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
+{
+    struct parse p = { .d = d, .err = err, .err_size = err_size, .at = FILE_HEAD };
+
+    memset(d, 0, sizeof *d);
+    if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
+        return fail(&p, "not a demo");
+    d->format = get32(data + 4);
+    if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
+        return fail(&p, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST, DEMO_FORMAT);
+    if (size > DEMO_MAX_BYTES)
+        return fail(&p, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
+    if (read_records(&p, data, size))
+        return true;
+    demo_free(d);
+    return false;
+}

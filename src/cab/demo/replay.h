@@ -1,0 +1,61 @@
+/*
+ * replay.h - a demo played again and compared, frame by frame, with what it was recorded with.
+ * floor: cab    used by: verify tests/ tools/
+ */
+#ifndef CAB_REPLAY_H
+#define CAB_REPLAY_H
+
+#include "../../board/rom/cart.h"
+#include "../cli.h"
+#include "demo.h"
+#include "../run/guard.h"
+
+enum verdict_kind {
+    VERDICT_HOLDS,    /* every print and row, and the fault if it ends in one */
+    VERDICT_DIFFERS,  /* .parts */
+    VERDICT_FAULT,    /* a fault that is not in the demo */
+    VERDICT_NO_FAULT, /* the fault it was recorded with does not happen */
+};
+
+struct verdict {
+    enum verdict_kind kind;
+    uint32_t first,
+        frame;        /* it happened in one of these frames; the same but for parts that have no prints (format 2) */
+    uint32_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
+    uint32_t missing; /* those of them that this build's board does not have */
+};
+
+struct replay {
+    struct guard guard;         /* the board as it was at the verdict; its RAM is kept from one replay to the next */
+    void *copies;               /* of board_hashes_again */
+    uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
+    uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
+};
+
+/* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in
+ * memory, for it to be saved in the newest format; NULL: nobody wants that. Returns EXIT_DONE, or with one sentence
+ * EXIT_INPUT (its board cannot be powered) or EXIT_HOST (no memory). r is zeroes before the first replay; all replays of
+ * a struct are of one ROM. */
+int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+               struct verdict *v, char *err, size_t err_size);
+
+/* A replay on to the end, whatever differs on the way. */
+struct rerun {
+    struct verdict first; /* what replay_run would have said */
+    struct verdict end;   /* VERDICT_HOLDS: it has all its frames, and the fault if it ends in one; else how it ended */
+    bool held; /* the part with the points was as recorded in frame .alike, and in none after it is that known */
+    uint32_t alike;
+    int64_t points[PADS]; /* in that frame */
+};
+
+/* The same, of a replay that goes on to the demo's end or a fault. */
+int replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                 struct rerun *o, char *err, size_t err_size);
+
+/* The fault the board is in, or NULL. */
+const struct board_fault *replay_fault(const struct replay *r);
+
+/* Gives the RAM back; harmless on zeroes. */
+void replay_close(struct replay *r);
+
+#endif

@@ -1,0 +1,69 @@
+/*
+ * folder.c - see folder.h. A stamp is a sum of hashes, for files are listed in any order.
+ */
+#include "folder.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../base/hash.h"
+
+enum { DEEPEST = 8 /* folders in folders; more is a loop of links */ };
+
+struct look {
+    char path[1024];
+    int depth;
+    uint64_t stamp;
+};
+
+static bool into(const struct look *l, const char *name)
+{
+    return l->depth < DEEPEST && !(l->depth == 0 && strcmp(name, "demos") == 0);
+}
+
+static void add(void *user, const struct plat_file *file)
+{
+    struct look *l = user;
+    size_t n = strlen(l->path);
+
+    if (file->name[0] == '.' || n + 1 + strlen(file->name) >= sizeof l->path)
+        return;
+    snprintf(l->path + n, sizeof l->path - n, "/%s", file->name);
+    if (!file->folder) {
+        l->stamp += hash_fold(hash_bytes(HASH_START, l->path, strlen(l->path)), (uint64_t)file->time);
+    } else if (into(l, file->name)) {
+        l->depth++;
+        plat_list(l->path, add, l);
+        l->depth--;
+    }
+    l->path[n] = 0;
+}
+
+/* 0: no folder. */
+static uint64_t stamp(const char *path)
+{
+    struct look l = { .stamp = 1 };
+
+    if (snprintf(l.path, sizeof l.path, "%s", path) >= (int)sizeof l.path)
+        return 0;
+    return plat_list(path, add, &l) < 0 ? 0 : l.stamp;
+}
+
+bool folder_open(struct folder *f, const char *path)
+{
+    *f = (struct folder){ .path = path, .seen = path ? stamp(path) : 0 };
+    f->fresh = f->seen;
+    return f->seen != 0;
+}
+
+bool folder_changed(struct folder *f)
+{
+    if (f->seen == 0)
+        return false;
+    uint64_t now = stamp(f->path);
+    bool settled = now != 0 && now != f->seen && now == f->fresh;
+    f->fresh = now;
+    if (settled)
+        f->seen = now;
+    return settled;
+}

@@ -1,0 +1,298 @@
+/*
+ * console.c - see console.h.
+ */
+#include "console.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/eval.h"
+
+/* HID usages. */
+enum {
+    KEY_ENTER = 40,
+    KEY_ESCAPE = 41,
+    KEY_BACKSPACE = 42,
+    KEY_HOME = 74,
+    KEY_DELETE = 76,
+    KEY_END = 77,
+    KEY_RIGHT = 79,
+    KEY_LEFT = 80,
+    KEY_DOWN = 81,
+    KEY_UP = 82,
+    KEY_PAD_ENTER = 88
+};
+
+enum { REPEAT_AFTER = 24, REPEAT_EVERY = 3 /* polls */ };
+
+static const char keep[] = "keep ";
+
+/* ---- what was said ---- */
+
+static void say_bytes(struct console *c, enum ink_colour colour, const char *text, size_t n)
+{
+    struct console_said *s = &c->said[c->told++ % CONSOLE_SAID];
+    s->colour = colour;
+    snprintf(s->text, sizeof s->text, "%.*s", (int)n, text);
+}
+
+/* Text of any length, with \n in it or not. */
+static void say(struct console *c, enum ink_colour colour, const char *text)
+{
+    while (*text) {
+        size_t n = strcspn(text, "\n"), part = n < CONSOLE_WORDS - 1 ? n : CONSOLE_WORDS - 1;
+        say_bytes(c, colour, text, part);
+        text += part;
+        text += part == n && *text == '\n';
+    }
+}
+
+static void say_all(struct console *c, enum ink_colour colour, const char *format, const char *what)
+{
+    char text[EVAL_TEXT + 64];
+    snprintf(text, sizeof text, format, what);
+    say(c, colour, text);
+}
+
+/* ---- running a line ---- */
+
+static bool save(struct console *c, const struct board *b)
+{
+    size_t size = board_snapshot_size(b);
+    if (size > c->room) {
+        free(c->snapshot);
+        c->snapshot = malloc(size);
+        c->room = c->snapshot ? size : 0;
+    }
+    if (c->snapshot)
+        board_save(b, c->snapshot);
+    return c->snapshot != 0;
+}
+
+static void run(struct console *c, struct board *b, bool keeps)
+{
+    char out[EVAL_TEXT];
+    bool kept = strncmp(c->line, keep, sizeof keep - 1) == 0;
+    say_all(c, INK_YELLOW, "> %s", c->line);
+    if (kept && !keeps) {
+        say(c, INK_RED, "a demo is shown: nothing can be kept");
+        return;
+    }
+    if (!save(c, b)) {
+        say(c, INK_RED, "not enough memory to put RAM back afterwards");
+        return;
+    }
+    bool good = board_eval(b, c->line + (kept ? sizeof keep - 1 : 0), out, sizeof out);
+    if (!good || !kept)
+        board_restore(b, c->snapshot);
+    say(c, good ? INK_WHITE : INK_RED, out);
+    if (good && kept)
+        say(c, INK_GREY, "kept: the demo is touched, scores are not saved any more");
+    c->kept = c->kept || (good && kept);
+}
+
+/* ---- the line ---- */
+
+static void set_line(struct console *c, const char *text)
+{
+    snprintf(c->line, sizeof c->line, "%s", text);
+    c->length = c->at = (int)strlen(c->line);
+}
+
+static void insert(struct console *c, char byte)
+{
+    if (byte < ' ' || byte > '~' || c->length == CONSOLE_LINE - 1)
+        return;
+    memmove(c->line + c->at + 1, c->line + c->at, (size_t)(c->length - c->at + 1));
+    c->line[c->at++] = byte;
+    c->length++;
+}
+
+static void erase(struct console *c, int at)
+{
+    if (at < 0 || at >= c->length)
+        return;
+    memmove(c->line + at, c->line + at + 1, (size_t)(c->length - at));
+    c->length--;
+    c->at = at;
+}
+
+/* by 1: one line further back; -1: forward. */
+static void leaf(struct console *c, int by)
+{
+    int most = c->lines < CONSOLE_PAST ? c->lines : CONSOLE_PAST, to = c->back + by;
+    if (to < 0 || to > most)
+        return;
+    c->back = to;
+    set_line(c, to ? c->past[(c->lines - to) % CONSOLE_PAST] : "");
+}
+
+static void enter(struct console *c, struct board *b, bool keeps)
+{
+    if (!c->length)
+        return;
+    run(c, b, keeps);
+    if (!c->lines || strcmp(c->past[(c->lines - 1) % CONSOLE_PAST], c->line) != 0)
+        memcpy(c->past[c->lines++ % CONSOLE_PAST], c->line, sizeof c->line);
+    c->back = 0;
+    set_line(c, "");
+}
+
+static void press(struct console *c, unsigned key, struct board *b, bool keeps)
+{
+    switch (key) {
+    case KEY_ENTER:
+    case KEY_PAD_ENTER:
+        enter(c, b, keeps);
+        break;
+    case KEY_ESCAPE:
+        c->open = false;
+        break;
+    case KEY_BACKSPACE:
+        erase(c, c->at - 1);
+        break;
+    case KEY_DELETE:
+        erase(c, c->at);
+        break;
+    case KEY_HOME:
+        c->at = 0;
+        break;
+    case KEY_END:
+        c->at = c->length;
+        break;
+    case KEY_LEFT:
+        c->at -= c->at > 0;
+        break;
+    case KEY_RIGHT:
+        c->at += c->at < c->length;
+        break;
+    case KEY_UP:
+        leaf(c, 1);
+        break;
+    case KEY_DOWN:
+        leaf(c, -1);
+        break;
+    }
+}
+
+/* ---- polls ---- */
+
+static bool was_held(const struct console *c, unsigned key)
+{
+    return c->held[key >> 3] >> (key & 7) & 1;
+}
+
+static bool can_repeat(unsigned key)
+{
+    return key == KEY_BACKSPACE || key == KEY_DELETE || (key >= KEY_RIGHT && key <= KEY_UP);
+}
+
+/* A key that was not held at the last poll is pressed; some are again and again. */
+static void read_keys(struct console *c, const struct plat_input *in, struct board *b, bool keeps)
+{
+    static const uint8_t keys[] = { KEY_ENTER, KEY_ESCAPE, KEY_BACKSPACE, KEY_HOME, KEY_DELETE,   KEY_END,
+                                    KEY_RIGHT, KEY_LEFT,   KEY_DOWN,      KEY_UP,   KEY_PAD_ENTER };
+    if (!plat_key(in, c->repeats))
+        c->repeats = 0;
+    for (size_t i = 0; i < sizeof keys && c->open; i++) {
+        if (!plat_key(in, keys[i]))
+            continue;
+        if (!was_held(c, keys[i])) {
+            press(c, keys[i], b, keeps);
+            c->repeats = can_repeat(keys[i]) ? keys[i] : 0;
+            c->polls = 0;
+        } else if (c->repeats == keys[i] && ++c->polls >= REPEAT_AFTER && c->polls % REPEAT_EVERY == 0)
+            press(c, keys[i], b, keeps);
+    }
+}
+
+static void open_console(struct console *c)
+{
+    c->open = true;
+    c->repeats = 0;
+    if (!c->told)
+        say(c, INK_GREY,
+            "A line of Lua. What it changes is undone afterwards,\nbut of `keep LINE`. Up: lines before. Escape: "
+            "close.");
+}
+
+/* The key that opens and closes it has a letter too: what comes while it is held is not typed. */
+void console_poll(struct console *c, const struct plat_input *in, struct keys_read *k, struct board *b, bool keeps)
+{
+    const uint32_t key = (uint32_t)1 << CAB_CONSOLE;
+    bool was = c->open;
+    if (!b || (k->pressed & key && was))
+        c->open = false;
+    else if (k->pressed & key)
+        open_console(c);
+    for (int i = 0; was && c->open && !(k->held & key) && in->text[i]; i++)
+        insert(c, in->text[i]);
+    if (was && c->open)
+        read_keys(c, in, b, keeps);
+    memcpy(c->held, in->keys, sizeof c->held);
+    if (was || c->open)
+        memset(k, 0, sizeof *k);
+}
+
+bool console_kept(struct console *c)
+{
+    bool kept = c->kept;
+    c->kept = false;
+    return kept;
+}
+
+/* ---- picture ---- */
+
+static int rows_of(const char *text, int columns)
+{
+    int rows = 0;
+    do {
+        text += ink_fit(text, columns);
+        rows++;
+    } while (*text);
+    return rows;
+}
+
+/* From the newest upwards, as far as there is room. */
+static void draw_said(const struct console *c, const struct ink *ink, int y0, int y1, int columns)
+{
+    int oldest = c->told > CONSOLE_SAID ? c->told - CONSOLE_SAID : 0, y = y1;
+    for (int i = c->told - 1; i >= oldest && y > y0; i--) {
+        const struct console_said *s = &c->said[i % CONSOLE_SAID];
+        const char *text = s->text;
+        int row = y -= rows_of(text, columns) * INK_CELL_H;
+        for (int n; *text; text += n, row += INK_CELL_H) {
+            n = ink_fit(text, columns);
+            if (row >= y0)
+                ink_bytes(ink, 2, row, s->colour, text, n);
+        }
+    }
+}
+
+/* A line longer than the picture is wide is shown round the cursor. */
+static void draw_line(const struct console *c, const struct ink *ink, int y, int columns)
+{
+    int first = c->at < columns - 2 ? 0 : c->at - columns + 3;
+    int x = ink_text(ink, 2, y, INK_YELLOW, "> ");
+    ink_bytes(ink, x, y, INK_WHITE, c->line + first, columns - 2);
+    ink_rect(ink, x + (c->at - first) * INK_CELL_W, y + INK_CELL_H - 1, INK_CELL_W - 1, 1, INK_YELLOW);
+}
+
+int console_draw(const struct console *c, const struct ink *ink)
+{
+    int w = ink->fb->w, h = ink->fb->h, columns = (w - 3) / INK_CELL_W;
+    int rows = h / 2 / INK_CELL_H, y0 = h - rows * INK_CELL_H - 3, line = h - INK_CELL_H - 1;
+    if (!c->open)
+        return h;
+    ink_rect(ink, 0, y0, w, h - y0, INK_PAPER);
+    ink_rect(ink, 0, y0, w, 1, INK_GREY);
+    draw_said(c, ink, y0 + 2, line, columns);
+    draw_line(c, ink, line, columns);
+    return y0;
+}
+
+void console_close(struct console *c)
+{
+    free(c->snapshot);
+    *c = (struct console){ 0 };
+}

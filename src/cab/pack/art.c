@@ -1,0 +1,338 @@
+/*
+ * art.c - see art.h. A sprite is made in two steps: its pictures, frames and turns, into one loose stack of equal
+ * cells; then the rectangle that all of them need, out of the stack into the lump. A sprite that is not turned keeps
+ * the size it was given.
+ */
+#include "art.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../fb/turn.h"
+#include "../../base/bytes.h"
+
+enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
+
+static bool fail(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    return false;
+}
+
+/* The colour of hue sixth * 256 + part (6 sixths round the wheel) at full strength, channel 0 to 2. */
+static int wheel(int hue, int channel)
+{
+    int at = (hue + 512 * (3 - channel)) % 1536; /* red is at 0, green at 512, blue at 1024 */
+    int away = at < 768 ? at : 1536 - at;
+
+    return away <= 256 ? 255 : away >= 512 ? 0 : (512 - away) * 255 / 256;
+}
+
+void art_default_palette(uint8_t rgb[CART_PALETTE])
+{
+    for (int i = 0; i < 256; i++) {
+        int bank = i / 16, shade = i % 16;
+        for (int c = 0; c < 3; c++) {
+            int full = bank == 0 ? 255 : wheel((bank - 1) * 1536 / 15, c);
+            int light = bank == 0 || shade <= 8 ? 0 : (255 - full) * (shade - 8) / 7;
+            int dark = bank == 0 ? shade * 17 : shade < 8 ? full * shade / 8 : full;
+            rgb[i * 3 + c] = (uint8_t)(dark + light);
+        }
+    }
+}
+
+bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size)
+{
+    if (picture->w != 16 || picture->h != 16)
+        return fail(err, err_size, "%dx%d pixels, expected 16x16: a row a bank, a column a shade", picture->w,
+                    picture->h);
+    for (int i = 0; i < 256; i++)
+        memcpy(rgb + i * 3, picture->rgba + i * 4, 3);
+    return true;
+}
+
+/* Squares of the differences between two colours. */
+static int difference(const uint8_t *a, const uint8_t *b)
+{
+    int sum = 0;
+
+    for (int c = 0; c < 3; c++)
+        sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sum;
+}
+
+/* The shade 1 to 15 of the bank (its 48 bytes) that is nearest to the colour, the lowest of equals; *off is how far it
+ * is. */
+static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off)
+{
+    int best = 1;
+
+    *off = difference(colours + 3, colour);
+    for (int shade = 2; shade < 16 && *off > 0; shade++) {
+        int d = difference(colours + shade * 3, colour);
+        if (d < *off) {
+            *off = d;
+            best = shade;
+        }
+    }
+    return best;
+}
+
+/* The shade of pixel (x, y), 0 for a transparent one; -1 with a sentence. */
+static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+                    size_t err_size)
+{
+    const uint8_t *colour = p->rgba + ((size_t)y * (size_t)p->w + (size_t)x) * 4;
+    int off, shade;
+
+    if (colour[3] < 128)
+        return 0;
+    shade = nearest_shade(rgb + bank * 48, colour, &off);
+    if (off == 0 || nearest)
+        return shade;
+    fail(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
+         colour[0], colour[1], colour[2], bank);
+    return -1;
+}
+
+bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
+                   size_t *size, char *err, size_t err_size)
+{
+    if (p->w != 128 || p->h % 8 != 0 || p->h < 8 || p->h / 8 * 16 > CART_MAX_GLYPHS)
+        return fail(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 a row", p->w, p->h,
+                    CART_MAX_GLYPHS / 16 * 8);
+    *size = (size_t)p->w * (size_t)p->h;
+    *out = malloc(*size);
+    if (*out == NULL)
+        return fail(err, err_size, "out of memory");
+    for (int y = 0; y < p->h; y++) {
+        for (int x = 0; x < p->w; x++) {
+            int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
+            if (shade < 0) {
+                free(*out);
+                *out = NULL;
+                return false;
+            }
+            (*out)[(y / 8 * 16 + x / 8) * CART_GLYPH + y % 8 * 8 + x % 8] = (uint8_t)shade;
+        }
+    }
+    return true;
+}
+
+static int bank_with(const uint8_t *rgb, const uint8_t *colour)
+{
+    for (int bank = 0, off; bank < 16; bank++) {
+        nearest_shade(rgb + bank * 48, colour, &off);
+        if (off == 0)
+            return bank;
+    }
+    return -1;
+}
+
+struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
+                                  const uint8_t rgb[CART_PALETTE])
+{
+    struct art_strays s = { .bank = -1 };
+
+    for (size_t i = 0; i < (size_t)picture->w * (size_t)picture->h; i++) {
+        const uint8_t *colour = picture->rgba + i * 4;
+        int off = 0;
+        if ((marked != NULL && !marked[i]) || colour[3] < 128)
+            continue;
+        nearest_shade(rgb + bank * 48, colour, &off);
+        if (off == 0 || s.n++ > 0)
+            continue;
+        s.x = (int)(i % (size_t)picture->w);
+        s.y = (int)(i / (size_t)picture->w);
+        memcpy(s.c, colour, 3);
+    }
+    s.bank = s.n > 0 ? bank_with(rgb, s.c) : -1;
+    return s;
+}
+
+/* Pictures of w x h on end, without padding: picture = frame * rotations + rotation. */
+struct stack {
+    uint8_t *pix;
+    int w, h, n;
+    int px, py; /* the point turned about, half pixels: the anchor's */
+};
+
+static size_t stack_bytes(const struct stack *s)
+{
+    return (size_t)s->w * (size_t)s->h * (size_t)s->n;
+}
+
+static uint8_t *stack_picture(const struct stack *s, int i)
+{
+    return s->pix + (size_t)s->w * (size_t)s->h * (size_t)i;
+}
+
+/* The sprite's frames, as indices. */
+static bool cut_frames(struct stack *s, const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
+                       const uint8_t *rgb, bool nearest, char *err, size_t err_size)
+{
+    for (int y = 0; y < s->h; y++) {
+        for (int x = 0; x < s->w * s->n; x++) {
+            int shade = shade_of(sheet, sprite->x + x, sprite->y + y, bank, rgb, nearest, err, err_size);
+            if (shade < 0)
+                return false;
+            stack_picture(s, x / s->w)[y * s->w + x % s->w] = shade == 0 ? 0 : (uint8_t)(bank * 16 + shade);
+        }
+    }
+    return true;
+}
+
+/* The point a sprite is turned about, in half pixels, for its anchor: the exact middle for the middle one, else the
+ * pixel's. */
+static int pivot(int anchor, int side)
+{
+    return anchor == side / 2 ? side : 2 * anchor + 1;
+}
+
+static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t err_size)
+{
+    *s = (struct stack){ .w = w, .h = h, .n = n };
+    if ((uint64_t)w * (uint64_t)h * (uint64_t)n > MAX_STACK)
+        return fail(err, err_size, "its frames and rotations take more than %d MiB", MAX_STACK >> 20);
+    s->pix = calloc(1, stack_bytes(s));
+    return s->pix != NULL ? true : fail(err, err_size, "out of memory");
+}
+
+/* The size that holds all turns of all frames. */
+static void turned_size(const struct stack *s, int *w, int *h)
+{
+    *w = *h = 0;
+    for (int i = 0; i < s->n; i++) {
+        int one_w, one_h;
+        turn_size(stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, &one_w, &one_h);
+        *w = one_w > *w ? one_w : *w;
+        *h = one_h > *h ? one_h : *h;
+    }
+}
+
+/* All turns of all frames of s. */
+static void turn_stack(struct stack *turned, const struct stack *s, int rotations, void *scratch)
+{
+    struct turn t;
+
+    for (int i = 0; i < turned->n; i++) {
+        ang turn = (ang)(((uint64_t)(i % rotations) << 32) / (uint64_t)rotations);
+        if (i % rotations == 0)
+            turn_open(&t, stack_picture(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
+        turn_paint(&t, turn, stack_picture(turned, i), turned->w, turned->h, turned->w);
+    }
+}
+
+/* Replaces the frames by all turns of each. */
+static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_size)
+{
+    struct stack t;
+    int w, h;
+
+    turned_size(s, &w, &h);
+    if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
+        return fail(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
+    void *scratch = malloc(turn_scratch(s->w, s->h));
+    if (scratch == NULL)
+        return fail(err, err_size, "out of memory");
+    if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
+        free(scratch);
+        return false;
+    }
+    turn_stack(&t, s, rotations, scratch);
+    free(scratch);
+    t.px = w;
+    t.py = h;
+    free(s->pix);
+    *s = t;
+    return true;
+}
+
+struct box {
+    int x0, y0, x1, y1; /* half open */
+};
+
+/* The pixels that are drawn in any picture; one pixel when there is none. */
+static struct box used_box(const struct stack *s)
+{
+    struct box b = { s->w, s->h, 0, 0 };
+
+    for (size_t i = 0; i < stack_bytes(s); i++) {
+        int x = (int)(i % (size_t)s->w), y = (int)(i / (size_t)s->w % (size_t)s->h);
+        if (s->pix[i] == 0)
+            continue;
+        b.x0 = x < b.x0 ? x : b.x0;
+        b.y0 = y < b.y0 ? y : b.y0;
+        b.x1 = x >= b.x1 ? x + 1 : b.x1;
+        b.y1 = y >= b.y1 ? y + 1 : b.y1;
+    }
+    return b.x0 < b.x1 ? b : (struct box){ 0, 0, 1, 1 };
+}
+
+static void write_header(uint8_t *p, const struct art_sprite *sprite, struct box b, int pitch, int ox, int oy, int bank)
+{
+    memset(p, 0, CART_GFX_HEADER);
+    put16(p, (uint16_t)(b.x1 - b.x0));
+    put16(p + 2, (uint16_t)(b.y1 - b.y0));
+    put16(p + 4, (uint16_t)pitch);
+    put16(p + 6, (uint16_t)(ox - b.x0));
+    put16(p + 8, (uint16_t)(oy - b.y0));
+    put16(p + 10, (uint16_t)sprite->frames);
+    put16(p + 12, (uint16_t)sprite->every);
+    put16(p + 14, (uint16_t)sprite->rotations);
+    put16(p + 16, (uint16_t)bank);
+}
+
+/* The lump: the header, then the box of each picture, its rows padded to a multiple of 8. */
+static bool write_lump(const struct stack *s, const struct art_sprite *sprite, struct box b, int ox, int oy, int bank,
+                       uint8_t **out, size_t *size)
+{
+    int w = b.x1 - b.x0, h = b.y1 - b.y0, pitch = (w + 7) / 8 * 8;
+
+    *size = CART_GFX_HEADER + (size_t)pitch * (size_t)h * (size_t)s->n;
+    *out = calloc(1, *size);
+    if (*out == NULL)
+        return false;
+    write_header(*out, sprite, b, pitch, ox, oy, bank);
+    uint8_t *row = *out + CART_GFX_HEADER;
+    for (int i = 0; i < s->n; i++)
+        for (int y = b.y0; y < b.y1; y++, row += pitch)
+            memcpy(row, stack_picture(s, i) + y * s->w + b.x0, (size_t)w);
+    return true;
+}
+
+bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
+                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+                     size_t err_size)
+{
+    struct box box = { 0, 0, sprite->w, sprite->h };
+    int ox = sprite->ox, oy = sprite->oy;
+    struct stack s;
+
+    if (sprite->x + (int64_t)sprite->w * sprite->frames > sheet->w || sprite->y + sprite->h > sheet->h)
+        return fail(err, err_size, "%d frames of %dx%d at %d,%d are not inside the sheet's %dx%d pixels",
+                    (int)sprite->frames, (int)sprite->w, (int)sprite->h, (int)sprite->x, (int)sprite->y, sheet->w,
+                    sheet->h);
+    if (!make_stack(&s, sprite->w, sprite->h, sprite->frames, err, err_size))
+        return false;
+    s.px = pivot(sprite->ox, sprite->w);
+    s.py = pivot(sprite->oy, sprite->h);
+    bool good = cut_frames(&s, sheet, sprite, bank, rgb, nearest, err, err_size);
+    if (good && sprite->rotations > 1) {
+        good = turn_frames(&s, sprite->rotations, err, err_size);
+        box = used_box(&s);
+        ox = s.px / 2;
+        oy = s.py / 2;
+    }
+    if (good && !write_lump(&s, sprite, box, ox, oy, bank, out, size))
+        good = fail(err, err_size, "out of memory");
+    free(s.pix);
+    return good;
+}

@@ -1,0 +1,48 @@
+/*
+ * art.h - pictures to palette indices: what the packer does with a game's PNG files once they are read.
+ * floor: cab    used by: cab/ tests/
+ *
+ * A pixel of less than half opacity is transparent (0); any other must have one of the bank's 15 colours, or takes the
+ * nearest one when asked to. Nothing here names a file: the caller puts that in front of the sentence.
+ */
+#ifndef CAB_ART_H
+#define CAB_ART_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "../../board/rom/cart.h"
+
+struct art_picture {
+    uint8_t *rgba; /* rows on end; malloc */
+    int w, h;
+};
+
+/* The colours of a game that brings none: bank 0 from black to white, the others from dark to light round the colour
+ * wheel. */
+void art_default_palette(uint8_t rgb[CART_PALETTE]);
+
+/* A 16x16 picture, a row a bank, a column a shade. */
+bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size);
+
+/* The font lump of a picture 128 px wide: 8x8 cells, 16 a row, in the colours of bank 0. *out is malloc. */
+bool art_make_font(const struct art_picture *picture, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
+                   size_t *size, char *err, size_t err_size);
+
+/* The opaque pixels of a picture that have none of the bank's colours. marked: a byte a pixel, 0 for those that do not
+ * matter; NULL: all do. */
+struct art_strays {
+    long n;
+    int x, y;     /* of the first, in reading order */
+    int bank;     /* one that has its colour, or -1 */
+    uint8_t c[3]; /* its colour */
+};
+struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
+                                  const uint8_t rgb[CART_PALETTE]);
+
+/* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc. */
+bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
+                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+                     size_t err_size);
+
+#endif

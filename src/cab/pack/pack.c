@@ -1,0 +1,584 @@
+/*
+ * pack.c - see pack.h. The folder is walked once into a sorted list of paths; each path that belongs into the ROM and
+ * each picture that rom.lua names adds a lump to a list; the list is sorted and written. The list owns all it holds, so
+ * one close gives everything back wherever packing stopped.
+ */
+#include "pack.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../base/hash.h"
+#include "../../base/heap.h"
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
+#include "../../board/script.h"
+#include "art.h"
+#include "blend.h"
+#include "../host/files.h"
+#include "tree.h"
+#include "png.h"
+
+enum { PATH = TREE_PATH };
+
+static bool fail(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    return false;
+}
+
+/* ---- the lumps ---- */
+
+struct lumps {
+    struct lump *lump; /* names and data are malloc */
+    int n, room;
+};
+
+static void lumps_close(struct lumps *l)
+{
+    for (int i = 0; i < l->n; i++) {
+        free((void *)(uintptr_t)l->lump[i].name);
+        free((void *)(uintptr_t)l->lump[i].data);
+    }
+    free(l->lump);
+}
+
+static bool lumps_grow(struct lumps *l)
+{
+    int room = l->room == 0 ? 64 : l->room * 2;
+    struct lump *more = realloc(l->lump, (size_t)room * sizeof *more);
+
+    if (more == NULL)
+        return false;
+    l->lump = more;
+    l->room = room;
+    return true;
+}
+
+/* ---- packing ---- */
+
+struct packer {
+    const char *dir;
+    bool nearest;
+    struct tree files;
+    struct lumps lumps;
+    struct manifest m;
+    struct art art;
+    uint8_t palette[CART_PALETTE];
+    char *err;
+    size_t err_size;
+};
+
+/* Adds the lump folder + name; data (malloc) is the list's from here, also when this fails. */
+static bool add(struct packer *p, const char *folder, const char *name, uint8_t *data, size_t size)
+{
+    size_t n = strlen(folder) + strlen(name) + 1;
+    char *full = malloc(n);
+
+    if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
+        free(full);
+        free(data);
+        return fail(p->err, p->err_size, "out of memory");
+    }
+    snprintf(full, n, "%s%s", folder, name);
+    p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
+    return n <= ROM_NAME ? true : fail(p->err, p->err_size, "%s: the name is too long", name);
+}
+
+static bool add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size)
+{
+    uint8_t *copy = malloc(size + 1);
+
+    if (copy == NULL)
+        return fail(p->err, p->err_size, "out of memory");
+    memcpy(copy, data, size);
+    return add(p, folder, name, copy, size);
+}
+
+static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)
+{
+    char path[PATH];
+
+    if (!tree_join(path, p->dir, name))
+        return fail(p->err, p->err_size, "%s: the path is too long", name);
+    return tree_load(path, name, max, data, size, p->err, p->err_size);
+}
+
+static bool ends_with(const char *s, const char *tail)
+{
+    size_t n = strlen(s), m = strlen(tail);
+
+    return n > m && strcmp(s + n - m, tail) == 0;
+}
+
+static bool starts_with(const char *s, const char *head)
+{
+    return strncmp(s, head, strlen(head)) == 0;
+}
+
+static bool read_manifest(struct packer *p)
+{
+    char folder[64];
+    uint8_t *text;
+    size_t size;
+
+    if (!load_in(p, "rom.lua", TREE_SCRIPT, &text, &size))
+        return false;
+    tree_drop_mark(text, &size);
+    tree_id(p->dir, folder);
+    void *block, *work = tree_work(MANIFEST_WORK, &block);
+    bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
+                                             p->err_size)
+                             : fail(p->err, p->err_size, "out of memory");
+    free(block);
+    free(text);
+    return good;
+}
+
+static bool add_manifest(struct packer *p)
+{
+    uint8_t bytes[MANIFEST_BYTES];
+
+    manifest_pack(&p->m, bytes);
+    return add_copy(p, "", "manifest", bytes, sizeof bytes);
+}
+
+/* A picture of the folder into *out (free rgba). */
+static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
+{
+    char why[256];
+    uint8_t *data = NULL;
+    size_t size = 0;
+
+    if (!tree_portable(file))
+        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+    if (!load_in(p, file, TREE_FILE, &data, &size))
+        return false;
+    bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
+    free(data);
+    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PALETTE])
+{
+    struct art_picture picture;
+    char why[256];
+
+    if (!load_picture(p, file, &picture))
+        return false;
+    bool good = art_make_palette(&picture, rgb, why, sizeof why);
+    free(picture.rgba);
+    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+static bool add_palettes(struct packer *p)
+{
+    uint8_t rgb[CART_PALETTE];
+
+    if (p->art.palette[0] == '\0')
+        art_default_palette(p->palette);
+    else if (!load_palette(p, p->art.palette, p->palette))
+        return false;
+    if (!add_copy(p, "palette/", "main", p->palette, sizeof p->palette))
+        return false;
+    for (int i = 0; i < p->art.n_palettes; i++)
+        if (!load_palette(p, p->art.palettes[i].file, rgb) ||
+            !add_copy(p, "palette/", p->art.palettes[i].name, rgb, sizeof rgb))
+            return false;
+    return true;
+}
+
+static bool add_blends(struct packer *p)
+{
+    for (int i = 0; i < p->art.n_blends; i++) {
+        uint8_t *table = malloc(CART_BLEND);
+        if (table == NULL || !blend_make(p->palette, p->art.blends[i].mix, table)) {
+            free(table);
+            return fail(p->err, p->err_size, "out of memory");
+        }
+        if (!add(p, "blend/", p->art.blends[i].name, table, CART_BLEND))
+            return false;
+    }
+    return true;
+}
+
+static bool add_font(struct packer *p)
+{
+    const char *file = p->art.font;
+    struct art_picture picture;
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (file[0] == '\0')
+        return true;
+    if (!load_picture(p, file, &picture))
+        return false;
+    bool good = art_make_font(&picture, p->palette, p->nearest, &data, &size, why, sizeof why);
+    free(picture.rgba);
+    return good ? add(p, "", "font", data, size) : fail(p->err, p->err_size, "%s: %s", file, why);
+}
+
+/* The sprites of one sheet. */
+static bool add_sheet(struct packer *p, int sheet)
+{
+    const struct art_sheet *s = &p->art.sheets[sheet];
+    struct art_picture picture;
+    bool good = load_picture(p, s->file, &picture);
+    char why[256];
+
+    if (!good)
+        return false;
+    for (int i = 0; good && i < p->art.n_sprites; i++) {
+        const struct art_sprite *sprite = &p->art.sprites[i];
+        uint8_t *data;
+        size_t size;
+        if (sprite->sheet != sheet)
+            continue;
+        if (art_make_sprite(&picture, sprite, s->bank, p->palette, p->nearest, &data, &size, why, sizeof why))
+            good = add(p, "gfx/", sprite->name, data, size);
+        else
+            good = starts_with(why, "pixel")
+                       ? fail(p->err, p->err_size, "%s: %s", s->file, why)
+                       : fail(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
+    }
+    free(picture.rgba);
+    return good;
+}
+
+static bool add_art(struct packer *p)
+{
+    if (!add_palettes(p) || !add_blends(p) || !add_font(p))
+        return false;
+    for (int i = 0; i < p->art.n_sheets; i++)
+        if (!add_sheet(p, i))
+            return false;
+    return true;
+}
+
+bool pack_is_std(const char *path)
+{
+    for (int i = 0; i < std_script_count; i++) {
+        size_t n = strlen(std_scripts[i].name);
+        if (strncmp(path + 4, std_scripts[i].name, n) == 0 && strcmp(path + 4 + n, ".lua") == 0)
+            return true;
+    }
+    return false;
+}
+
+static bool add_script(struct packer *p, const char *path)
+{
+    bool std = starts_with(path, "std/");
+    char chunk[PATH];
+    uint8_t *text;
+    size_t size;
+
+    if (std && !pack_is_std(path))
+        return fail(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
+    if (!load_in(p, path, TREE_SCRIPT, &text, &size))
+        return false;
+    tree_drop_mark(text, &size);
+    snprintf(chunk, sizeof chunk, "@%s", path);
+    void *block, *work = tree_work(TREE_WORK, &block);
+    bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
+                             : fail(p->err, p->err_size, "out of memory");
+    free(block);
+    if (!good) {
+        free(text);
+        return false;
+    }
+    return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
+}
+
+/* demos/NAME.demo is the lump demo/NAME. */
+static bool add_demo(struct packer *p, const char *path)
+{
+    char name[PATH];
+    uint8_t *data;
+    size_t size;
+
+    if (!load_in(p, path, TREE_FILE, &data, &size))
+        return false;
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("demos/") - strlen(".demo")),
+             path + strlen("demos/"));
+    return add(p, "demo/", name, data, size);
+}
+
+static bool add_text(struct packer *p, const char *path)
+{
+    uint8_t *data;
+    size_t size;
+
+    if (!load_in(p, path, TREE_FILE, &data, &size))
+        return false;
+    if (size > TEXT_MOST) {
+        free(data);
+        return fail(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)TEXT_MOST,
+                    size);
+    }
+    return add(p, "data/", path, data, size);
+}
+
+static bool add_file(struct packer *p, const char *path)
+{
+    bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
+
+    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !ends_with(path, ".txt")))
+        return true;
+    if (!manifest_path_ok(path))
+        return fail(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
+    if (!tree_portable(path))
+        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
+    return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
+}
+
+static bool add_files(struct packer *p)
+{
+    char path[PATH];
+    const char *a, *b;
+
+    if (tree_twins(&p->files, &a, &b))
+        return fail(p->err, p->err_size, "%s and %s are one file where case does not count", a, b);
+    snprintf(path, sizeof path, "%s.lua", p->m.entry);
+    if (!tree_has(&p->files, path))
+        return fail(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
+    for (int i = 0; i < p->files.n; i++)
+        if (!add_file(p, p->files.name[i]))
+            return false;
+    return true;
+}
+
+static bool add_std(struct packer *p)
+{
+    char path[PATH];
+
+    for (int i = 0; i < std_script_count; i++) {
+        const struct embedded *s = &std_scripts[i];
+        snprintf(path, sizeof path, "std/%s.lua", s->name);
+        if (!tree_has(&p->files, path) && !add_copy(p, "script/@std/", path + 4, s->data, s->size))
+            return false;
+    }
+    return true;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
+}
+
+/* What was packed must be what the board takes. */
+static bool check_image(const uint8_t *image, size_t size, struct rom *rom, char *err, size_t err_size)
+{
+    size_t ram;
+
+    return rom_open(rom, image, size, err, err_size) && board_size(rom, &ram, err, err_size);
+}
+
+static bool write_image(struct packer *p, uint8_t **image, size_t *size)
+{
+    struct rom rom;
+
+    qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], by_name);
+    *size = rom_write_size(p->lumps.lump, p->lumps.n);
+    *image = NULL;
+    if (*size == 0)
+        return fail(p->err, p->err_size, "too large for a ROM");
+    *image = malloc(*size);
+    if (*image == NULL)
+        return fail(p->err, p->err_size, "out of memory");
+    rom_write(*image, p->lumps.lump, p->lumps.n);
+    if (check_image(*image, *size, &rom, p->err, p->err_size))
+        return true;
+    free(*image);
+    *image = NULL;
+    return false;
+}
+
+static bool gather(struct packer *p)
+{
+    if (!tree_walk(p->dir, &p->files, p->err, p->err_size))
+        return false;
+    return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && add_art(p);
+}
+
+bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size)
+{
+    struct packer *p = calloc(1, sizeof *p);
+
+    if (p == NULL)
+        return fail(err, err_size, "out of memory");
+    p->dir = dir;
+    p->nearest = nearest;
+    p->err = err;
+    p->err_size = err_size;
+    bool good = gather(p) && write_image(p, image, size);
+    tree_close(&p->files);
+    lumps_close(&p->lumps);
+    free(p);
+    return good;
+}
+
+/* ---- ROMs ---- */
+
+static bool load_file(const char *path, struct rom_image *out, char *err, size_t err_size)
+{
+    char why[256];
+
+    if (!tree_load(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
+        return false;
+    if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
+        return true;
+    rom_image_free(out);
+    return fail(err, err_size, "%s: %s", path, why);
+}
+
+static void ignore_entry(void *user, const struct plat_file *file)
+{
+    (void)user;
+    (void)file;
+}
+
+bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
+{
+    char why[PATH + 256];
+
+    memset(out, 0, sizeof *out);
+    if (files_size(path) >= 0)
+        return load_file(path, out, err, err_size);
+    if (plat_list(path, ignore_entry, NULL) < 0) {
+        files_absent(path, "file or folder", err, err_size);
+        return false;
+    }
+    if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
+        memset(out, 0, sizeof *out);
+        return fail(err, err_size, "%s: %s", path, why);
+    }
+    return rom_open(&out->rom, out->bytes, out->size, err, err_size);
+}
+
+void rom_image_free(struct rom_image *image)
+{
+    free(image->bytes);
+    memset(image, 0, sizeof *image);
+}
+
+void pack_list(const struct rom *rom, void (*each)(void *user, const char *line), void *user)
+{
+    for (uint32_t i = 0; i < rom->count; i++) {
+        char line[ROM_NAME + 32];
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        snprintf(line, sizeof line, "%s %" PRIu32 " %08" PRIx32, l.name, l.size, crc32_of(l.data, l.size));
+        each(user, line);
+    }
+}
+
+/* ---- files again ---- */
+
+/* The lump's file below the folder. */
+static void unpacked_name(const char *name, char out[PATH])
+{
+    if (starts_with(name, "script/@std/"))
+        snprintf(out, PATH, "std/%s", name + strlen("script/@std/"));
+    else if (starts_with(name, "script/"))
+        snprintf(out, PATH, "%s", name + strlen("script/"));
+    else if (starts_with(name, "data/"))
+        snprintf(out, PATH, "%s", name + strlen("data/"));
+    else if (starts_with(name, "demo/"))
+        snprintf(out, PATH, "demos/%s.demo", name + strlen("demo/"));
+    else
+        snprintf(out, PATH, "lumps/%s", name);
+}
+
+/* Is none of the folders that a file asks for a file itself, of the ROM's or there already? */
+static bool folders_free(const struct tree *files, const char *name, const char *dir, char *err, size_t err_size)
+{
+    char folder[PATH], path[PATH];
+
+    snprintf(folder, sizeof folder, "%s", name);
+    for (char *slash = folder; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
+        *slash = '\0';
+        if (tree_has(files, folder))
+            return fail(err, err_size, "%s would become a file and a folder, for %s", folder, name);
+        if (tree_join(path, dir, folder) && plat_size(path) >= 0)
+            return fail(err, err_size, "%s: is a file, where a folder for %s would be", path, name);
+    }
+    return true;
+}
+
+/* May all of files (sorted) be written? */
+static bool may_unpack(const struct tree *files, const char *dir, char *err, size_t err_size)
+{
+    char path[PATH];
+
+    for (int i = 0; i < files->n; i++) {
+        const char *name = files->name[i];
+        if (!tree_join(path, dir, name))
+            return fail(err, err_size, "%s: the path is too long", name);
+        if (!manifest_path_ok(name))
+            return fail(err, err_size, "\"%s\" is not a file's name inside a folder", name);
+        if (i > 0 && strcmp(files->name[i - 1], name) == 0)
+            return fail(err, err_size, "two lumps would become the file %s", name);
+        if (plat_size(path) >= 0)
+            return fail(err, err_size, "%s: is already there", path);
+        if (!folders_free(files, name, dir, err, err_size))
+            return false;
+    }
+    return true;
+}
+
+/* Takes the files of the first n lumps back. */
+static void remove_lumps(const struct rom *rom, uint32_t n, const char *dir)
+{
+    char name[PATH], path[PATH];
+
+    while (n-- > 0) {
+        struct lump l;
+        rom_lump(rom, (int)n, &l);
+        unpacked_name(l.name, name);
+        if (tree_join(path, dir, name))
+            plat_remove(path);
+    }
+}
+
+static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t err_size)
+{
+    char name[PATH], path[PATH];
+
+    for (uint32_t i = 0; i < rom->count; i++) {
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        unpacked_name(l.name, name);
+        bool named = tree_join(path, dir, name);
+        if (named && files_save(path, l.data, l.size, err, err_size))
+            continue;
+        remove_lumps(rom, i, dir);
+        return named ? false : fail(err, err_size, "%s: the path is too long", name);
+    }
+    return true;
+}
+
+bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_size)
+{
+    struct tree files = { 0 };
+    char name[PATH];
+
+    for (uint32_t i = 0; i < rom->count; i++) {
+        struct lump l;
+        rom_lump(rom, (int)i, &l);
+        unpacked_name(l.name, name);
+        tree_add(&files, "", name);
+    }
+    tree_sort(&files);
+    bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "%s", tree_failed(&files));
+    tree_close(&files);
+    return good && save_lumps(rom, dir, err, err_size);
+}

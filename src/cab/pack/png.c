@@ -1,0 +1,464 @@
+/*
+ * png.c - see png.h. Chunks are ours, compression and the pixel formats are stb's.
+ *
+ * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel data
+ * that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a short
+ * palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up here.
+ */
+#include "png.h"
+
+#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/hash.h"
+
+enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
+
+/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here. One
+ * picture is read at a time. */
+static struct {
+    void *piece[8];
+    bool shortage; /* a piece was refused */
+} reading;
+
+static void *hold(void *old, size_t n)
+{
+    enum { SLOTS = sizeof reading.piece / sizeof reading.piece[0] };
+    int i = 0;
+
+    while (i < SLOTS && reading.piece[i] != old)
+        i++;
+    void *p = i < SLOTS && n <= STB_MOST ? realloc(old, n ? n : 1) : NULL;
+    if (p)
+        reading.piece[i] = p;
+    else
+        reading.shortage = true;
+    return p;
+}
+
+static void let_go(const void *p)
+{
+    for (size_t i = 0; p && i < sizeof reading.piece / sizeof reading.piece[0]; i++)
+        if (reading.piece[i] == p)
+            reading.piece[i] = NULL;
+}
+
+static void release(void *p)
+{
+    let_go(p);
+    free(p);
+}
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_MALLOC(n)      hold(NULL, n)
+#define STBI_REALLOC(p, n)  hold(p, n)
+#define STBI_FREE(p)        release(p)
+#define STBI_MAX_DIMENSIONS PNG_MAX_SIDE
+
+/* What stb's compressor takes, which cannot say that memory is short: then it is left by a jump. A piece is given back
+ * when all are. One picture is written at a time. */
+struct piece {
+    _Alignas(16) struct piece *next;
+};
+static struct {
+    struct piece *first;
+    jmp_buf full;
+} compressing;
+
+static void *piece_take(size_t n)
+{
+    struct piece *p = n <= STB_MOST ? malloc(sizeof *p + n) : NULL;
+
+    if (!p)
+        longjmp(compressing.full, 1);
+    p->next = compressing.first;
+    compressing.first = p;
+    return p + 1;
+}
+
+static void *piece_grow(void *old, size_t had, size_t n)
+{
+    void *p = piece_take(n);
+
+    if (old)
+        memcpy(p, old, had < n ? had : n);
+    return p;
+}
+
+static void pieces_free(void)
+{
+    while (compressing.first) {
+        struct piece *p = compressing.first;
+        compressing.first = p->next;
+        free(p);
+    }
+}
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#define STBIW_MALLOC(n)                piece_take(n)
+#define STBIW_REALLOC_SIZED(p, had, n) piece_grow(p, had, n)
+#define STBIW_FREE(p)                  ((void)(p))
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+static const uint8_t signature[8] = { 137, 'P', 'N', 'G', 13, 10, 26, 10 };
+
+/* PNG numbers are big-endian. */
+static void put_be32(uint8_t *p, uint32_t v)
+{
+    p[0] = (uint8_t)(v >> 24);
+    p[1] = (uint8_t)(v >> 16);
+    p[2] = (uint8_t)(v >> 8);
+    p[3] = (uint8_t)v;
+}
+
+static uint32_t get_be32(const uint8_t *p)
+{
+    return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3];
+}
+
+/* ---- writing ---- */
+
+static uint8_t *chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n)
+{
+    put_be32(p, n);
+    memcpy(p + 4, type, 4);
+    if (n)
+        memcpy(p + 8, data, n);
+    put_be32(p + 8 + n, crc32_of(p + 4, n + 4));
+    return p + 12 + n;
+}
+
+/* Rows as the file has them: each a filter byte (0: none) and its n bytes. */
+static uint8_t *rows(const uint8_t *from, ptrdiff_t pitch, size_t n, int h)
+{
+    size_t stride = n + 1;
+    uint8_t *out = malloc(stride * (size_t)h);
+
+    for (int y = 0; out && y < h; y++) {
+        out[stride * (size_t)y] = 0;
+        memcpy(out + stride * (size_t)y + 1, from + y * pitch, n);
+    }
+    return out;
+}
+
+struct pixels {
+    const uint8_t *from;
+    ptrdiff_t pitch;         /* bytes */
+    int w, h, bytes;         /* bytes a pixel: 1 or 3 */
+    const uint32_t *palette; /* NULL: none */
+};
+
+static uint8_t *palette_chunk(uint8_t *p, const uint32_t rgb[256])
+{
+    uint8_t colours[768];
+
+    for (int i = 0; i < 256; i++) {
+        colours[3 * i] = (uint8_t)(rgb[i] >> 16);
+        colours[3 * i + 1] = (uint8_t)(rgb[i] >> 8);
+        colours[3 * i + 2] = (uint8_t)rgb[i];
+    }
+    return chunk(p, "PLTE", colours, sizeof colours);
+}
+
+static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *packed, uint32_t n)
+{
+    uint8_t head[13] = { 0 }, *p = out;
+
+    put_be32(head, (uint32_t)pic->w);
+    put_be32(head + 4, (uint32_t)pic->h);
+    head[8] = 8;                    /* bits */
+    head[9] = pic->palette ? 3 : 2; /* palette or RGB */
+    memcpy(p, signature, sizeof signature);
+    p = chunk(p + sizeof signature, "IHDR", head, sizeof head);
+    if (pic->palette)
+        p = palette_chunk(p, pic->palette);
+    p = chunk(p, "IDAT", packed, n);
+    p = chunk(p, "IEND", NULL, 0);
+    return (size_t)(p - out);
+}
+
+/* The whole file of rows of raw bytes; NULL: out of memory. */
+static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, int raw_size, size_t *size)
+{
+    int n = 0;
+    uint8_t *packed, *out = NULL;
+
+    if (setjmp(compressing.full) == 0) {
+        packed = stbi_zlib_compress(raw, raw_size, &n, 8);
+        out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
+        if (out)
+            *size = assemble(out, pic, packed, (uint32_t)n);
+        pieces_free();
+        return out;
+    }
+    pieces_free();
+    return NULL;
+}
+
+static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
+{
+    *out = NULL;
+    if (pic->w < 1 || pic->h < 1 || pic->w > PNG_MAX_SIDE || pic->h > PNG_MAX_SIDE)
+        return false;
+    size_t stride = (size_t)pic->w * (size_t)pic->bytes;
+    if ((stride + 1) * (size_t)pic->h > STB_MOST)
+        return false;
+    uint8_t *raw = rows(pic->from, pic->pitch, stride, pic->h);
+    if (raw)
+        *out = compressed_file(pic, raw, (int)(stride + 1) * pic->h, size);
+    free(raw);
+    return *out != NULL;
+}
+
+bool png_write(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256], uint8_t **out, size_t *size)
+{
+    return write_picture(&(struct pixels){ pix, pitch, w, h, 1, rgb }, out, size);
+}
+
+bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size)
+{
+    return write_picture(&(struct pixels){ rgb, (ptrdiff_t)w * 3, w, h, 3, NULL }, out, size);
+}
+
+/* ---- reading ---- */
+
+static bool fail(char *err, size_t err_size, const char *what)
+{
+    snprintf(err, err_size, "%s", what);
+    return false;
+}
+
+/* What a file says, once its chunks have been walked. */
+struct layout {
+    uint32_t w, h, bits, colour, interlaced; /* colour: PNG's type, 0 2 3 4 6 */
+    const uint8_t *palette, *opacity;        /* of PLTE and tRNS; NULL: none */
+    uint32_t colours, opacities;
+    size_t pixels; /* bytes in all IDAT */
+};
+
+static void note(struct layout *l, const uint8_t *type, const uint8_t *data, uint32_t n)
+{
+    if (memcmp(type, "PLTE", 4) == 0) {
+        l->palette = data;
+        l->colours = n / 3;
+    } else if (memcmp(type, "tRNS", 4) == 0) {
+        l->opacity = data;
+        l->opacities = n;
+    } else if (memcmp(type, "IDAT", 4) == 0)
+        l->pixels += n;
+}
+
+/* Are the chunks whole and undamaged up to IEND? */
+static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
+{
+    size_t at = sizeof signature;
+
+    while (n - at >= 12) {
+        const uint8_t *p = data + at;
+        uint32_t len = get_be32(p);
+        if (len > n - at - 12)
+            break;
+        if (get_be32(p + 8 + len) != crc32_of(p + 4, (size_t)len + 4)) {
+            snprintf(err, err_size, "a damaged PNG: the chunk at byte %zu has a wrong CRC", at);
+            return false;
+        }
+        note(l, p + 4, p + 8, len);
+        if (memcmp(p + 4, "IEND", 4) == 0)
+            return true;
+        at += 12 + (size_t)len;
+    }
+    return fail(err, err_size, "a PNG that is cut short");
+}
+
+static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
+{
+    static const uint8_t depths[7] = { 1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16 };
+    const uint8_t *p = data + sizeof signature;
+
+    if (n < sizeof signature + 25)
+        return fail(err, err_size, "a PNG that is cut short");
+    if (get_be32(p) != 13 || memcmp(p + 4, "IHDR", 4) != 0)
+        return fail(err, err_size, "a PNG without a header");
+    *l = (struct layout){ get_be32(p + 8), get_be32(p + 12), p[16], p[17], p[20], NULL, NULL, 0, 0, 0 };
+    if (l->colour > 6 || l->bits > 16 || !(depths[l->colour] & l->bits) || (l->bits & (l->bits - 1)) || p[18] ||
+        p[19] || l->interlaced > 1)
+        return fail(err, err_size, "a PNG of a kind that the format does not have");
+    if (l->w == 0 || l->h == 0)
+        return fail(err, err_size, "a PNG without pixels");
+    if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS) {
+        snprintf(err, err_size, "a PNG of %lu x %lu pixels is too large", (unsigned long)l->w, (unsigned long)l->h);
+        return false;
+    }
+    return true;
+}
+
+static bool check_palette(const struct layout *l, char *err, size_t err_size)
+{
+    if (l->colour != 3)
+        return true;
+    if (!l->palette)
+        return fail(err, err_size, "a PNG of palette indices without a palette");
+    if (l->colours < 1 || l->colours > 256 || get_be32(l->palette - 8) % 3 != 0)
+        return fail(err, err_size, "a PNG with a damaged palette");
+    if (l->opacities > l->colours)
+        return fail(err, err_size, "a PNG with more opacities than colours");
+    return true;
+}
+
+/* Bytes of rows of w x h pixels, each with the byte of its filter. */
+static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
+{
+    static const uint8_t channels[7] = { 1, 0, 3, 1, 2, 0, 4 };
+
+    return w && h ? (size_t)h * (1 + ((size_t)w * channels[l->colour] * l->bits + 7) / 8) : 0;
+}
+
+/* Bytes the pixel data inflates to. An interlaced picture is seven: every dx-th pixel of every dy-th row from (x, y). */
+static size_t inflated_size(const struct layout *l)
+{
+    static const uint8_t x[7] = { 0, 4, 0, 2, 0, 1, 0 }, y[7] = { 0, 0, 4, 0, 2, 0, 1 };
+    static const uint8_t dx[7] = { 8, 8, 4, 4, 2, 2, 1 }, dy[7] = { 8, 8, 8, 4, 4, 2, 2 };
+    size_t size = 0;
+
+    if (!l->interlaced)
+        return rows_size(l, l->w, l->h);
+    for (int i = 0; i < 7; i++)
+        size += rows_size(l, (l->w + dx[i] - 1u - x[i]) / dx[i], (l->h + dy[i] - 1u - y[i]) / dy[i]);
+    return size;
+}
+
+/* The data of all IDAT on end. The chunks have been walked. */
+static uint8_t *join_pixels(const uint8_t *data, const struct layout *l)
+{
+    uint8_t *all = malloc(l->pixels ? l->pixels : 1), *to = all;
+
+    for (const uint8_t *p = data + sizeof signature; all && memcmp(p + 4, "IEND", 4) != 0; p += 12 + get_be32(p))
+        if (memcmp(p + 4, "IDAT", 4) == 0) {
+            memcpy(to, p + 8, get_be32(p));
+            to += get_be32(p);
+        }
+    return all;
+}
+
+/* Does the pixel data inflate to what the header asks for? */
+static bool check_pixels(const struct layout *l, const uint8_t *packed, char *err, size_t err_size)
+{
+    size_t size = inflated_size(l);
+    uint8_t *room = malloc(size + 1);
+
+    if (!room)
+        return fail(err, err_size, "out of memory");
+    /* a byte more, so that data of just the size does not look like too much */
+    int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
+    free(room);
+    if (n >= 0 && (size_t)n == size)
+        return true;
+    if (n >= 0 && (size_t)n < size)
+        return fail(err, err_size, "a PNG with fewer pixels than its header says");
+    if (n >= 0 || !strcmp(stbi_failure_reason(), "output buffer limit"))
+        return fail(err, err_size, "a PNG with more pixels than its header says");
+    snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
+    return false;
+}
+
+/* The same picture with grey i for index i, and nothing that stb need not know. */
+static uint8_t *grey_file(const uint8_t *data, const struct layout *l, const uint8_t *packed, size_t *size)
+{
+    uint32_t greys[256];
+    uint8_t *file = malloc(sizeof signature + 4 * 12 + 13 + 768 + l->pixels), *p = file;
+
+    if (!file)
+        return NULL;
+    for (uint32_t i = 0; i < 256; i++)
+        greys[i] = i * 0x010101u;
+    memcpy(p, signature, sizeof signature);
+    p = chunk(p + sizeof signature, "IHDR", data + sizeof signature + 8, 13);
+    p = palette_chunk(p, greys);
+    p = chunk(p, "IDAT", packed, (uint32_t)l->pixels);
+    p = chunk(p, "IEND", NULL, 0);
+    *size = (size_t)(p - file);
+    return file;
+}
+
+/* Greys to the palette's colours. */
+static bool look_up(const struct layout *l, uint8_t *rgba, char *err, size_t err_size)
+{
+    for (size_t i = 0; i < (size_t)l->w * l->h; i++, rgba += 4) {
+        uint32_t index = rgba[0];
+        if (index >= l->colours) {
+            snprintf(err, err_size, "pixel %lu,%lu has palette index %u, but the PNG's palette ends with %u",
+                     (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
+            return false;
+        }
+        memcpy(rgba, l->palette + 3 * index, 3);
+        rgba[3] = index < l->opacities ? l->opacity[index] : 255;
+    }
+    return true;
+}
+
+static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size)
+{
+    int w, h, channels;
+
+    reading.shortage = false;
+    uint8_t *rgba = stbi_load_from_memory(data, (int)n, &w, &h, &channels, 4);
+    let_go(rgba);
+    for (size_t i = 0; i < sizeof reading.piece / sizeof reading.piece[0]; i++)
+        release(reading.piece[i]);
+    if (rgba)
+        return rgba;
+    if (reading.shortage)
+        fail(err, err_size, "out of memory");
+    else
+        snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
+    return NULL;
+}
+
+static uint8_t *decode_indices(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,
+                               size_t err_size)
+{
+    size_t size;
+    uint8_t *file = grey_file(data, l, packed, &size), *rgba;
+
+    if (!file) {
+        fail(err, err_size, "out of memory");
+        return NULL;
+    }
+    rgba = decode(file, size, err, err_size);
+    free(file);
+    if (rgba && !look_up(l, rgba, err, err_size)) {
+        free(rgba);
+        return NULL;
+    }
+    return rgba;
+}
+
+bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size)
+{
+    struct layout l;
+
+    *rgba = NULL;
+    if (n < sizeof signature || memcmp(data, signature, sizeof signature) != 0)
+        return fail(err, err_size, "not a PNG");
+    if (n > PNG_MAX_BYTES)
+        return fail(err, err_size, "a PNG that is too large");
+    if (!read_header(data, n, &l, err, err_size) || !walk_chunks(data, n, &l, err, err_size) ||
+        !check_palette(&l, err, err_size))
+        return false;
+    uint8_t *packed = join_pixels(data, &l);
+    if (!packed)
+        return fail(err, err_size, "out of memory");
+    if (check_pixels(&l, packed, err, err_size))
+        *rgba = l.colour == 3 ? decode_indices(data, &l, packed, err, err_size) : decode(data, n, err, err_size);
+    free(packed);
+    *w = (int)l.w;
+    *h = (int)l.h;
+    return *rgba != NULL;
+}

@@ -1,0 +1,269 @@
+/*
+ * cab.c - see cab.h: power, the frame, and its clock.
+ *
+ * plat_loop calls frame(), which may be the host's own timer, so everything is in one struct and frame() itself cleans up
+ * at the end. A frame is due every 1/60 s, counted from a base so that nothing is lost to rounding. When the host was
+ * late, up to MAX_LATE ticks are made up for; what is later than that is forgotten and the game slows down.
+ */
+#include "cab.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../chips/nvram.h"
+#include "cab_parts.h"
+#include "../host/files.h"
+
+enum {
+    SECOND = 1000000,
+    MAX_LATE = 4,
+    MAX_TURBO = 32,      /* ticks a frame */
+    TURBO_USEC = 12000,  /* of a frame spent on them */
+    SAVE_EVERY = 60,     /* frames */
+    NVRAM_MOST = 1 << 20 /* bytes that are kept of a damaged score file */
+};
+
+struct cab cab;
+
+/* ---- time ---- */
+
+static uint64_t due(uint64_t frame)
+{
+    return cab.base + frame * SECOND / 60;
+}
+
+/* Frames that are due by now, at least one; what is too late is forgotten. */
+static int frames_due(uint64_t now)
+{
+    int n = 1;
+    while (n < MAX_LATE && due(cab.frames + (uint64_t)n) <= now)
+        n++;
+    cab.frames += (uint64_t)n;
+    if (due(cab.frames) <= now) {
+        cab.base = now;
+        cab.frames = 1;
+    }
+    return n;
+}
+
+static void turbo(uint64_t now)
+{
+    for (int i = 0; i < MAX_TURBO && plat_usec() - now < TURBO_USEC; i++)
+        cab_tick();
+}
+
+/* True when a slowed board's turn has come. */
+static bool turn(void)
+{
+    cab.waited = (cab.waited + 1) % cab.slow;
+    return cab.waited == 0;
+}
+
+/* Presses gather in cab.pads until a tick has seen them; those of a pause are lost. */
+static void run(int frames, const struct keys_read *k, uint64_t now)
+{
+    bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
+    cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
+    cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
+    if (cab.ask.open)
+        return;
+    if (cab.rewinding) {
+        cab_go_back((uint32_t)frames);
+        cab.step = false;
+        memset(cab.pads, 0, sizeof cab.pads);
+        return;
+    }
+    if (cab.paused && cab.step)
+        cab_step();
+    else if (fast && !cab.paused)
+        turbo(now);
+    for (int i = 0; i < frames && !cab.paused && !fast; i++)
+        if (turn()) {
+            cab_tick();
+            ticked = true;
+        }
+    cab.step = false;
+    if (ticked || fast)
+        memset(cab.pads, 0, sizeof cab.pads);
+}
+
+/* ---- nvram ---- */
+
+static void nvram_name(char name[CAB_NAME])
+{
+    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart()->m.id);
+}
+
+static bool keeps_nvram(void)
+{
+    const struct session *s = &cab.session;
+    unsigned flags = s->now ? s->now->writer.demo.flags : 0;
+
+    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] &&
+           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
+}
+
+/* Scores that cannot be read are kept beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
+static void keep_damaged(const char *name, const uint8_t *image, size_t size)
+{
+    char beside[CAB_NAME + 32], text[2 * CAB_NAME + 64];
+
+    snprintf(beside, sizeof beside, "%s.damaged", name);
+    for (int i = 2; plat_size(beside) >= 0; i++)
+        snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
+    bool kept = plat_save(beside, image, size);
+    cab.no_scores = !kept; /* then the file is not written either */
+    snprintf(text, sizeof text,
+             kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
+                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
+             name, beside);
+    plat_log(text);
+}
+
+uint8_t *cab_load_nvram(struct board_start *start)
+{
+    char name[CAB_NAME];
+    nvram_name(name);
+    long size = plat_size(name);
+    if (start->nvram || start->practice.mark[0] || cab.options.demo || size < 0)
+        return NULL;
+    size = size < NVRAM_MOST ? size : NVRAM_MOST;
+    uint8_t *image = malloc((size_t)size + 1);
+    if (!image || plat_load(name, image, (size_t)size) != size) {
+        cab_say("curtain: %s: cannot be read; scores are not saved%s", name, "");
+        cab.no_scores = true;
+    } else if (nvram_good(image, (size_t)size)) {
+        start->nvram = image;
+        start->nvram_size = (size_t)size;
+        return image;
+    } else
+        keep_damaged(name, image, (size_t)size);
+    free(image);
+    return NULL;
+}
+
+void cab_save_nvram(void)
+{
+    char name[CAB_NAME], err[CAB_NAME + 128];
+    uint32_t changed;
+    const uint8_t *image = board_nvram(cab_live(), &changed);
+    if (changed == cab.nvram_saved || !keeps_nvram())
+        return;
+    cab.nvram_saved = changed;
+    nvram_name(name);
+    if (!files_save(name, image, NVRAM_BYTES, err, sizeof err))
+        cab_say("curtain: %s%s", err, "");
+}
+
+/* ---- power ---- */
+
+static void finish(void)
+{
+    cab_save_nvram();
+    practice_close(&cab.practice);
+    if (cab_fault())
+        cab.code = 2;
+    bool good = session_close(&cab.session);
+    cab.code = good || cab.code ? cab.code : 3;
+    if (!good)
+        cab_say("curtain: %s%s", cab.session.err, "");
+    if (cab.attracting)
+        cab_attract_end();
+    cab_picture_close(&cab.picture);
+    console_close(&cab.console);
+    free(cab.nvram);
+    plat_close();
+}
+
+static bool frame(void)
+{
+    struct keys_read k;
+    plat_wait(due(cab.frames));
+    uint64_t now = plat_usec();
+    if (now < due(cab.frames))
+        return true;
+    cab_poll(&k);
+    cab_look_for_changes();
+    int n = frames_due(now);
+    overlay_begin(&cab.overlay, cab.attracting ? &cab.shown : &cab.session.now->guard);
+    if (cab.practice.open)
+        cab_menu(&k);
+    else if (cab.session.way != SESSION_THERE)
+        cab_work(now);
+    else if (cab.console.open)
+        memset(cab.pads, 0, sizeof cab.pads);
+    else
+        run(n, &k, now);
+    cab.bar -= cab.bar > 0;
+    cab.notice_left -= cab.notice_left > 0;
+    if (++cab.since_save >= SAVE_EVERY) {
+        cab.since_save = 0;
+        cab_save_nvram();
+        records_save(&cab.practice.records);
+    }
+    overlay_lap(&cab.overlay, SPLIT_CABINET);
+    cab_picture_draw(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_DRAW);
+    cab_picture_show(&cab.picture);
+    overlay_lap(&cab.overlay, SPLIT_SHOW);
+    overlay_end(&cab.overlay);
+    if (cab.quit)
+        finish();
+    return !cab.quit;
+}
+
+static int refuse(int code, const char *what)
+{
+    cab_say("curtain: %s: %s", cab_game(), what);
+    practice_close(&cab.practice);
+    session_close(&cab.session);
+    cab_picture_close(&cab.picture);
+    free(cab.nvram);
+    plat_close();
+    return code;
+}
+
+static void want_window(void)
+{
+    const struct cab_options *o = &cab.options;
+
+    cab.want = (struct plat_want){ .scale = o->scale ? o->scale : cab.config.scale,
+                                   .fullscreen = o->fullscreen || cab.config.fullscreen,
+                                   .rate = SPEAKER_RATE };
+}
+
+int cab_play(const struct cab_options *options)
+{
+    char err[512];
+    memset(&cab, 0, sizeof cab);
+    cab.options = *options;
+    cab.start = options->start;
+    cab.slow = 1;
+    if (!config_load(&cab.config, err, sizeof err)) {
+        cab_say("curtain: %s%s", err, "");
+        return 2;
+    }
+    cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
+    if (!options->seeded && !options->demo)
+        cab.start.seed = cab_seed_from_clock();
+    cab.nvram = cab_load_nvram(&cab.start);
+    if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
+        return refuse(2, cab.session.err);
+    want_window();
+    if (!cab_open_window())
+        return refuse(3, "there is no window to play in");
+    if (!cab_picture_open(&cab.picture, cab_live()))
+        return refuse(3, "not enough memory for the picture");
+    practice_init(&cab.practice, options->cart, &cab.start);
+    if (!options->demo)
+        practice_began(&cab.practice, &cab.start);
+    cab_wrote(!cab.session.err[0]);
+    cab_log_lines(board_last(cab_live()));
+    if (cab_fault())
+        cab_halt();
+    folder_open(&cab.folder, options->path);
+    cab.base = plat_usec();
+    plat_loop(frame);
+    return cab.code;
+}

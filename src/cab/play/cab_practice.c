@@ -1,0 +1,106 @@
+/*
+ * cab_practice.c - practice: the menu's and the retry key's part of the cabinet. A try is a power-on.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "../../../platform/platform.h"
+#include "../../base/hash.h"
+#include "cab_parts.h"
+
+uint64_t cab_seed_from_clock(void)
+{
+    return hash_fold(hash_fold(0, (uint64_t)time(0)), plat_usec());
+}
+
+/* The board anew with another start. */
+static void power_anew(struct board_start start)
+{
+    bool reloads = cab.session.way == SESSION_RELOADS;
+    const struct session_run *before = cab.session.now;
+
+    cab_save_nvram();
+    start.nvram = cab.options.start.nvram;
+    start.nvram_size = cab.options.start.nvram_size;
+    uint8_t *nvram = cab_load_nvram(&start);
+    if (!session_restart(&cab.session, &start)) {
+        cab_notice(cab.session.err, CAB_SAYS);
+        cab_say("curtain: %s%s", cab.session.err, "");
+    }
+    if (cab.session.now == before) { /* as it was */
+        free(nvram);
+        return;
+    }
+    free(cab.nvram);
+    cab.nvram = nvram;
+    cab.start = start;
+    cab.nvram_saved = 0;
+    cab.told = cab.paused = cab.scrubbed = false;
+    cab.bar = cab.waited = 0;
+    memset(cab.pads, 0, sizeof cab.pads);
+    practice_began(&cab.practice, &start);
+    if (cab.slow > 1)
+        cab_assisted();
+    cab_log_lines(board_last(cab_live()));
+    if (cab_fault())
+        cab_halt();
+    if (reloads)
+        cab_reload();
+}
+
+/* A demo is played to its end; one that is recorded of a game is not lost to a piece. */
+static bool may_practise(void)
+{
+    bool records = cab.session.record && !cab.start.practice.mark[0];
+
+    if (cab.session.demo || records)
+        cab_notice(records ? "no practice: this recording is of the game from its title" : "no practice in a demo",
+                   CAB_SAYS);
+    return !cab.session.demo && !records;
+}
+
+static void retry(void)
+{
+    cab.practice.open = false;
+    if (cab.start.practice.mark[0])
+        power_anew(cab.start);
+    else
+        cab_notice("nothing to try again: choose a piece first", CAB_SAYS);
+}
+
+void cab_practice_keys(const struct keys_read *k)
+{
+    bool menu = k->pressed & 1 << CAB_PRACTICE, again = k->pressed & 1 << CAB_RETRY;
+
+    if (!(menu || again) || !may_practise())
+        return;
+    if (cab.attracting)
+        cab_attract_end();
+    if (again)
+        retry();
+    else if (cab.practice.open)
+        cab.practice.open = false;
+    else {
+        practice_open(&cab.practice, cab.slow);
+        cab.practice.hitbox = cab.overlay.on[OVERLAY_SHAPES];
+    }
+}
+
+void cab_menu(const struct keys_read *k)
+{
+    struct board_start start;
+
+    memcpy(cab.stale, k->pads, sizeof cab.stale);
+    memset(cab.pads, 0, sizeof cab.pads);
+    enum practice_choice choice = practice_poll(&cab.practice, k->pads[0]);
+    if (cab.practice.slow != cab.slow)
+        cab_assisted();
+    cab.slow = cab.practice.slow;
+    cab.overlay.on[OVERLAY_SHAPES] = cab.practice.hitbox;
+    if (choice != PRACTICE_START)
+        return;
+    practice_chosen(&cab.practice, &start);
+    if (!start.practice.mark[0] && !cab.options.seeded)
+        start.seed = cab_seed_from_clock();
+    power_anew(start);
+}

@@ -1,0 +1,275 @@
+/*
+ * records.c - see records.h. Lines stay in the order of the file, new records come at its end.
+ */
+#include "records.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../host/files.h"
+
+static const char first_line[] = "practice 1";
+
+/* ---- lines ---- */
+
+static struct records_line *add(struct records *r)
+{
+    if (r->n == r->room) {
+        int room = r->room * 2 + 16;
+        struct records_line *grown = realloc(r->line, (size_t)room * sizeof *grown);
+        if (!grown)
+            return NULL;
+        r->line = grown;
+        r->room = room;
+    }
+    r->line[r->n] = (struct records_line){ 0 };
+    return &r->line[r->n++];
+}
+
+static struct record *find(const struct records *r, const char *mark, const char *difficulty)
+{
+    for (int i = 0; i < r->n; i++) {
+        struct record *at = &r->line[i].r;
+        if (at->mark[0] && strcmp(at->mark, mark) == 0 && strcmp(at->difficulty, difficulty) == 0)
+            return at;
+    }
+    return NULL;
+}
+
+const struct record *records_find(const struct records *r, const char *mark, const char *difficulty)
+{
+    return find(r, mark, difficulty);
+}
+
+void records_free(struct records *r)
+{
+    for (int i = 0; i < r->n; i++)
+        free(r->line[i].kept);
+    free(r->line);
+    *r = (struct records){ 0 };
+}
+
+/* ---- reading ---- */
+
+/* A number and the blank after it; -1: neither. */
+static int32_t take_number(const char **s)
+{
+    int64_t v = 0;
+    size_t n = strspn(*s, "0123456789");
+
+    if (n < 1 || n > 9 || (*s)[n] != ' ')
+        return -1;
+    for (; **s != ' '; ++*s)
+        v = v * 10 + (**s - '0');
+    ++*s;
+    return (int32_t)v;
+}
+
+/* Up to the next one of `ends`, which must come before the room is over. */
+static bool take_word(const char **s, const char *ends, char *out, size_t size)
+{
+    size_t n = strcspn(*s, ends);
+
+    if (n < 1 || n >= size)
+        return false;
+    memcpy(out, *s, n);
+    out[n] = 0;
+    *s += n;
+    return true;
+}
+
+static bool read_record(struct record *r, const char *s)
+{
+    r->captures = take_number(&s);
+    r->attempts = take_number(&s);
+    return r->captures >= 0 && r->attempts >= r->captures && take_word(&s, " ", r->difficulty, sizeof r->difficulty) &&
+           *s++ == ' ' && take_word(&s, "", r->mark, sizeof r->mark);
+}
+
+static bool read_line(struct records *r, const char *s, const char **why)
+{
+    struct record got = { 0 };
+    bool digit = s[0] >= '0' && s[0] <= '9';
+
+    *why = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
+    if (digit && !read_record(&got, s))
+        return false;
+    *why = "a second record of this piece";
+    if (digit && find(r, got.mark, got.difficulty))
+        return false;
+    *why = "out of memory";
+    struct records_line *line = add(r);
+    if (!line)
+        return false;
+    line->r = got;
+    line->kept = digit ? NULL : malloc(strlen(s) + 1);
+    if (!digit && line->kept)
+        strcpy(line->kept, s);
+    return digit || line->kept;
+}
+
+/* A line of n bytes as a string; false: not one of text, or too long. */
+static bool plain_line(const char *text, size_t n, char out[RECORDS_LINE])
+{
+    if (n >= RECORDS_LINE)
+        return false;
+    for (size_t i = 0; i < n; i++)
+        if (text[i] < 32 || text[i] > 126)
+            return false;
+    memcpy(out, text, n);
+    out[n] = 0;
+    return true;
+}
+
+static bool read_lines(struct records *r, const char *text, size_t size, int *at, const char **why)
+{
+    char line[RECORDS_LINE];
+
+    for (size_t i = 0; i < size; ++*at) {
+        const char *end = memchr(text + i, '\n', size - i);
+        *why = "cut short";
+        if (!end)
+            return false;
+        size_t n = (size_t)(end - (text + i));
+        *why = "not a line of text";
+        if (!plain_line(text + i, n, line))
+            return false;
+        *why = "expected \"practice 1\"";
+        if (*at == 1 ? strcmp(line, first_line) != 0 : !read_line(r, line, why))
+            return false;
+        i += n + 1;
+    }
+    *why = "empty";
+    return size > 0;
+}
+
+bool records_read(struct records *r, const char *text, size_t size, char *err, size_t err_size)
+{
+    const char *why;
+    int at = 1;
+
+    *r = (struct records){ 0 };
+    if (read_lines(r, text, size, &at, &why))
+        return true;
+    snprintf(err, err_size, "line %d: %s", at, why);
+    records_free(r);
+    return false;
+}
+
+/* ---- writing ---- */
+
+char *records_text(const struct records *r, size_t *size)
+{
+    size_t room = sizeof first_line + 1 + (size_t)r->n * RECORDS_LINE, n;
+    char *text = malloc(room);
+
+    if (!text)
+        return NULL;
+    n = (size_t)snprintf(text, room, "%s\n", first_line);
+    for (int i = 0; i < r->n; i++) {
+        const struct record *at = &r->line[i].r;
+        if (r->line[i].kept)
+            n += (size_t)snprintf(text + n, room - n, "%s\n", r->line[i].kept);
+        else
+            n += (size_t)snprintf(text + n, room - n, "%d %d %s %s\n", (int)at->captures, (int)at->attempts,
+                                  at->difficulty, at->mark);
+    }
+    *size = n;
+    return text;
+}
+
+/* ---- the file ---- */
+
+static void report(const char *file, const char *what)
+{
+    char line[512];
+
+    snprintf(line, sizeof line, "curtain: %s: %s", file, what);
+    plat_log(line);
+}
+
+static bool read_file(struct records *r, const char *file, size_t size, char *err, size_t err_size)
+{
+    char *text = size <= RECORDS_BYTES ? malloc(size + 1) : NULL;
+    bool there = text && plat_load(file, text, size) == (long)size;
+
+    if (!there)
+        snprintf(err, err_size, "cannot be read, or larger than %d bytes", RECORDS_BYTES);
+    bool good = there && records_read(r, text, size, err, err_size);
+    free(text);
+    return good;
+}
+
+void records_load(struct records *r, const char *id)
+{
+    char file[sizeof r->file], why[128], line[256];
+
+    snprintf(file, sizeof file, "user:%s.practice", id);
+    long size = plat_size(file);
+    *r = (struct records){ 0 };
+    bool good = size < 0 || read_file(r, file, (size_t)size, why, sizeof why);
+    memcpy(r->file, file, sizeof file);
+    r->damaged = !good;
+    if (good)
+        return;
+    snprintf(line, sizeof line, "%s; practice is not counted, and the file is left as it is", why);
+    report(file, line);
+}
+
+void records_save(struct records *r)
+{
+    char err[256], line[300];
+    size_t size;
+
+    if (!r->changed || r->damaged)
+        return;
+    r->changed = false;
+    char *text = records_text(r, &size);
+    if (!text)
+        report(r->file, "out of memory");
+    else if (!files_save(r->file, text, size, err, sizeof err)) {
+        snprintf(line, sizeof line, "curtain: %s", err);
+        plat_log(line);
+    }
+    free(text);
+}
+
+/* ---- counting ---- */
+
+static bool fits(const char *mark, const char *difficulty)
+{
+    const struct record *r = NULL;
+
+    return mark[0] && difficulty[0] && strlen(mark) < sizeof r->mark && strlen(difficulty) < sizeof r->difficulty;
+}
+
+void records_attempt(struct records *r, const char *mark, const char *difficulty)
+{
+    struct record *at = find(r, mark, difficulty);
+
+    if (r->damaged || !fits(mark, difficulty))
+        return;
+    if (!at) {
+        struct records_line *line = add(r);
+        if (!line)
+            return;
+        at = &line->r;
+        snprintf(at->mark, sizeof at->mark, "%s", mark);
+        snprintf(at->difficulty, sizeof at->difficulty, "%s", difficulty);
+    }
+    if (at->attempts == RECORDS_MOST)
+        return;
+    at->attempts++;
+    r->changed = true;
+}
+
+void records_capture(struct records *r, const char *mark, const char *difficulty)
+{
+    struct record *at = find(r, mark, difficulty);
+
+    if (r->damaged || !at || at->captures == at->attempts)
+        return;
+    at->captures++;
+    r->changed = true;
+}

@@ -1,0 +1,375 @@
+/*
+ * session.c - see session.h. A run owns what dies with its board; a reload or a new start makes another and swaps.
+ */
+#include "session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+
+enum { LOOK_EVERY = 16 /* ticks between two looks at the clock */ };
+
+static bool no(struct session *s, const char *what)
+{
+    snprintf(s->err, sizeof s->err, "%s", what);
+    return false;
+}
+
+/* ---- runs ---- */
+
+static void rom_free(struct session_rom *r)
+{
+    if (r)
+        rom_image_free(&r->image);
+    free(r);
+}
+
+static void run_free(struct session_run *r)
+{
+    if (!r)
+        return;
+    guard_close(&r->guard);
+    demo_drop(&r->writer);
+    rom_free(r->rom);
+    free(r);
+}
+
+/* A board just powered on, recording in memory; takes `rom`, also when it returns NULL. */
+static struct session_run *run_power(struct session *s, const struct cart *cart, struct session_rom *rom,
+                                     const struct board_start *start)
+{
+    struct session_run *r = calloc(1, sizeof *r);
+
+    if (!r) {
+        rom_free(rom);
+        no(s, "out of memory");
+        return NULL;
+    }
+    r->cart = cart;
+    r->rom = rom;
+    if (!guard_power(&r->guard, cart->rom, start, s->err, sizeof s->err)) {
+        run_free(r);
+        return NULL;
+    }
+    guard_remember(&r->guard, REWIND_BYTES);
+    demo_begin(&r->writer, NULL, cart, r->guard.board, start, 0);
+    return r;
+}
+
+static bool wrote(struct session *s, bool good)
+{
+    return good || no(s, s->now->writer.err);
+}
+
+bool session_open(struct session *s, const struct cart *cart, const struct board_start *start, const struct demo *demo,
+                  const char *record)
+{
+    *s = (struct session){ .start = *start, .demo = demo, .record = record };
+    s->now = run_power(s, cart, NULL, start);
+    if (s->now && record)
+        wrote(s, demo_keep(&s->now->writer, record));
+    return s->now != NULL;
+}
+
+/* Recording ends at the present. */
+static bool finish(struct session *s)
+{
+    struct demo_writer *w = &s->now->writer;
+    const struct board *b = session_board(s);
+    bool good = true;
+
+    if (!board_last(b)->fault && board_frame(b) < w->demo.frames)
+        good = demo_rewind(w, board_frame(b));
+    return wrote(s, demo_end(w, b) && good);
+}
+
+bool session_close(struct session *s)
+{
+    bool good = !s->now || finish(s);
+
+    run_free(s->now);
+    run_free(s->next);
+    s->now = s->next = NULL;
+    return good;
+}
+
+bool session_restart(struct session *s, const struct board_start *start)
+{
+    struct session_run *r = run_power(s, s->now->cart, NULL, start);
+
+    if (!r)
+        return false;
+    finish(s);
+    session_stop(s);
+    r->rom = s->now->rom;
+    s->now->rom = NULL;
+    run_free(s->now);
+    s->now = r;
+    s->start = *start;
+    s->demo = NULL;
+    s->differs = 0;
+    s->rewound = false;
+    return !s->record || wrote(s, demo_keep(&r->writer, s->record));
+}
+
+/* ---- forward ---- */
+
+/* The pads of the board's next tick, if they are known. */
+static bool known_pads(const struct session *s, uint16_t pads[PADS])
+{
+    uint32_t frame = board_frame(session_board(s));
+    const struct demo *d = frame < s->now->writer.demo.frames || !s->demo ? &s->now->writer.demo : s->demo;
+
+    demo_pads(d, frame, pads);
+    return frame < d->frames;
+}
+
+/* Is the newest frame of a playback as it was recorded? Parts that only one of both builds has are passed over. */
+static void compare(struct session *s)
+{
+    const struct session_run *r = s->now;
+    uint64_t hashes[MAX_PARTS];
+    uint32_t missing = demo_order(s->demo, r->guard.board, r->writer.hashes, hashes);
+
+    if (demo_differs(s->demo, r->writer.demo.frames, hashes) & ~missing)
+        s->differs = r->writer.demo.frames;
+}
+
+static bool tick(struct session *s, const uint16_t pads[PADS])
+{
+    struct session_run *r = s->now;
+    bool seen = board_frame(r->guard.board) < r->writer.demo.frames;
+
+    guard_tick(&r->guard, pads);
+    if (seen)
+        return true;
+    bool good = demo_frame(&r->writer, r->guard.board, pads);
+    if (s->demo && !s->differs && r->writer.on && !board_last(r->guard.board)->fault)
+        compare(s);
+    return wrote(s, good);
+}
+
+bool session_again(struct session *s)
+{
+    uint16_t pads[PADS];
+
+    if (board_last(session_board(s))->fault || !known_pads(s, pads))
+        return true;
+    return tick(s, pads);
+}
+
+bool session_tick(struct session *s, const uint16_t pads[PADS])
+{
+    const struct board *b = session_board(s);
+    struct demo_writer *w = &s->now->writer;
+    bool good = true;
+
+    if (s->demo)
+        return session_again(s);
+    if (board_last(b)->fault)
+        return true;
+    if (board_frame(b) < w->demo.frames)
+        good = wrote(s, demo_rewind(w, board_frame(b)));
+    return tick(s, pads) && good;
+}
+
+/* ---- to and fro ---- */
+
+uint32_t session_first(const struct session *s)
+{
+    return rewind_first(&s->now->guard.past);
+}
+
+uint32_t session_last(const struct session *s)
+{
+    const struct demo *d = s->demo && !board_last(session_board(s))->fault ? s->demo : &s->now->writer.demo;
+    uint32_t frame = board_frame(session_board(s));
+    bool fault = d->frames > d->printed; /* the tick that faulted makes no frame */
+
+    return d->frames - fault > frame ? d->frames - fault : frame;
+}
+
+void session_goto(struct session *s, uint32_t frame)
+{
+    uint32_t first = session_first(s), last = session_last(s), end = rewind_end(&s->now->guard.past);
+
+    session_stop(s);
+    frame = frame < first ? first : frame > last ? last : frame;
+    if (frame < board_frame(session_board(s)) && !s->demo)
+        s->rewound = true;
+    s->from = board_frame(session_board(s));
+    s->to = frame;
+    guard_back(&s->now->guard, frame < end ? frame : end);
+    s->way = board_frame(session_board(s)) == frame ? SESSION_THERE : SESSION_SEEKS;
+}
+
+void session_stop(struct session *s)
+{
+    run_free(s->next);
+    s->next = NULL;
+    s->way = SESSION_THERE;
+}
+
+int session_progress(const struct session *s)
+{
+    const struct session_run *r = s->next ? s->next : s->now;
+    uint32_t at = board_frame(r->guard.board);
+
+    if (s->way == SESSION_THERE || at >= s->to)
+        return 1000;
+    return at < s->from ? 0 : (int)((uint64_t)(at - s->from) * 1000 / (s->to - s->from));
+}
+
+bool session_take_over(struct session *s, const char *record)
+{
+    const struct board *b = session_board(s);
+    uint32_t frame = board_frame(b) + (board_last(b)->fault != NULL); /* the tick that faulted is recorded too */
+
+    if (!s->demo)
+        return no(s, "nothing to take over: it is you who plays");
+    session_stop(s);
+    s->demo = NULL;
+    s->differs = 0;
+    s->rewound = true;
+    s->record = record ? record : s->record;
+    if (!wrote(s, demo_rewind(&s->now->writer, frame)))
+        return false;
+    return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
+}
+
+bool session_assist(struct session *s)
+{
+    return wrote(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
+}
+
+bool session_touch(struct session *s)
+{
+    struct demo_writer *w = &s->now->writer;
+    uint32_t frame = board_frame(session_board(s));
+    bool good = frame >= w->demo.frames || demo_rewind(w, frame);
+
+    session_stop(s);
+    rewind_drop(&s->now->guard.past, frame);
+    guard_mark(&s->now->guard);
+    return wrote(s, demo_flag(w, DEMO_TOUCHED) && good);
+}
+
+const struct demo_moment *session_moments(const struct session *s, uint32_t *n)
+{
+    const struct demo *d = s->demo && s->demo->moments ? s->demo : &s->now->writer.demo;
+
+    *n = d->moments;
+    return d->moment;
+}
+
+/* ---- reload ---- */
+
+static struct session_rom *rom_load(struct session *s, const char *path, bool nearest)
+{
+    struct session_rom *r = calloc(1, sizeof *r);
+
+    if (!r) {
+        no(s, "out of memory");
+        return NULL;
+    }
+    if (rom_image_load(path, nearest, &r->image, s->err, sizeof s->err) &&
+        cart_open(&r->cart, &r->image.rom, s->err, sizeof s->err))
+        return r;
+    rom_free(r);
+    return NULL;
+}
+
+/* What the new board's fault or end makes of the reload. */
+static bool spoiled(struct session *s)
+{
+    const struct board *b = s->next->guard.board;
+    const struct board_out *out = board_last(b);
+
+    if (out->fault)
+        snprintf(s->err, sizeof s->err, "%s (in frame %u of the run)", out->fault->message, (unsigned)board_frame(b));
+    else if (out->request == REQUEST_QUIT)
+        snprintf(s->err, sizeof s->err, "the changed game ends at frame %u of the run", (unsigned)board_frame(b));
+    else
+        return false;
+    session_stop(s);
+    return true;
+}
+
+bool session_reload(struct session *s, const char *path, bool nearest)
+{
+    struct session_rom *rom = rom_load(s, path, nearest);
+
+    if (!rom)
+        return false;
+    session_stop(s);
+    if (rom_hash(&rom->image.rom) == rom_hash(s->now->cart->rom)) {
+        rom_free(rom);
+        return true;
+    }
+    if (strcmp(rom->cart.m.id, s->now->cart->m.id) != 0) {
+        snprintf(s->err, sizeof s->err, "it is another game now (\"%s\", was \"%s\")", rom->cart.m.id,
+                 s->now->cart->m.id);
+        rom_free(rom);
+        return false;
+    }
+    s->next = run_power(s, &rom->cart, rom, &s->start);
+    if (!s->next || spoiled(s))
+        return false;
+    s->way = SESSION_RELOADS;
+    s->from = 0;
+    s->to = board_frame(session_board(s));
+    return true;
+}
+
+/* The new run takes the old one's place, and its file. */
+static bool land(struct session *s)
+{
+    struct session_run *old = s->now;
+    unsigned flags = old->writer.demo.flags | DEMO_TOUCHED;
+
+    s->now = s->next;
+    s->next = NULL;
+    s->way = SESSION_THERE;
+    s->differs = 0;
+    run_free(old);
+    demo_flag(&s->now->writer, flags);
+    return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
+}
+
+/* ---- work ---- */
+
+static bool reload_tick(struct session *s)
+{
+    struct session_run *r = s->next;
+    uint16_t pads[PADS];
+
+    demo_pads(&s->now->writer.demo, board_frame(r->guard.board), pads);
+    guard_tick(&r->guard, pads);
+    demo_frame(&r->writer, r->guard.board, pads);
+    return !spoiled(s);
+}
+
+static bool arrived(const struct session *s)
+{
+    const struct board *b = s->next ? s->next->guard.board : session_board(s);
+
+    return board_frame(b) >= s->to || board_last(b)->fault;
+}
+
+bool session_work(struct session *s, uint64_t until)
+{
+    bool good = true;
+
+    for (int i = 1; s->way != SESSION_THERE && !arrived(s) && good; i++) {
+        good = s->next ? reload_tick(s) : session_again(s);
+        if (i % LOOK_EVERY == 0 && plat_usec() >= until)
+            return good;
+    }
+    if (!good || s->way == SESSION_THERE)
+        return good;
+    if (s->way == SESSION_RELOADS)
+        return land(s);
+    session_stop(s);
+    return true;
+}
