@@ -307,19 +307,12 @@ const char *lualib_names(const char *library)
     return NULL;
 }
 
-/* A stock function whose work grows with the text at argument 1 alone; upvalue: that function. */
+/* A stock function whose work grows with the text at argument 1 alone. */
 static int charged(lua_State *L)
 {
     if (lua_type(L, 1) == LUA_TSTRING)
         vm_charge(L, lua_rawlen(L, 1) / 4);
-    return lua_tocfunction(L, lua_upvalueindex(1))(L);
-}
-
-static void wrap(lua_State *L, const char *name)
-{
-    lua_getfield(L, -1, name);
-    lua_pushcclosure(L, charged, 1);
-    lua_setfield(L, -2, name);
+    return luaparts_stock(L);
 }
 
 /* True when name is one of the words of list, which are separated by spaces. */
@@ -358,7 +351,7 @@ static void open_base(lua_State *L)
     lua_pushglobaltable(L);
     keep(L, lualib_names(""));
     luaL_setfuncs(L, functions, 0);
-    wrap(L, "tonumber");
+    luaparts_wrap(L, "tonumber", charged);
     lua_pop(L, 1);
 }
 
@@ -368,9 +361,9 @@ static void open_string(lua_State *L)
     keep(L, lualib_names("string"));
     luapattern_open(L);
     luatext_open(L);
-    wrap(L, "lower");
-    wrap(L, "reverse");
-    wrap(L, "upper");
+    luaparts_wrap(L, "lower", charged);
+    luaparts_wrap(L, "reverse", charged);
+    luaparts_wrap(L, "upper", charged);
     lua_pop(L, 1);
 }
 
