@@ -222,6 +222,7 @@ static void open_metatables(lua_State *L)
 static void read_pieces(lua_State *L)
 {
     luaL_Buffer out;
+    size_t n;
 
     luaL_buffinit(L, &out);
     for (;;) {
@@ -231,7 +232,8 @@ static void read_pieces(lua_State *L)
             break;
         if (!lua_isstring(L, -1))
             luaL_error(L, "reader function must return a string");
-        if (lua_rawlen(L, -1) == 0)
+        lua_tolstring(L, -1, &n);
+        if (n == 0)
             break;
         vm_charge(L, 1);
         luaL_addvalue(&out);
@@ -252,7 +254,7 @@ static int refuse_text(lua_State *L, const char *chunk, int line, const char *wh
     return 2;
 }
 
-/* load(text or function, name, mode, env); whatever mode says, text only. */
+/* load(text or function, name, mode, env); whatever mode says, text only. An error in the function is passed on. */
 static int base_load(lua_State *L)
 {
     bool reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
@@ -260,12 +262,14 @@ static int base_load(lua_State *L)
     size_t n;
     int line;
 
+    luaL_optstring(L, 3, NULL);
+    const char *chunk = luaL_optstring(L, 2, reader ? "=(load)" : lua_tostring(L, 1));
     if (reader)
         luaL_checktype(L, 1, LUA_TFUNCTION);
     lua_settop(L, 4);
     if (reader)
         read_pieces(L);
-    const char *text = lua_tolstring(L, 1, &n), *chunk = luaL_optstring(L, 2, reader ? "=(load)" : text);
+    const char *text = lua_tolstring(L, 1, &n);
     vm_charge(L, 1000 + n * 16);
     if (!script_scan(text, n, &line, &what))
         return refuse_text(L, chunk, line, what);

@@ -171,7 +171,7 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 static bool prepare(lua_State *L, const struct spec *f, int arg)
 {
     bool quoted = *f->letter == 'q', number = strchr("eEfgG", *f->letter) != NULL;
-    lua_Number v = number ? luaL_checknumber(L, arg) : 0;
+    lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
     size_t n = 0;
 
     vm_charge(L, number ? 500 : 16);
@@ -179,9 +179,8 @@ static bool prepare(lua_State *L, const struct spec *f, int arg)
         lualib_tolstring(L, arg, &n);
     } else if (number && !(fabs(v) <= DBL_MAX)) {
         push_odd(L, f, v);
-    } else if (quoted && lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg) &&
-               fabs(lua_tonumber(L, arg)) <= DBL_MAX) {
-        push_literal(L, arg, lua_tonumber(L, arg));
+    } else if (quoted && lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg) && fabs(v) <= DBL_MAX) {
+        push_literal(L, arg, v);
     } else {
         if (quoted && lua_type(L, arg) == LUA_TSTRING)
             vm_charge(L, lua_rawlen(L, arg) / 2);
