@@ -170,25 +170,27 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 /* Charges for an argument, and replaces it by its text when stock would write another. True: that is for %s. */
 static bool prepare(lua_State *L, const struct spec *f, int arg)
 {
-    bool quoted = *f->letter == 'q', number = strchr("eEfgG", *f->letter) != NULL;
+    bool is_text = lua_type(L, arg) == LUA_TSTRING,
+         is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
+    bool number = strchr("eEfgG", *f->letter) != NULL;
     lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
-    size_t n = 0;
+    size_t n = is_text ? lua_rawlen(L, arg) : 0;
 
-    vm_charge(L, number ? 500 : 16);
+    vm_charge(L, number ? 500 : 16 + (*f->letter == 'q' ? n / 2 : 0));
     if (*f->letter == 's') {
-        lualib_tolstring(L, arg, &n);
-    } else if (number && !(fabs(v) <= DBL_MAX)) {
-        push_odd(L, f, v);
-    } else if (quoted && lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg) && fabs(v) <= DBL_MAX) {
-        push_literal(L, arg, v);
-    } else {
-        if (quoted && lua_type(L, arg) == LUA_TSTRING)
-            vm_charge(L, lua_rawlen(L, arg) / 2);
+        if (!is_text)
+            lualib_tolstring(L, arg, &n), lua_replace(L, arg);
+        vm_charge(L, n / 8);
         return false;
     }
+    if (number && !(fabs(v) <= DBL_MAX))
+        push_odd(L, f, v);
+    else if (*f->letter == 'q' && is_float && fabs(v) <= DBL_MAX)
+        push_literal(L, arg, v);
+    else
+        return false;
     lua_replace(L, arg);
-    vm_charge(L, n / 8);
-    return number || quoted;
+    return true;
 }
 
 static int string_format(lua_State *L)
