@@ -40,6 +40,7 @@ void api_fold(lua_State *L, struct board *b, int at)
         break;
     case LUA_TSTRING: {
         const char *s = lua_tolstring(L, at, &n);
+        vm_charge(L, n / 16);
         b->script.digest = hash_bytes(b->script.digest, s, n);
         break;
     }

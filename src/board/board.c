@@ -351,8 +351,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     assert(h->fault.kind == FAULT_NONE);
     h->out = (struct board_out){ .log = h->log };
     h->log_size = 0;
-    b->vm.work = 0;
-    b->vm.interrupted = 0;
+    vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
     input_latch(&b->input, pads, board_presses(b));

@@ -21,9 +21,10 @@
 #include "../chips/slots.h"
 
 enum {
-    CORE_VERSION = 3,   /* raised whenever the same ROM and demo could give another hash */
-    MAX_PARTS = 32,     /* state hashes in a track: one a part */
-    NVRAM_BYTES = 32768 /* score tables and saves */
+    CORE_VERSION = 4,    /* raised whenever the same ROM and demo could give another hash */
+    MAX_PARTS = 32,      /* state hashes in a track: one a part */
+    NVRAM_BYTES = 32768, /* score tables and saves */
+    TEXT_MOST = 65536    /* bytes of a text in a script; a longer one is FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -31,7 +32,7 @@ enum board_fault_kind {
     FAULT_SCRIPT,      /* an error no pcall may catch, or an uncaught one */
     FAULT_MEMORY,      /* out of Lua RAM */
     FAULT_STACK,       /* call depth */
-    FAULT_LOOP,        /* over 10^9 VM instructions in one tick: "endless loop" */
+    FAULT_LOOP,        /* over 2 * 10^8 VM instructions in one tick: "endless loop" */
     FAULT_INTERRUPTED, /* board_interrupt stopped the tick: go back and run it again with board_count(b, true) */
 };
 

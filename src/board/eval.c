@@ -151,13 +151,11 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     host_aside(&host);
     h->line = line;
     h->log_size = 0;
-    b->vm.work = 0;
-    b->vm.limit = EVAL_LIMIT;
-    b->vm.interrupted = 0;
+    vm_begin(b, EVAL_LIMIT);
     board_count(b, true);
     bool fine = vm_call(b, run_line) && vm_call(b, events_run);
     snprintf(out, size, "%.*s", fine ? (int)h->log_size : -1, fine ? h->log : without_place(h->fault.message));
-    b->vm.limit = 0;
+    b->vm.limit = WORK_LIMIT;
     board_count(b, counting);
     h->line = NULL;
     h->log_size = 0;

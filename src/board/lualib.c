@@ -162,7 +162,17 @@ static void refuse_field(lua_State *L, int metatable, const char *name, const ch
     lua_pop(L, 1);
 }
 
-/* Enters the metatable at 2 in the list lualib_check_weak walks. */
+/* Lua follows a chain of __call within one instruction, without an end if there is none. */
+static void refuse_call(lua_State *L, int metatable, const char *where)
+{
+    lua_pushliteral(L, "__call");
+    int type = lua_rawget(L, metatable);
+    if (type != LUA_TNIL && type != LUA_TFUNCTION)
+        luaL_error(L, "%s__call must be a function, got a %s", where, lua_typename(L, type));
+    lua_pop(L, 1);
+}
+
+/* Enters the metatable at 2 in the list lualib_check_metatables walks. */
 static void remember_metatable(lua_State *L)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
@@ -187,13 +197,14 @@ static int base_setmetatable(lua_State *L)
     if (type == LUA_TTABLE) {
         refuse_field(L, 2, "__gc", "setmetatable: a metatable");
         refuse_field(L, 2, "__mode", "setmetatable: a metatable");
+        refuse_call(L, 2, "setmetatable: ");
         remember_metatable(L);
     }
     lua_setmetatable(L, 1);
     return 1;
 }
 
-void lualib_check_weak(lua_State *L)
+void lualib_check_metatables(lua_State *L)
 {
     luaL_checkstack(L, 6, NULL);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
@@ -202,6 +213,7 @@ void lualib_check_weak(lua_State *L)
         lua_pop(L, 1);
         refuse_field(L, lua_gettop(L), "__gc", "a metatable in use");
         refuse_field(L, lua_gettop(L), "__mode", "a metatable in use");
+        refuse_call(L, lua_gettop(L), "");
     }
     lua_pop(L, 1);
 }
@@ -319,6 +331,15 @@ static int charged(lua_State *L)
     return luaparts_stock(L);
 }
 
+/* A stock function whose work grows with how much it returns. */
+static int charged_results(lua_State *L)
+{
+    int n = luaparts_stock(L);
+
+    vm_charge(L, (unsigned)n / 4);
+    return n;
+}
+
 /* True when name is one of the words of list, which are separated by spaces. */
 static bool listed(const char *list, const char *name)
 {
@@ -365,6 +386,7 @@ static void open_string(lua_State *L)
     keep(L, lualib_names("string"));
     luapattern_open(L);
     luatext_open(L);
+    luaparts_wrap(L, "byte", charged_results);
     luaparts_wrap(L, "lower", charged);
     luaparts_wrap(L, "reverse", charged);
     luaparts_wrap(L, "upper", charged);

@@ -6,10 +6,11 @@
  * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys and what is no
  * table. table.sort is a stable merge sort that takes any comparator and, when it fails, leaves the table as it was.
  * Texts never hold an address and a NaN is "nan"; string.format refuses %a %A %p, and %q of a fraction. sin cos tan
- * asin acos atan go through trig.h: good to about 1e-9, or to x / 2^52 where x is large. A malformed pattern is an error even where matching would not
- * have reached the flaw. load takes text only, what script.h forbids is an error as of syntax, and an error in its
- * reader is passed on. setmetatable refuses __gc and __mode. pcall catches what error and assert raised and nothing
- * else. Work in C is charged with vm_charge. tests/unit/test_lua_reference.c compares the two.
+ * asin acos atan go through trig.h: good to about 1e-9, or to x / 2^52 where x is large. A malformed pattern is an
+ * error even where matching would not have reached the flaw. load takes text only, what script.h forbids is an error
+ * as of syntax, and an error in its reader is passed on. setmetatable refuses __gc, __mode, and a __call that is no
+ * function. A text has TEXT_MOST bytes at most. pcall catches what error and assert raised and nothing else. Work in C
+ * is charged with vm_charge. tests/unit/test_lua_reference.c compares the two, and lists the differences again.
  */
 #ifndef BOARD_LUALIB_H
 #define BOARD_LUALIB_H
@@ -35,8 +36,8 @@ void lualib_unwrap(lua_State *L, int idx);
 /* Pushes the traceback of the first fault that went through a pcall, taken where it was raised, or nil. */
 void lualib_trace(lua_State *L);
 
-/* An error when a metatable that setmetatable ever set has got a __gc or __mode since. Before each step of the
+/* An error when a metatable that setmetatable ever set has got since what setmetatable refuses. Before each step of the
  * collector. */
-void lualib_check_weak(lua_State *L);
+void lualib_check_metatables(lua_State *L);
 
 #endif

@@ -312,7 +312,7 @@ static int table_concat(lua_State *L)
 
     luaL_buffinit(L, &out);
     for (; i <= last; i++) {
-        work += 2 + (add_field(L, &out, i) + sep_n) / 8;
+        work += 8 + (add_field(L, &out, i) + sep_n) / 8;
         if (work >= CHARGE_EVERY) {
             vm_charge(L, work);
             work = 0;

@@ -50,6 +50,7 @@ struct hand {
     size_t log_size;
     char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* room for what is said of full pools */
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;        /* it was of a text of so many bytes, which are too many; or 0 */
     bool deep;               /* it was in many nested calls */
     const char *line;        /* that board_eval runs */
     board_lap *lap;          /* of board_watch; may be NULL */

@@ -296,6 +296,7 @@ bool tasks_frozen(const struct board *b, uint32_t slot)
 static void fail(struct board *b, lua_State *L, lua_State *co, int status)
 {
     vm_report(b, co, status);
+    b->tasks.current = NO_SLOT;
     if (status != LUA_ERRMEM)
         vm_trace(b, L, co);
     lua_pushliteral(L, "a task failed");
@@ -334,10 +335,10 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     vm_watch(b, co);
     int status = lua_resume(co, L, n, &results);
     b->vm.running = L;
-    t->current = NO_SLOT;
     tasks_back(b, nobody);
     if (status != LUA_OK && status != LUA_YIELD)
-        fail(b, L, co, status);
+        fail(b, L, co, status); /* which asks whose turn it was */
+    t->current = NO_SLOT;
     if (status == LUA_OK)
         return true;
     lua_pop(co, results);

@@ -1,8 +1,7 @@
 /*
  * vm.c - see vm.h.
  *
- * The collector is stopped while a tick runs and steps between frames. The clock never decides a verdict:
- * board_interrupt only ends a tick that runs too long, and the cabinet runs it again counting instructions.
+ * The collector is stopped while a tick runs and steps between frames.
  */
 #include "vm.h"
 #include <lualib.h>
@@ -56,14 +55,25 @@ static void note_shortage(struct board *b)
     h->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
+/* True for a text that is too long, of which it takes note. */
+static bool is_too_long(struct board *b, size_t size)
+{
+    b->vm.text_block = size;
+    if (size > b->vm.text_most)
+        b->hand->long_text = size - b->vm.text_most + TEXT_MOST;
+    return size > b->vm.text_most;
+}
+
 static void *allocate(void *ud, void *p, size_t old, size_t size)
 {
     struct board *b = ud;
     /* For a new block Lua passes a type in place of the old size. */
-    void *q = heap_realloc(b->vm.heap, p, p ? old : 0, size);
+    bool refused = !p && old == LUA_TSTRING && is_too_long(b, size);
+    void *q = refused ? NULL : heap_realloc(b->vm.heap, p, p ? old : 0, size);
 
     if (!q && size)
         note_shortage(b);
+    vm_allocated(b);
     return q;
 }
 
@@ -80,13 +90,25 @@ static bool has_place(const char *message)
     return false;
 }
 
+/* The author's place for a message that has none, or only the library's, which then follows it. */
+static void missing_place(lua_State *L, const char *message, char *place, size_t size)
+{
+    bool std = strncmp(message, "@std/", 5) == 0;
+
+    place[0] = 0;
+    if (!has_place(message) || std)
+        vm_where(L, place, size);
+    if (std && strncmp(place, "@std/", 5) == 0)
+        place[0] = 0;
+}
+
 void vm_place(lua_State *L)
 {
     char place[VM_PLACE];
 
-    if (lua_type(L, -1) != LUA_TSTRING || has_place(lua_tostring(L, -1)))
+    if (lua_type(L, -1) != LUA_TSTRING)
         return;
-    vm_where(L, place, sizeof place);
+    missing_place(L, lua_tostring(L, -1), place, sizeof place);
     lua_pushstring(L, place);
     lua_insert(L, -2);
     lua_concat(L, 2);
@@ -108,61 +130,6 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
     return lua_error(L);
 }
 
-static void on_count(lua_State *L, lua_Debug *ar);
-
-void vm_charge(lua_State *L, uint64_t work)
-{
-    struct vm *vm = &vm_board(L)->vm;
-
-    if (vm->interrupted) /* hooks do not run inside C functions */
-        vm_fault(L, FAULT_INTERRUPTED, "interrupted");
-    vm->work += work;
-    if (vm->work <= (vm->limit ? vm->limit : WORK_LIMIT))
-        return;
-    if (vm->counting)
-        lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
-    if (vm->limit)
-        vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one line", (int)vm->limit);
-    vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one frame", (int)WORK_LIMIT);
-}
-
-static void on_count(lua_State *L, lua_Debug *ar)
-{
-    (void)ar;
-    vm_charge(L, WORK_STEP);
-}
-
-static void on_interrupt(lua_State *L, lua_Debug *ar)
-{
-    (void)ar;
-    vm_fault(L, FAULT_INTERRUPTED, "interrupted");
-}
-
-enum { EVERYTHING = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT };
-
-void vm_watch(struct board *b, lua_State *L)
-{
-    if (b->vm.counting)
-        lua_sethook(L, on_count, LUA_MASKCOUNT, WORK_STEP);
-    else if (lua_gethook(L))
-        lua_sethook(L, NULL, 0, 0);
-    if (b->vm.interrupted) /* last: it may come at any moment */
-        lua_sethook(L, on_interrupt, EVERYTHING, 1);
-}
-
-void board_interrupt(struct board *b)
-{
-    b->vm.interrupted = 1;
-    if (b->vm.running)
-        lua_sethook(b->vm.running, on_interrupt, EVERYTHING, 1);
-}
-
-void board_count(struct board *b, bool on)
-{
-    b->vm.counting = on;
-    vm_watch(b, b->vm.L);
-}
-
 static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
 {
     if (b->vm.kind != FAULT_NONE)
@@ -179,6 +146,11 @@ static void copy_text(char *to, size_t size, const char *from)
 
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
+    if (b->hand->long_text) {
+        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->hand->shortage,
+                 b->hand->long_text, (int)TEXT_MOST);
+        return;
+    }
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s", b->hand->shortage,
              b->cart.m.lua_kib, b->hand->deep ? ", deep in calls: an endless recursion?" : "");
 }
@@ -197,8 +169,7 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
         message = lua_tostring(from, -1);
     else
         snprintf(odd, sizeof odd, "error: the value raised is a %s, not text", lua_typename(from, type));
-    if (!has_place(message))
-        vm_where(from, place, sizeof place);
+    missing_place(from, message, place, sizeof place);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
     snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
              f->kind == FAULT_STACK ? " (calls nested too deeply: an endless recursion?)" : "");
@@ -261,7 +232,7 @@ int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
 
-    lualib_check_weak(L);
+    lualib_check_metatables(L);
     if (heap_work(vm->heap) == vm->swept)
         return 0;
     lua_gc(L, LUA_GCSTEP, 1);
@@ -408,6 +379,17 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_pop(L, 2);
 }
 
+/* Lua's block for a text is the text and a head, whose size differs between hosts. */
+static void limit_texts(lua_State *L)
+{
+    struct vm *vm = &vm_board(L)->vm;
+    char text[VM_PLACE] = "";
+
+    lua_pushlstring(L, text, sizeof text);
+    vm->text_most = vm->text_block - sizeof text + TEXT_MOST;
+    lua_pop(L, 1);
+}
+
 static int open_libraries(lua_State *L)
 {
     static const luaL_Reg libs[] = { { LUA_GNAME, luaopen_base },
@@ -434,6 +416,7 @@ int vm_boot(lua_State *L)
 
     lua_gc(L, LUA_GCINC, 100, 400, 13);
     lua_gc(L, LUA_GCSTOP);
+    limit_texts(L);
     open_libraries(L);
     api_open(L); /* leaves the sys table */
     int sys = lua_gettop(L);
@@ -461,6 +444,8 @@ static int panic(lua_State *L)
 bool vm_open(struct board *b, void *block, size_t size)
 {
     b->vm.heap = heap_init(block, size);
+    b->vm.text_most = SIZE_MAX;
+    vm_begin(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);
     if (!b->vm.L)
         return false;

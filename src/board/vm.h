@@ -19,22 +19,36 @@ struct board;
 
 /* VM instructions, or work in C worth as many, in one tick. Tests of the guards lower it. */
 #ifndef WORK_LIMIT
-#define WORK_LIMIT 1000000000
+#define WORK_LIMIT 200000000
 #endif
 
 enum {
-    WORK_STEP = 1000, /* instructions between two looks when counting */
+    WORK_STEP = 1000, /* instructions between two looks when counting, on average */
     WORK_CALL = 100,  /* what a call of an API function is worth */
     VM_PLACE = 80     /* bytes of "FILE:LINE: " */
+};
+
+/* Why an instruction counts as 1 + more: it may work on this, of which there are n. */
+enum vm_why { WEIGHT_TEXT, WEIGHT_ZEROS, WEIGHT_NUMERAL, WEIGHT_NUMBER, WEIGHT_CHAIN, WEIGHT_ARGUMENTS };
+
+struct vm_weight {
+    size_t more;
+    enum vm_why why;
+    size_t n;
 };
 
 struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
-    uint64_t work;  /* of this tick */
-    uint64_t limit; /* of work in a line of board_eval; 0: a tick's, WORK_LIMIT */
-    uint64_t swept; /* heap_work when the collector last had its turn */
+    uint64_t work;                /* of this tick */
+    uint64_t limit;               /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
+    uint64_t looked;              /* heap_work at the last look */
+    uint32_t step;                /* instructions before the next look */
+    uint32_t phase;               /* of the generator that step is drawn from */
+    struct vm_weight heaviest;    /* of this tick */
+    uint64_t swept;               /* heap_work when the collector last had its turn */
+    size_t text_block, text_most; /* bytes of Lua's block for the last text, and for the longest that is allowed */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
@@ -58,14 +72,20 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
  * caller at all: "FILE:LINE: ", or "". Changes nothing of L. */
 void vm_where(lua_State *L, char *place, size_t size);
 
-/* Puts "FILE:LINE: " before the message on top of the stack if it has none. */
+/* Puts the author's "FILE:LINE: " before the message on top of the stack if it has none. */
 void vm_place(lua_State *L);
 
-/* Adds work (1: about one VM instruction) to this tick's sum and raises FAULT_LOOP over the limit. */
+/* Work begins that may be `limit` at most: a tick's, power-on's, a line's. */
+void vm_begin(struct board *b, uint64_t limit);
+
+/* Adds work (1: about one VM instruction) to the sum and raises FAULT_LOOP over the limit. */
 void vm_charge(lua_State *L, uint64_t work);
 
 /* Puts the counting hook on a thread that gets its turn, when counting. */
 void vm_watch(struct board *b, lua_State *L);
+
+/* After each allocation: when much was allocated, the hook comes at the next instruction. */
+void vm_allocated(struct board *b);
 
 /* Fills the board's fault from the error value on top of `from` (the thread it happened in). */
 void vm_report(struct board *b, lua_State *from, int status);

@@ -3,10 +3,10 @@
  * floor: cab    used by: cab, cli, everything that runs a board
  *
  * Counting a tick's VM instructions costs up to 2.3 times on tight loops, so it is done only when a tick takes
- * suspiciously long: plat_alarm interrupts it, the guard goes back to the last key frame of its past and runs the frames
- * since again, counting. Over 10^9 in one tick is FAULT_LOOP; under it the machine is only slow, and the run goes on as if
- * nothing had happened. The clock decides whether to look, never what is found. Loading always counts, and so does a
- * host without alarms.
+ * suspiciously long: plat_alarm interrupts it, the guard goes back to the last key frame of its past and runs the
+ * frames since again, counting. Over 2 * 10^8 in one tick, which no machine runs in a fifth of a second, is FAULT_LOOP;
+ * under it the machine is only slow, and the run goes on as if nothing had happened. The clock decides whether to look,
+ * never what is found. Loading always counts, and so does a host without alarms.
  */
 #ifndef CAB_GUARD_H
 #define CAB_GUARD_H
@@ -16,7 +16,7 @@
 
 /* A tick that runs longer is looked at. Tests of the guards lower it. */
 #ifndef GUARD_MS
-#define GUARD_MS 1000
+#define GUARD_MS 200
 #endif
 
 enum { GUARD_COUNTS = 60 /* frames, once a tick was interrupted */ };

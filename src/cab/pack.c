@@ -317,7 +317,14 @@ static bool add_text(struct packer *p, const char *path)
     uint8_t *data;
     size_t size;
 
-    return load_in(p, path, TREE_FILE, &data, &size) && add(p, "data/", path, data, size);
+    if (!load_in(p, path, TREE_FILE, &data, &size))
+        return false;
+    if (size > TEXT_MOST) {
+        free(data);
+        return fail(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)TEXT_MOST,
+                    size);
+    }
+    return add(p, "data/", path, data, size);
 }
 
 static bool add_file(struct packer *p, const char *path)

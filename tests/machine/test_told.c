@@ -415,6 +415,36 @@ static void test_places(void **state)
                         "main.lua:2: pattern.ring: kind: expected a name, got nil");
 }
 
+/* What Lua itself refuses inside a library file stands behind the author's line. */
+static void test_places_in_library(void **state)
+{
+    static const char library[] = "return { def = function(a)\nreturn a.b.c end, known = function() end,\n"
+                                  "run = function() task.go(function() wait(1)\nreturn nil + 1 end) end }";
+    static const struct {
+        const char *text, *says;
+    } of[] = {
+        { "path.def {}", "main.lua:1: @std/path.lua:2: attempt to index a nil value (field 'b')" },
+        { "task.go(function()\npath.def {} end)",
+          "main.lua:2: @std/path.lua:2: attempt to index a nil value (field 'b')" },
+        { "pcall(path.def, {})", "main.lua:1: @std/path.lua:2: attempt to index a nil value (field 'b')" },
+        { "\npath.run()", "main.lua:2: @std/path.lua:4: attempt to perform arithmetic on a nil value" },
+    };
+    static const uint16_t none[PADS];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        const struct rig_script scripts[] = { { "@std/path", library }, { "main", of[i].text } };
+        rig_scripts(&g, NULL, scripts, 2);
+        rig_power_any(&rig, &g, NULL);
+        for (int f = 0; f < 4 && !rig_fault(&rig); f++)
+            board_tick(rig.b, none);
+        assert_non_null(rig_fault(&rig));
+        assert_string_equal(rig_fault(&rig)->message, of[i].says);
+        rig_free(&rig);
+        rig_game_free(&g);
+    }
+}
+
 /* ---- what chapter 10 of the manual says of places, grazes and hits ---- */
 
 static void test_manual(void **state)
@@ -478,10 +508,12 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only),     cmocka_unit_test(test_registers),  cmocka_unit_test(test_later),
-        cmocka_unit_test(test_none_is_there), cmocka_unit_test(test_fights),     cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),          cmocka_unit_test(test_full_again), cmocka_unit_test(test_places),
-        cmocka_unit_test(test_manual),        cmocka_unit_test(test_each),
+        cmocka_unit_test(test_read_only), cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_later),     cmocka_unit_test(test_none_is_there),
+        cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
+        cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
+        cmocka_unit_test(test_manual),    cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);

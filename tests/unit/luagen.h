@@ -183,7 +183,7 @@ static void gen_text(struct rng *r, struct out *o)
     case 0:
         say(o, "(");
         gen_short_text(r, o);
-        say(o, "):rep(%d)", (int)rng_below(r, 100));
+        say(o, "):rep(%d)", (int)rng_below(r, 60));
         break;
     case 1:
         gen_numeral(r, o);
@@ -384,7 +384,9 @@ static void gen_metatable(struct rng *r, struct out *o)
                                           "{__metatable = 1}",
                                           "{__gc = function() end}",
                                           "{__mode = \"k\"}",
-                                          "{__gc = false}" };
+                                          "{__gc = false}",
+                                          "{__call = {}}",
+                                          "{__call = function() end}" };
 
     say(o, "%s", PICK(r, tables));
 }

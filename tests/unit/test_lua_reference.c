@@ -389,7 +389,8 @@ static bool pairs_refused(const struct call *c)
 /* Values that are equal, but not the same, or for which the comparator says nothing. */
 static bool sort_stable(const struct call *c)
 {
-    static const char *const equal[] = { "// 2", "type(a)", "return true", "function() end", "nan", ".0", "0x1p", ", tostring" };
+    static const char *const equal[] = { "// 2", "type(a)", "return true", "function() end",
+                                         "nan",  ".0",      "0x1p",        ", tostring" };
 
     for (size_t i = 0; i < sizeof equal / sizeof *equal; i++)
         if (strstr(c->source.s, equal[i]))
@@ -434,7 +435,8 @@ static bool pcall_fault(const struct call *c)
 static bool metatable_refused(const struct call *c)
 {
     return of(c, "setmetatable") && c->stock.ok && !c->ours.ok &&
-           says(&c->ours, "setmetatable: a metatable may not have __");
+           (says(&c->ours, "setmetatable: a metatable may not have __") ||
+            says(&c->ours, "setmetatable: __call must be a function"));
 }
 
 static bool metatable_of_texts(const struct call *c)
@@ -491,7 +493,7 @@ static struct exemption {
     { sort_ended, "table.sort takes any comparator", false, 0 },
     { sort_untouched, "a sort that fails leaves the table alone, and compares others first", false, 0 },
     { pcall_fault, "pcall catches what error and assert raised and nothing else", false, 0 },
-    { metatable_refused, "setmetatable refuses __gc and __mode", false, 0 },
+    { metatable_refused, "setmetatable refuses __gc, __mode, and a __call that is no function", false, 0 },
     { metatable_of_texts, "texts have no __pow", false, 0 },
     { load_refused, "what script.h forbids is an error as of syntax", false, 0 },
     { load_mode, "load takes text only, whatever its mode", false, 0 },

@@ -12,6 +12,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/board/cart.h"
+#include "../../src/board/board.h"
 #include "../../src/cab/pack.h"
 
 enum { PATH = 512 };
@@ -652,6 +653,21 @@ static void test_long_name(void **state)
     refused(want);
 }
 
+static void test_long_text(void **state)
+{
+    static char text[TEXT_MOST + 2];
+
+    (void)state;
+    put_game("return {}");
+    memset(text, 'a', TEXT_MOST);
+    put_text("lines.txt", text);
+    struct rom_image image = packed(false);
+    rom_image_free(&image);
+    text[TEXT_MOST] = 'b';
+    put_text("lines.txt", text);
+    refused("lines.txt: expected a text of at most 65536 bytes, got 65537");
+}
+
 static void test_load(void **state)
 {
     struct rom_image folder, file;
@@ -799,29 +815,14 @@ static void test_unpack_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_smallest),
-        TEST(test_what_goes_in),
-        TEST(test_same_bytes),
-        TEST(test_std),
-        TEST(test_palette),
-        TEST(test_blends),
-        TEST(test_sprite),
-        TEST(test_half_transparent),
-        TEST(test_foreign_colour),
-        TEST(test_turned),
-        TEST(test_two_sheets),
-        TEST(test_too_large),
-        TEST(test_id),
-        TEST(test_many_turns),
-        TEST(test_font),
-        TEST(test_art_errors),
-        TEST(test_too_large_turned),
-        TEST(test_errors),
-        TEST(test_long_name),
-        TEST(test_load),
-        TEST(test_list),
-        TEST(test_unpack),
-        TEST(test_unpack_refuses),
+        TEST(test_smallest),   TEST(test_what_goes_in),     TEST(test_same_bytes),
+        TEST(test_std),        TEST(test_palette),          TEST(test_blends),
+        TEST(test_sprite),     TEST(test_half_transparent), TEST(test_foreign_colour),
+        TEST(test_turned),     TEST(test_two_sheets),       TEST(test_too_large),
+        TEST(test_id),         TEST(test_many_turns),       TEST(test_font),
+        TEST(test_art_errors), TEST(test_too_large_turned), TEST(test_errors),
+        TEST(test_long_name),  TEST(test_long_text),        TEST(test_load),
+        TEST(test_list),       TEST(test_unpack),           TEST(test_unpack_refuses),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -21,6 +21,7 @@ void section_game(void);
 void section_rewind(void);
 void section_replay(void);
 void section_memory(void);
+void section_guards(void);
 
 /* ---- times ---- */
 

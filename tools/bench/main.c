@@ -18,6 +18,7 @@ static const struct {
     { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
     { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
     { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
+    { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

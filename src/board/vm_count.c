@@ -1,0 +1,283 @@
+/*
+ * vm_count.c - the work of a tick, counted: see vm.h.
+ *
+ * Lua calls a hook every so many instructions, a thousand on average. An instruction is not always little work, and the
+ * hook cannot see which ones have run, so it looks at what they had to work on: the registers and upvalues of the
+ * function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying many
+ * arguments takes long only where such things are at hand; there each instruction counts as several. Memory that was
+ * allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
+ * takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
+ *
+ * The number of instructions between two looks is drawn from a generator, so that no loop can hide behind them; the
+ * generator starts alike in every tick.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "machine.h"
+#include "vm.h"
+
+enum {
+    STEP_LEAST = 500, /* instructions between two looks: so many, and up to STEP_MORE - 1 more */
+    STEP_MORE = 1001,
+    DEEP_CHAIN = 2000, /* Lua follows no longer chain */
+    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that make it due */
+};
+
+/* Each instruction counts as one and one more for so many of ... */
+enum {
+    A_TEXT = 4096, /* bytes of a text */
+    A_ZERO = 2,    /* zero bytes in it: `<` compares what lies between them, one by one */
+    A_NUMERAL = 64,
+    A_LINK = 4, /* tables linked by __index or __newindex */
+    AN_ARGUMENT = 128,
+    AN_ALLOCATION = 32, /* bytes allocated: added once */
+    HUGE = 16           /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
+};
+
+/* Bytes of a text that are looked at to read a number from it. */
+static size_t numeral_bytes(const char *s)
+{
+    size_t blanks = strspn(s, " \t\n\v\f\r"), sign = s[blanks] == '-' || s[blanks] == '+';
+    const char *first = s + blanks + sign;
+
+    return blanks + (*first && strchr(".0123456789", *first) ? strspn(first, ".0123456789abcdefABCDEFxXpP+-") : 0);
+}
+
+static size_t count_zeros(const char *s, size_t n)
+{
+    size_t zeros = 0;
+
+    for (const char *p = s; (p = memchr(p, 0, n - (size_t)(p - s))) != NULL; p++)
+        zeros++;
+    return zeros;
+}
+
+static struct vm_weight text_weight(lua_State *L)
+{
+    size_t n;
+    const char *s = lua_tolstring(L, -1, &n);
+
+    size_t zeros = count_zeros(s, n), numeral = numeral_bytes(s);
+    if (numeral > A_NUMERAL)
+        return (struct vm_weight){ numeral / A_NUMERAL, WEIGHT_NUMERAL, numeral };
+    if (zeros > A_ZERO)
+        return (struct vm_weight){ zeros / A_ZERO, WEIGHT_ZEROS, zeros };
+    return (struct vm_weight){ n / A_TEXT, WEIGHT_TEXT, n };
+}
+
+static struct vm_weight number_weight(lua_State *L)
+{
+    double size = fabs(lua_tonumber(L, -1));
+    bool odd = (size > 0x1p256 && size <= DBL_MAX) || (size < 0x1p-256 && size > 0);
+
+    return (struct vm_weight){ odd ? HUGE : 0, WEIGHT_NUMBER, 256 };
+}
+
+/* How many tables follow the one on top by this field of their metatables. */
+static size_t chain_length(lua_State *L, const char *field)
+{
+    size_t n = 0;
+
+    lua_pushvalue(L, -1);
+    while (n < DEEP_CHAIN && luaL_getmetafield(L, -1, field) == LUA_TTABLE) {
+        lua_replace(L, -2);
+        n++;
+    }
+    return n;
+}
+
+static struct vm_weight table_weight(lua_State *L)
+{
+    int top = lua_gettop(L);
+    size_t read = chain_length(L, "__index");
+
+    lua_settop(L, top);
+    size_t written = chain_length(L, "__newindex"), n = read > written ? read : written;
+    lua_settop(L, top);
+    return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
+}
+
+/* Keeps the heavier of w and what the value on top weighs, and pops it. */
+static void weigh(lua_State *L, struct vm_weight *w)
+{
+    struct vm_weight one = { 0 };
+
+    switch (lua_type(L, -1)) {
+    case LUA_TSTRING:
+        one = text_weight(L);
+        break;
+    case LUA_TNUMBER:
+        one = number_weight(L);
+        break;
+    case LUA_TTABLE:
+        one = table_weight(L);
+        break;
+    default:
+        break;
+    }
+    if (one.more > w->more)
+        *w = one;
+    lua_pop(L, 1);
+}
+
+static bool has_argument(lua_State *L, lua_Debug *ar, int n)
+{
+    bool there = lua_getlocal(L, ar, -n) != NULL;
+
+    if (there)
+        lua_pop(L, 1);
+    return there;
+}
+
+/* How many values `...` has. */
+static int count_arguments(lua_State *L, lua_Debug *ar)
+{
+    int least = 0, most = 1;
+
+    while (has_argument(L, ar, most))
+        least = most, most *= 2;
+    while (most - least > 1) {
+        int middle = least + (most - least) / 2;
+        if (has_argument(L, ar, middle))
+            least = middle;
+        else
+            most = middle;
+    }
+    return least;
+}
+
+/* The function that runs: by how much its heaviest instruction may be more than one. */
+static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar)
+{
+    int arguments = count_arguments(L, ar);
+    struct vm_weight w = { (unsigned)arguments / AN_ARGUMENT, WEIGHT_ARGUMENTS, (unsigned)arguments };
+
+    for (int i = 1; lua_getlocal(L, ar, i); i++)
+        weigh(L, &w);
+    lua_getinfo(L, "f", ar);
+    for (int i = 1; lua_getupvalue(L, -1, i); i++)
+        weigh(L, &w);
+    lua_pop(L, 1);
+    return w;
+}
+
+static void on_count(lua_State *L, lua_Debug *ar);
+
+/* Sets the hook for the next look, and says when that is. */
+static void look_later(struct vm *vm, lua_State *L)
+{
+    vm->phase = vm->phase * 1103515245 + 12345;
+    vm->step = STEP_LEAST + (vm->phase >> 16) % STEP_MORE;
+    lua_sethook(L, on_count, LUA_MASKCOUNT, (int)vm->step);
+}
+
+static void on_count(lua_State *L, lua_Debug *ar)
+{
+    struct vm *vm = &vm_board(L)->vm;
+    struct vm_weight w = weigh_function(L, ar);
+    uint64_t allocated = heap_work(vm->heap) - vm->looked;
+
+    if (w.more > vm->heaviest.more)
+        vm->heaviest = w;
+    vm->looked += allocated;
+    vm_charge(L, vm->step * (1 + w.more) + allocated / AN_ALLOCATION);
+    look_later(vm, L);
+}
+
+static void on_interrupt(lua_State *L, lua_Debug *ar)
+{
+    (void)ar;
+    vm_fault(L, FAULT_INTERRUPTED, "interrupted");
+}
+
+/* ---- the limit ---- */
+
+/* " (one beside a text of 65536 bytes counts as 17)", or "" where all counted as one. */
+static void say_weight(const struct vm_weight *w, char *text, size_t size)
+{
+    static const char *const beside[] = { [WEIGHT_TEXT] = "a text of %zu bytes",
+                                          [WEIGHT_ZEROS] = "a text with %zu zero bytes",
+                                          [WEIGHT_NUMERAL] = "a number written in %zu bytes",
+                                          [WEIGHT_NUMBER] = "a number beyond 2^%zu",
+                                          [WEIGHT_CHAIN] = "a chain of %zu metatables",
+                                          [WEIGHT_ARGUMENTS] = "%zu arguments" };
+    char what[48];
+
+    text[0] = 0;
+    if (!w->more)
+        return;
+    snprintf(what, sizeof what, beside[w->why], w->n);
+    snprintf(text, size, " (one beside %s counts as %zu)", what, w->more + 1);
+}
+
+static int over_limit(lua_State *L, struct vm *vm)
+{
+    char weight[96];
+
+    if (vm->counting)
+        lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
+    say_weight(&vm->heaviest, weight, sizeof weight);
+    return vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one %s%s", (int)vm->limit,
+                    vm->limit == WORK_LIMIT ? "frame" : "line", weight);
+}
+
+void vm_charge(lua_State *L, uint64_t work)
+{
+    struct vm *vm = &vm_board(L)->vm;
+
+    if (vm->interrupted) /* hooks do not run inside C functions */
+        vm_fault(L, FAULT_INTERRUPTED, "interrupted");
+    vm->work += work;
+    if (vm->work > vm->limit)
+        over_limit(L, vm);
+}
+
+/* ---- when ---- */
+
+enum { EVERYTHING = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT };
+
+void vm_begin(struct board *b, uint64_t limit)
+{
+    struct vm *vm = &b->vm;
+
+    vm->work = 0;
+    vm->limit = limit;
+    vm->looked = heap_work(vm->heap);
+    vm->heaviest = (struct vm_weight){ 0 };
+    vm->phase = 1;
+    vm->interrupted = 0;
+    b->hand->long_text = 0;
+}
+
+void vm_watch(struct board *b, lua_State *L)
+{
+    if (b->vm.counting)
+        look_later(&b->vm, L);
+    else if (lua_gethook(L))
+        lua_sethook(L, NULL, 0, 0);
+    if (b->vm.interrupted) /* last: it may come at any moment */
+        lua_sethook(L, on_interrupt, EVERYTHING, 1);
+}
+
+void vm_allocated(struct board *b)
+{
+    struct vm *vm = &b->vm;
+
+    if (vm->counting && vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
+        lua_sethook(vm->running, on_count, LUA_MASKCOUNT, 1);
+}
+
+void board_interrupt(struct board *b)
+{
+    b->vm.interrupted = 1;
+    if (b->vm.running)
+        lua_sethook(b->vm.running, on_interrupt, EVERYTHING, 1);
+}
+
+void board_count(struct board *b, bool on)
+{
+    b->vm.counting = on;
+    vm_watch(b, b->vm.L);
+}

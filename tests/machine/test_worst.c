@@ -1,0 +1,119 @@
+/*
+ * test_worst.c - no operation of Lua does much for little: each of tools/bench/worst.c, in an endless loop, is stopped by
+ * the guard, and after no more rounds than its work allows. How long that takes, `make bench ARGS=guards` measures.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../tools/bench/scene.h"
+#include "../../tools/bench/worst.h"
+
+static struct rom_image image;
+
+static int load(void **state)
+{
+    char err[256];
+    (void)state;
+    return rom_image_load("roms/bench", false, &image, err, sizeof err) ? 0 : -1;
+}
+
+static int drop(void **state)
+{
+    (void)state;
+    rom_image_free(&image);
+    return 0;
+}
+
+static void stops(const struct worst *w)
+{
+    const struct scene_want want = { .does = "prices", .price = "straight", .n = 4096, .bullets = 4096 };
+    const char *fault;
+    struct scene s;
+    char err[256];
+
+    if (!scene_open(&s, &image.rom, &want, err, sizeof err))
+        fail_msg("%s", err);
+    uint64_t rounds = worst_run(s.b, w, &fault);
+    if (!fault || !strstr(fault, "endless loop: more than 10000000 instructions"))
+        fail_msg("%s: %s", w->what, fault ? fault : "it ended");
+    if (rounds * w->cost > WORST_LIMIT)
+        fail_msg("%s: %llu rounds for %d instructions, so one cost less than %u", w->what, (unsigned long long)rounds,
+                 (int)WORST_LIMIT, (unsigned)w->cost);
+    scene_close(&s);
+}
+
+static void every_operation_is_charged(void **state)
+{
+    (void)state;
+    for (int i = 0; i < WORST_COUNT; i++)
+        stops(&WORST[i]);
+}
+
+/* What stands beside the loop is named. */
+static void the_reason_is_said(void **state)
+{
+    static const struct {
+        const char *text, *says;
+    } cases[] = {
+        { "local a, b = ('n'):rep(65536), 1 while true do b = a == b end",
+          "worst:1: endless loop: more than 10000000 instructions in one line (one beside a text of 65536 bytes "
+          "counts as 17)" },
+        { "while true do end", "worst:1: endless loop: more than 10000000 instructions in one line" },
+    };
+    const struct scene_want want = { .does = "prices", .price = "straight", .n = 1, .bullets = 64 };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct worst w = { "", 1, cases[i].text };
+        const char *fault;
+        struct scene s;
+        char err[256];
+        assert_true(scene_open(&s, &image.rom, &want, err, sizeof err));
+        worst_run(s.b, &w, &fault);
+        assert_string_equal(fault, cases[i].says);
+        scene_close(&s);
+    }
+}
+
+/* A text of 65,536 bytes is made in any way; one more byte is a fault that names place and length. */
+static void texts_have_a_limit(void **state)
+{
+    static const char *const make[] = {
+        "local s = ('a'):rep(%d) while true do end",
+        "local s = ('a'):rep(%d - 1) s = s .. 'a' while true do end",
+        "local s = table.concat({ ('a'):rep(%d - 1), 'a' }) while true do end",
+        "local s = ('%%s'):rep(2):format(('a'):rep(%d - 1), 'a') while true do end",
+        "local s = ('b'):rep(%d // 16):gsub('b', ('a'):rep(16)) .. ('a'):rep(%d %% 16) while true do end",
+    };
+    const struct scene_want want = { .does = "prices", .price = "straight", .n = 1, .bullets = 64 };
+    (void)state;
+    for (size_t i = 0; i < 2 * (sizeof make / sizeof *make); i++) {
+        char text[256], err[256];
+        struct worst w = { "", 1, text };
+        const char *fault;
+        struct scene s;
+        int n = TEXT_MOST + (int)(i & 1);
+        snprintf(text, sizeof text, make[i / 2], n, n);
+        assert_true(scene_open(&s, &image.rom, &want, err, sizeof err));
+        worst_run(s.b, &w, &fault);
+        if (i & 1)
+            assert_string_equal(fault, "worst:1: a text of 65537 bytes: a text has 65536 at most");
+        else
+            assert_non_null(strstr(fault, "endless loop"));
+        scene_close(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_operation_is_charged),
+        cmocka_unit_test(the_reason_is_said),
+        cmocka_unit_test(texts_have_a_limit),
+    };
+
+    return cmocka_run_group_tests_name("worst", tests, load, drop);
+}
