@@ -170,8 +170,8 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 /* Charges for an argument, and replaces it by its text when stock would write another. True: that is for %s. */
 static bool prepare(lua_State *L, const struct spec *f, int arg)
 {
-    bool is_text = lua_type(L, arg) == LUA_TSTRING,
-         is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
+    bool is_text = lua_type(L, arg) == LUA_TSTRING;
+    bool is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
     bool number = strchr("eEfgG", *f->letter) != NULL;
     lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
     size_t n = is_text ? lua_rawlen(L, arg) : 0;
