@@ -161,11 +161,20 @@ static bool starts(const char *s, const char *with)
     return strncmp(s, with, strlen(with)) == 0;
 }
 
+static bool fits(int n)
+{
+#ifdef POSIX
+    if (n >= MAX_PATH_BYTES)
+        errno = ENAMETOOLONG;
+#endif
+    return n < MAX_PATH_BYTES;
+}
+
 /* The path of a name; false when it is too long or the user has no folder. */
 static bool path_of(char path[MAX_PATH_BYTES], const char *name)
 {
     if (!starts(name, "user:"))
-        return snprintf(path, MAX_PATH_BYTES, "%s", name) < MAX_PATH_BYTES;
+        return fits(snprintf(path, MAX_PATH_BYTES, "%s", name));
 #ifdef POSIX
     const char *data = getenv("XDG_DATA_HOME"), *below = "";
     if (!data || data[0] != '/') { /* the XDG rule: a relative one counts as unset */
@@ -177,7 +186,7 @@ static bool path_of(char path[MAX_PATH_BYTES], const char *name)
 #endif
     if (!data || !data[0])
         return false;
-    return snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")) < MAX_PATH_BYTES;
+    return fits(snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")));
 }
 
 #ifdef POSIX

@@ -558,12 +558,24 @@ static bool take_over(struct args *a, enum command command)
     return true;
 }
 
+/* What is longer would push the reason out of the sentences that name it. */
+static bool short_enough(int argc, char **argv, char *err, size_t err_size)
+{
+    for (int i = 1; i < argc; i++)
+        if (strlen(argv[i]) > ARGS_MAX_WORD)
+            return fail(err, err_size, "an argument is longer than %d characters: \"%.32s...\"", ARGS_MAX_WORD,
+                        argv[i]);
+    return true;
+}
+
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size)
 {
     unsigned seen = 0;
     bool only_words = false;
 
     *a = (struct args){ .words = argv, .every = 1 };
+    if (!short_enough(argc, argv, err, err_size))
+        return false;
     for (int i = 1; i < argc; i++) {
         if (!only_words && strcmp(argv[i], "--") == 0)
             only_words = true;

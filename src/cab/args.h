@@ -31,6 +31,7 @@ enum {
     ARGS_MAX_LIVES = 99,
     ARGS_MAX_TRACES = 32,
     ARGS_MAX_SPANS = 64,
+    ARGS_MAX_WORD = 900, /* bytes of an argument */
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16
 };

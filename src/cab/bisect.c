@@ -12,7 +12,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "clean.h"
 #include "cli.h"
+#include "demo.h"
 #include "game.h"
 
 enum {
@@ -447,15 +449,23 @@ static int report(const struct bisect *s)
     return s->found ? EXIT_DIFFERS : EXIT_DONE;
 }
 
+/* A path as it is printed. */
+static const char *shown(char out[DEMO_PATH], const char *path)
+{
+    snprintf(out, DEMO_PATH, "%s", path);
+    clean_line(out);
+    return out;
+}
+
 int bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
 {
     struct bisect *s = calloc(1, sizeof *s);
-    char *lines = malloc((size_t)LINE * 2);
+    char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH];
     int code = EXIT_HOST;
 
     if (s && lines) {
-        s->a = (struct side){ .path = a_name, .file = a, .text = lines };
-        s->b = (struct side){ .path = b_name, .file = b, .text = lines + LINE };
+        s->a = (struct side){ .path = shown(names[0], a_name), .file = a, .text = lines };
+        s->b = (struct side){ .path = shown(names[1], b_name), .file = b, .text = lines + LINE };
         code = compare(s) ? report(s) : EXIT_INPUT;
     }
     if (code == EXIT_HOST || code == EXIT_INPUT)

@@ -13,6 +13,7 @@
 #include "../../platform/platform.h"
 #include "../chips/nvram.h"
 #include "cab_parts.h"
+#include "files.h"
 
 enum {
     SECOND = 1000000,
@@ -144,15 +145,15 @@ uint8_t *cab_load_nvram(struct board_start *start)
 
 void cab_save_nvram(void)
 {
-    char name[CAB_NAME];
+    char name[CAB_NAME], err[CAB_NAME + 128];
     uint32_t changed;
     const uint8_t *image = board_nvram(cab_live(), &changed);
     if (changed == cab.nvram_saved || !keeps_nvram())
         return;
     cab.nvram_saved = changed;
     nvram_name(name);
-    if (!plat_save(name, image, NVRAM_BYTES))
-        cab_say("curtain: %s: the scores cannot be saved%s", name, "");
+    if (!files_save(name, image, NVRAM_BYTES, err, sizeof err))
+        cab_say("curtain: %s%s", err, "");
 }
 
 /* ---- power ---- */

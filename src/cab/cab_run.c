@@ -7,6 +7,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "cab_parts.h"
+#include "clean.h"
 
 enum {
     LOOK_EVERY = 15,  /* frames between two looks at the game's folder */
@@ -20,6 +21,7 @@ void cab_say(const char *format, const char *a, const char *b)
 {
     char line[2048];
     snprintf(line, sizeof line, format, a, b);
+    clean_line(line);
     plat_log(line);
 }
 
@@ -79,6 +81,7 @@ void cab_log_lines(const struct board_out *out)
         const char *end = memchr(out->log + i, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - (out->log + i)) : out->log_size - i;
         snprintf(line, sizeof line, "%.*s", (int)n, out->log + i);
+        clean_line(line);
         plat_log(line);
         i += n + 1;
     }
@@ -93,9 +96,11 @@ static void hear(const struct board_out *out)
 void cab_halt(void)
 {
     if (!cab.told) {
-        cab_say("curtain: %s: %s", cab_game(), cab_fault()->message);
-        if (cab_fault()->trace[0])
-            plat_log(cab_fault()->trace);
+        struct board_fault fault = *cab_fault();
+        cab_say("curtain: %s: %s", cab_game(), fault.message);
+        clean_lines(fault.trace);
+        if (fault.trace[0])
+            plat_log(fault.trace);
     }
     cab.told = true;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "cab_parts.h"
+#include "files.h"
 #include "message.h"
 #include "png.h"
 #include "timebar.h"
@@ -129,6 +130,7 @@ void cab_picture_show(struct picture *p)
 void cab_screenshot(const struct picture *p)
 {
     char name[CAB_NAME];
+    char err[CAB_NAME + 128];
     uint8_t *png;
     size_t size;
 
@@ -137,6 +139,7 @@ void cab_screenshot(const struct picture *p)
         plat_log("curtain: no memory for a screenshot");
         return;
     }
-    cab_say(plat_save(name, png, size) ? "wrote %s%s" : "curtain: %s: cannot be written%s", name, "");
+    bool good = files_save(name, png, size, err, sizeof err);
+    cab_say(good ? "wrote %s%s" : "curtain: %s%s", good ? name : err, "");
     free(png);
 }

@@ -9,7 +9,9 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "check_parts.h"
+#include "clean.h"
 #include "cli.h"
+#include "files.h"
 #include "game.h"
 
 bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size)
@@ -99,15 +101,15 @@ static void ignore_file(void *user, const struct plat_file *file)
 /* False, and the exit code: it is not a game's folder. */
 static bool open_folder(struct check *c, int *code)
 {
-    char err[TREE_PATH + 64];
+    char err[2 * TREE_PATH];
 
     *code = EXIT_INPUT;
-    if (plat_size(c->dir) >= 0)
+    if (files_size(c->dir) >= 0)
         game_report(*code, "%s: is a file; check takes a game's folder", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
-        game_report(*code, "%s: no such folder", c->dir);
+        game_report(*code, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
-        game_report(*code, "%s", err);
+        *code = game_refuse(err);
     else if (!tree_has(&c->files, "rom.lua"))
         game_report(*code, "%s: is not a game's folder: there is no rom.lua", c->dir);
     else
@@ -152,15 +154,17 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32], pieces[32];
+    char scripts[32], sprites[32], demos[32], pieces[32], line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
     count(demos, c->demos, "demo");
     snprintf(pieces, sizeof pieces, c->pieces == 1 ? "%d stage or phase" : "%d stages and phases", c->pieces);
-    printf("%s: fine: %s, %s; played %s, %s; Lua RAM %d %% of %d KiB\n", c->dir, scripts, sprites, demos, pieces,
-           (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
+    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s; Lua RAM %d %% of %d KiB", c->dir, scripts, sprites,
+             demos, pieces, (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
+    clean_line(line);
+    say(line);
 }
 
 static int report(struct check *c)

@@ -52,15 +52,16 @@ static void ignore_file(void *user, const struct plat_file *file)
 /* A first word that is neither command, file nor folder is more likely a slip than a game. */
 static bool is_nothing(const char *word)
 {
-    return plat_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
+    return files_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
 }
 
 static int no_such_word(const char *word, bool after_play)
 {
     const char *meant = args_near_command(word);
+    char err[1024];
 
     if (after_play)
-        return game_report(EXIT_INPUT, "%s: no such file or folder", word);
+        return game_report(EXIT_INPUT, "%s", files_absent(word, "file or folder", err, sizeof err));
     if (meant)
         return game_report(EXIT_INPUT, "%s: no such command, file or folder (did you mean %s?)", word, meant);
     return game_report(EXIT_INPUT, "%s: no such command, file or folder (curtain help lists the commands)", word);
@@ -79,9 +80,9 @@ static int play(const struct args *a, bool named)
         free(g);
         return no_such_word(path, named);
     }
-    int code = EXIT_INPUT;
+    int code;
     if (!game_open(g, path, a, err, sizeof err)) {
-        game_report(code, "%s", err);
+        code = game_refuse(err);
     } else {
         struct cab_options o = { .cart = &g->cart, .path = path, .start = g->start, .seeded = a->seeded };
         o.demo = g->has_demo ? &g->demo : NULL;
@@ -109,7 +110,7 @@ static int pack(const struct args *a)
     if (plat_size(dir) >= 0)
         return game_report(EXIT_INPUT, "%s: is a file; pack takes a game's folder", dir);
     if (!rom_image_load(dir, a->nearest, &image, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return game_refuse(err);
     int code = EXIT_DONE;
     if (!cart_open(&cart, &image.rom, err, sizeof err))
         code = game_report(EXIT_INPUT, "%s: %s", dir, err);
@@ -135,18 +136,12 @@ static int list(const struct args *a)
     char err[1024];
 
     if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return game_refuse(err);
     pack_list(&image.rom, print_line, NULL);
     printf("game %016llx\nrom %016llx\n", (unsigned long long)rom_game_hash(&image.rom),
            (unsigned long long)rom_hash(&image.rom));
     rom_image_free(&image);
     return stdout_done(EXIT_DONE);
-}
-
-/* pack_unpack has one way to say no; only this one is the host's doing. */
-static bool host_failed(const char *err)
-{
-    return strstr(err, ": cannot be written") != NULL;
 }
 
 static int unpack(const struct args *a)
@@ -156,9 +151,9 @@ static int unpack(const struct args *a)
     int code = EXIT_DONE;
 
     if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return game_refuse(err);
     if (!pack_unpack(&image.rom, a->words[1], err, sizeof err))
-        code = game_report(host_failed(err) ? EXIT_HOST : EXIT_INPUT, "%s", err);
+        code = game_refuse(err);
     rom_image_free(&image);
     return code;
 }

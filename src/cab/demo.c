@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "demo_parts.h"
+#include "tree.h"
 
 /* ---- room ---- */
 
@@ -65,18 +66,14 @@ uint64_t *demo_row(const struct demo *d, uint32_t i)
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 {
     char why[256];
-    long size = plat_size(path);
+    uint8_t *data;
+    size_t size;
 
     memset(d, 0, sizeof *d);
-    if (size < 0 || size > DEMO_MAX_BYTES) {
-        snprintf(err, err_size, size < 0 ? "%s: no such file" : "%s: too large for a demo", path);
+    if (!tree_load(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
-    }
-    uint8_t *data = malloc((size_t)size + 1);
-    bool ok = data && plat_load(path, data, (size_t)size) == size;
+    bool ok = demo_read(d, data, size, why, sizeof why);
     if (!ok)
-        snprintf(err, err_size, "%s: cannot be read", path);
-    else if (!(ok = demo_read(d, data, (size_t)size, why, sizeof why)))
         snprintf(err, err_size, "%s: %s", path, why);
     free(data);
     return ok;

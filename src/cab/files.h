@@ -1,6 +1,6 @@
 /*
- * files.h - writing files, with a sentence when it fails.
- * floor: cab    used by: cli headless pack demo
+ * files.h - reading and writing files, with a sentence when it fails.
+ * floor: cab    used by: cli headless pack demo tree check
  */
 #ifndef CAB_FILES_H
 #define CAB_FILES_H
@@ -12,5 +12,15 @@
  * where the host does not say. */
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size);
 bool files_append(const char *path, const void *data, size_t size, char *err, size_t err_size);
+
+/* plat_load of a whole file that has size bytes; false and "NAME: cannot be read", with the same brackets. */
+bool files_load(const char *path, const char *name, void *to, size_t size, char *err, size_t err_size);
+
+/* plat_size, and what says why there is none is made ready for files_absent. */
+long files_size(const char *path);
+
+/* The sentence after files_size, and maybe plat_list, have found nothing: "NAME: no such WHAT", or that it cannot be
+ * read and why. Returns err. */
+const char *files_absent(const char *name, const char *what, char *err, size_t err_size);
 
 #endif

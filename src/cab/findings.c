@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "clean.h"
 
 enum { TEXT = 640 };
 
@@ -49,14 +50,6 @@ static void add(struct findings *f, const char *file, int line, const char *text
     f->list[f->n++] = one;
 }
 
-/* What is quoted from a script stays on its line. */
-static void clean(char *s)
-{
-    for (; *s != '\0'; s++)
-        if ((unsigned char)*s < 32 || *s == 127)
-            *s = ' ';
-}
-
 void findings_add(struct findings *f, const char *file, int line, const char *format, ...)
 {
     char text[TEXT];
@@ -65,7 +58,7 @@ void findings_add(struct findings *f, const char *file, int line, const char *fo
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    clean(text);
+    clean_line(text);
     add(f, file, line, text);
 }
 
@@ -141,6 +134,7 @@ void findings_print(const struct findings *f, void (*line)(const char *))
             snprintf(text, sizeof text, "%s:%d: %s", one->file, one->line, one->text);
         else
             snprintf(text, sizeof text, "%s: %s", one->file, one->text);
+        clean_line(text);
         line(text);
     }
 }

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "clean.h"
+#include "cli.h"
 
 enum { LINE = 2048 };
 
@@ -15,10 +17,7 @@ enum { LINE = 2048 };
 
 static void log_clean(char *s)
 {
-    for (char *p = s; *p; p++) {
-        if ((unsigned char)*p < 32 || *p == 127)
-            *p = ' ';
-    }
+    clean_line(s);
     fflush(stdout); /* what was printed before comes before, also where both go to one file */
     plat_log(s);
 }
@@ -34,6 +33,20 @@ int game_report(int code, const char *format, ...)
     va_end(args);
     log_clean(line);
     return code;
+}
+
+int game_code(const char *err)
+{
+    static const char memory[] = "out of memory";
+    size_t n = strlen(err), tail = sizeof memory - 1;
+    bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
+
+    return host ? EXIT_HOST : EXIT_INPUT;
+}
+
+int game_refuse(const char *err)
+{
+    return game_report(game_code(err), "%s", err);
 }
 
 static void log_lines(const char *text)
@@ -147,16 +160,27 @@ static bool set_difficulty(struct game *g, const char *name, char *err, size_t e
     return unknown("--difficulty", "difficulty", name, names, m->n_difficulties, err, err_size);
 }
 
-static bool number_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
+/* Is text a whole number in range, and nothing more? strtoll passes over blanks, and reads none in "". */
+static bool whole_number(const char *text, int64_t lo, int64_t hi, int32_t *out)
 {
+    bool sign = text[0] == '-' || text[0] == '+';
     char *end;
-    long long v = strtoll(text, &end, 10);
 
-    if (*end || end == text || v < dip->lo || v > dip->hi)
-        return refuse(err, err_size, "--dip: %s: expected a whole number from %d to %d, got \"%s\"", dip->name, dip->lo,
-                      dip->hi, text);
+    if (text[sign] < '0' || text[sign] > '9')
+        return false;
+    long long v = strtoll(text, &end, 10);
+    if (*end || v < lo || v > hi)
+        return false;
     *out = (int32_t)v;
     return true;
+}
+
+static bool number_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
+{
+    if (whole_number(text, dip->lo, dip->hi, out))
+        return true;
+    return refuse(err, err_size, "--dip: %s: expected a whole number from %d to %d, got \"%s\"", dip->name, dip->lo,
+                  dip->hi, text);
 }
 
 static bool dip_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
@@ -211,7 +235,6 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
 {
     const char *equals = strchr(setting, '=');
     size_t n = (size_t)(equals - setting);
-    char *end;
 
     if (n >= sizeof p->reg[0].name)
         return refuse(err, err_size, "--register: a name longer than %zu characters", sizeof p->reg[0].name - 1);
@@ -221,11 +244,10 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
         if (strcmp(p->reg[i].name, name) == 0)
             return refuse(err, err_size, "--register: %s is given twice", name);
     }
-    long long v = strtoll(equals + 1, &end, 10);
-    if (*end || v < 0 || v > INT32_MAX)
+    if (!whole_number(equals + 1, 0, INT32_MAX, &p->reg[p->registers].value))
         return refuse(err, err_size, "--register: %s: expected a whole number from 0 to %d, got \"%s\"", name,
                       INT32_MAX, equals + 1);
-    p->reg[p->registers++].value = (int32_t)v;
+    p->registers++;
     return true;
 }
 
@@ -242,7 +264,7 @@ static bool set_practice(struct game *g, const struct args *a, char *err, size_t
     return !a->stage || set_stage(g, a->stage, err, err_size);
 }
 
-static bool start_of_args(struct game *g, const struct args *a, char *err, size_t err_size)
+bool game_start(struct game *g, const struct args *a, char *err, size_t err_size)
 {
     const struct manifest *m = &g->cart.m;
 
@@ -281,7 +303,7 @@ bool game_open(struct game *g, const char *path, const struct args *a, char *err
     memset(g, 0, sizeof *g);
     g->path = path;
     if (load(g, a->nearest, err, err_size) &&
-        (a->demo ? start_of_demo(g, a->demo, err, err_size) : start_of_args(g, a, err, err_size)))
+        (a->demo ? start_of_demo(g, a->demo, err, err_size) : game_start(g, a, err, err_size)))
         return true;
     game_close(g);
     return false;

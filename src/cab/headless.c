@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "clean.h"
 #include "cli.h"
 #include "files.h"
 #include "game.h"
@@ -34,6 +35,7 @@ static void pass_on_log(const struct board_out *out)
         const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - from) : out->log_size - i;
         snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), from);
+        clean_line(line);
         plat_log(line);
         i += n + 1;
     }
@@ -56,7 +58,7 @@ static int run_open(struct run *r, const struct args *a)
     memset(r, 0, sizeof *r);
     r->a = a;
     if (!game_open(&r->game, path, a, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return game_refuse(err);
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
         return game_report(EXIT_INPUT, "%s: %s", path ? path : "the built-in game", err);
     if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))

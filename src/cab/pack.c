@@ -451,10 +451,12 @@ bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char 
     char why[PATH + 256];
 
     memset(out, 0, sizeof *out);
-    if (plat_size(path) >= 0)
+    if (files_size(path) >= 0)
         return load_file(path, out, err, err_size);
-    if (plat_list(path, ignore_entry, NULL) < 0)
-        return fail(err, err_size, "%s: no such file or folder", path);
+    if (plat_list(path, ignore_entry, NULL) < 0) {
+        files_absent(path, "file or folder", err, err_size);
+        return false;
+    }
     if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
         memset(out, 0, sizeof *out);
         return fail(err, err_size, "%s: %s", path, why);
@@ -519,7 +521,9 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
 
     for (int i = 0; i < files->n; i++) {
         const char *name = files->name[i];
-        if (!manifest_path_ok(name) || !tree_join(path, dir, name))
+        if (!tree_join(path, dir, name))
+            return fail(err, err_size, "%s: the path is too long", name);
+        if (!manifest_path_ok(name))
             return fail(err, err_size, "\"%s\" is not a file's name inside a folder", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
             return fail(err, err_size, "two lumps would become the file %s", name);
@@ -574,7 +578,7 @@ bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_s
         tree_add(&files, "", name);
     }
     tree_sort(&files);
-    bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "too many lumps");
+    bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "%s", tree_failed(&files));
     tree_close(&files);
     return good && save_lumps(rom, dir, err, err_size);
 }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "clean.h"
 #include "guard.h"
 
 enum { PATIENCE = 10000 /* frames */ };
@@ -109,6 +110,7 @@ static void pass_on_log(const struct board_out *out)
         const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - from) : out->log_size - i;
         snprintf(line, sizeof line, "curtain: %.*s", (int)(n < sizeof line - 16 ? n : sizeof line - 16), from);
+        clean_line(line);
         plat_log(line);
         i += n + 1;
     }

@@ -15,14 +15,39 @@
 
 enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
 
-static void *capped_malloc(size_t n)
+/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here. One
+ * picture is read at a time. */
+static struct {
+    void *piece[8];
+    bool shortage; /* a piece was refused */
+} reading;
+
+static void *hold(void *old, size_t n)
 {
-    return n <= STB_MOST ? malloc(n) : NULL;
+    enum { SLOTS = sizeof reading.piece / sizeof reading.piece[0] };
+    int i = 0;
+
+    while (i < SLOTS && reading.piece[i] != old)
+        i++;
+    void *p = i < SLOTS && n <= STB_MOST ? realloc(old, n ? n : 1) : NULL;
+    if (p)
+        reading.piece[i] = p;
+    else
+        reading.shortage = true;
+    return p;
 }
 
-static void *capped_realloc(void *p, size_t n)
+static void let_go(const void *p)
 {
-    return n <= STB_MOST ? realloc(p, n) : NULL;
+    for (size_t i = 0; p && i < sizeof reading.piece / sizeof reading.piece[0]; i++)
+        if (reading.piece[i] == p)
+            reading.piece[i] = NULL;
+}
+
+static void release(void *p)
+{
+    let_go(p);
+    free(p);
 }
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -30,9 +55,9 @@ static void *capped_realloc(void *p, size_t n)
 #define STBI_NO_STDIO
 #define STBI_NO_HDR
 #define STBI_NO_LINEAR
-#define STBI_MALLOC(n)      capped_malloc(n)
-#define STBI_REALLOC(p, n)  capped_realloc(p, n)
-#define STBI_FREE(p)        free(p)
+#define STBI_MALLOC(n)      hold(NULL, n)
+#define STBI_REALLOC(p, n)  hold(p, n)
+#define STBI_FREE(p)        release(p)
 #define STBI_MAX_DIMENSIONS PNG_MAX_SIDE
 
 /* What stb's compressor takes, which cannot say that memory is short: then it is left by a jump. A piece is given back
@@ -381,11 +406,19 @@ static bool look_up(const struct layout *l, uint8_t *rgba, char *err, size_t err
 static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size)
 {
     int w, h, channels;
-    uint8_t *rgba = stbi_load_from_memory(data, (int)n, &w, &h, &channels, 4);
 
-    if (!rgba)
+    reading.shortage = false;
+    uint8_t *rgba = stbi_load_from_memory(data, (int)n, &w, &h, &channels, 4);
+    let_go(rgba);
+    for (size_t i = 0; i < sizeof reading.piece / sizeof reading.piece[0]; i++)
+        release(reading.piece[i]);
+    if (rgba)
+        return rgba;
+    if (reading.shortage)
+        fail(err, err_size, "out of memory");
+    else
         snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
-    return rgba;
+    return NULL;
 }
 
 static uint8_t *decode_indices(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,

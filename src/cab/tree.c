@@ -3,12 +3,14 @@
  */
 #include "tree.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/heap.h"
+#include "files.h"
 
 enum {
     MAX_FILES = 1 << 16, /* in a folder and all below it */
@@ -53,6 +55,11 @@ void tree_add(struct tree *p, const char *folder, const char *name)
     p->name[p->n++] = path;
 }
 
+const char *tree_failed(const struct tree *p)
+{
+    return p->n == MAX_FILES ? "too many files" : "out of memory";
+}
+
 static int by_path(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
@@ -92,15 +99,16 @@ bool tree_join(char out[TREE_PATH], const char *dir, const char *name)
 static bool walk(const char *dir, const char *folder, int depth, struct tree *files, char *err, size_t err_size)
 {
     struct listing l = { folder, files, { 0 } };
-    char path[TREE_PATH];
+    char path[TREE_PATH], why[TREE_PATH + 128];
     bool good = true;
 
+    errno = 0;
     if (depth > MAX_DEPTH || !tree_join(path, dir, folder))
         return fail(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
     if (plat_list(path, list_entry, &l) < 0)
-        good = fail(err, err_size, "%s: cannot be read as a folder", path);
+        good = fail(err, err_size, "%s", files_absent(path, "folder", why, sizeof why));
     else if (files->failed || l.folders.failed)
-        good = fail(err, err_size, "%s: too many files", dir);
+        good = fail(err, err_size, "%s: %s", dir, tree_failed(files->failed ? files : &l.folders));
     for (int i = 0; good && i < l.folders.n; i++)
         good = walk(dir, l.folders.name[i], depth + 1, files, err, err_size);
     tree_close(&l.folders);
@@ -117,20 +125,22 @@ bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size)
 
 bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err, size_t err_size)
 {
-    long n = plat_size(path);
+    long n = files_size(path);
 
     *data = NULL;
     *size = 0;
-    if (n < 0)
-        return fail(err, err_size, "%s: no such file", name);
+    if (n < 0) {
+        files_absent(name, "file", err, err_size);
+        return false;
+    }
     if ((unsigned long)n > max)
         return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
     uint8_t *bytes = malloc((size_t)n + 1);
     if (bytes == NULL)
         return fail(err, err_size, "%s: out of memory", name);
-    if (plat_load(path, bytes, (size_t)n) != n) {
+    if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
         free(bytes);
-        return fail(err, err_size, "%s: cannot be read", name);
+        return false;
     }
     bytes[n] = 0;
     *data = bytes;

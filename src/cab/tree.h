@@ -36,6 +36,9 @@ bool tree_portable(const char *path);
 /* Two files that are one where case does not count; false: there are none. */
 bool tree_twins(const struct tree *files, const char **a, const char **b);
 
+/* Why a tree has failed: too many files, or out of memory. */
+const char *tree_failed(const struct tree *files);
+
 /* Adds a path; sorts all. */
 void tree_add(struct tree *files, const char *folder, const char *name);
 void tree_sort(struct tree *files);

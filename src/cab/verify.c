@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "bisect.h"
+#include "clean.h"
 #include "cli.h"
 #include "game.h"
 #include "moments.h"
@@ -27,11 +28,14 @@ struct verify {
 
 /* ---- lines ---- */
 
-/* Names may hold anything; a line is a line. */
+/* Names may hold anything. */
 static void print_clean(const char *text)
 {
-    for (; *text; text++)
-        putchar((unsigned char)*text < 32 || *text == 127 ? ' ' : *text);
+    char line[2 * DEMO_PATH];
+
+    snprintf(line, sizeof line, "%s", text);
+    clean_line(line);
+    fputs(line, stdout);
 }
 
 /* What keeps a demo from being replayed, with its name in it; returns code. */
@@ -203,13 +207,13 @@ static void say_pads(const struct demo *d, uint32_t frame)
 
 static void say_trace(const char *text)
 {
-    printf("  ");
-    for (; *text; text++)
-        if (*text == '\n')
-            printf("\n  ");
-        else
-            putchar((unsigned char)*text < 32 ? ' ' : *text);
-    putchar('\n');
+    for (size_t n; *text; text += n + (text[n] == '\n')) {
+        char line[1024];
+        n = strcspn(text, "\n");
+        snprintf(line, sizeof line, "  %.*s", (int)(n < sizeof line - 4 ? n : sizeof line - 4), text);
+        clean_line(line);
+        puts(line);
+    }
 }
 
 static void say_header(const struct demo *d)
@@ -446,7 +450,7 @@ static int verify_demo(struct verify *v, const char *path)
     if (demo_load(&v->demo, path, err, sizeof err))
         code = verify_loaded(v, path);
     else
-        code = refuse(v, EXIT_INPUT, "%s", err);
+        code = refuse(v, game_code(err), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
@@ -511,7 +515,7 @@ static int verify_all(struct verify *v, const struct args *a)
     if (a->null && !listed)
         return game_report(EXIT_INPUT, "--null goes with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return game_refuse(err);
     int code = listed ? verify_stdin(v) : verify_words(v);
     replay_close(&v->replay);
     game_close(&v->game);

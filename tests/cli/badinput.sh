@@ -73,6 +73,13 @@ if [ "$(stat -c %s $kernel 2>/dev/null)" = 4096 ]; then
     bad 'a script that cannot be read' 'unread: main.lua: cannot be read' hash unread
     bad 'a demo that cannot be read' "$kernel: cannot be read" hash g.rom --demo $kernel
 fi
+ln -s loop loop
+for command in hash play check pack 'list' 'verify g' 'hash g --demo'; do
+    bad "$command of a link to itself" 'loop: cannot be read (Too many levels of symbolic links)' $command loop
+done
+for words in hash 'pack g -o' 'hash g --frames 1 --record' 'unpack g' check 'hash g --dip' play; do
+    bad "an endless argument: $words" "an argument is longer than 900 characters: \"$(printf '%032d' 0)...\"" $words "$(printf '%05000d' 0)"
+done
 mkfifo fifo
 bad 'a pipe as a ROM' 'fifo: cannot be read' hash fifo
 mknod nul c 1 3 && {
@@ -315,6 +322,8 @@ bad 'a register in letters' '--register: power: expected a whole number from 0 t
 bad 'a register out of range' '--register: power: expected a whole number from 0 to 2147483647, got "2147483648"' \
     hash s --stage one --register power=2147483648
 bad 'a register below 0' '--register: power: expected a whole number from 0 to 2147483647, got "-1"' hash s --stage one --register power=-1
+bad 'a register after a blank' '--register: power: expected a whole number from 0 to 2147483647, got " 4"' hash s --stage one --register 'power= 4'
+bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
 bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one --register "$(printf '%032d' 0)=1"
 bad 'more registers than there can be' '--register: more than 16' hash s --stage one $(for i in $(seq 17); do echo --register "r$i=1"; done)
@@ -324,6 +333,34 @@ says 'a register the ship has not' 2 'main.lua:6: --register: ship "p" has no re
 bad 'practice and a demo' '--lives does not go with --demo, which holds its own' hash g --lives 1 --demo a.demo
 bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters' hash g --stage $'o\tne'
 bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
+
+# ---- what others wrote ----
+
+# Names and texts that a terminal would obey: ESC, a newline, CSI in UTF-8.
+nasty=$(printf 'a\033[31m\nb\302\233c')
+obeyed() { LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]' out err; }
+quiet() { # NAME LINES ARGUMENT...
+    local name=$1 lines=$2
+    shift 2
+    "$curtain" "$@" >out 2>err </dev/null
+    holds "$name: nothing for the terminal" eval '! obeyed'
+    same "$name: lines" "$lines" "$(cat out err | wc -l)"
+}
+cp -r g "$nasty"
+mkdir "$nasty/demos"
+"$curtain" hash g --frames 70 --record "$nasty/demos/$nasty.demo" >/dev/null
+quiet 'verify of such names' 1 verify g "$nasty/demos/$nasty.demo"
+quiet 'no such name' 1 hash "$nasty/none"
+quiet 'check of such names' 4 check "$nasty"
+"$curtain" hash g --frames 3 >"$nasty/one" && sed '4s/ .*/ 0123456789abcdef/' "$nasty/one" >"$nasty/two"
+quiet 'bisect of such names' 2 verify --bisect "$nasty/one" "$nasty/two"
+quiet 'such words' 1 "$nasty"
+printf 'print("a\\27[31mb\\194\\155c\\rd") %s' "$(idle)" >"$nasty/main.lua"
+rm -r "$nasty/demos"
+quiet 'what a game prints' 3 hash "$nasty" --frames 1
+printf 'error("a\\27[31m\\nb\\194\\155c", 0)' >"$nasty/main.lua"
+quiet 'what a game raises' 1 hash "$nasty" --frames 1
+quiet 'with its traceback' 6 hash "$nasty" --frames 1 -v
 
 # ---- disks ----
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # faults.sh - the n-th call of malloc, open, fopen, fwrite, fflush, fsync, fclose, rename and mkdir fails, for every n,
 # in pack, list, unpack, render, hash --record and verify --restamp: what was to be replaced is whole, old or new;
-# a failure is one sentence and exit code 2 or 3, and leaves nothing behind; no call is missed by a crash.
+# a failure is one sentence and exit code 2 or 3, and leaves nothing behind, neither files nor memory; no call is missed by
+# a crash. The game has a sheet of each kind of PNG that is read in a way of its own.
 . "$(dirname "$0")/../tap.sh"
 
 cc -std=gnu11 -O1 -shared -fPIC "$repo/tests/inject/inject.c" -o inject.so -ldl || not_ok 'inject.c compiles'
@@ -10,6 +11,10 @@ game g <<'LUA'
 task.go(function() while true do bullet.fire { kind = "d", x = 9, y = 9, speed = 1 } wait(3) end end)
 bullet.def("d", { sprite = "dot", hit = { circle = 2 } })
 LUA
+for kind in rgba rgba16 indexed; do
+    python3 "$repo/tests/cli/png_make.py" --$kind g/art/$kind.png 16 16 ffffff 3 3 888888
+    sed -i "s,^  sheets = { ,&$kind = { file = \"art/$kind.png\" }\, ,; s,^  sprites = { ,&$kind = { sheet = \"$kind\"\, x = 0\, y = 0\, w = 8\, h = 8 }\, ," g/rom.lua
+done
 "$curtain" pack g -o new.rom || not_ok 'the game is packed'
 game h <<<'task.go(function() while true do wait(1) end end)'
 "$curtain" pack h -o old.rom
@@ -56,9 +61,11 @@ whole() { # WHAT
     list) [ "$files" = '' ] ;;
     esac
 }
-said_well() { # a success, or one sentence
+said_well() { # CALL: a success, or one sentence; of short memory it says so
     [ $got = 0 ] && return
-    { [ $got = 2 ] || [ $got = 3 ]; } && [ "$(grep -c . err)" = 1 ] && grep -q '^curtain: .*[a-z)]$' err
+    { [ $got = 2 ] || [ $got = 3 ]; } && [ "$(grep -c . err)" = 1 ] && grep -q '^curtain: .*[a-z)]$' err || return
+    ! grep -q 'out of memory$' err || [ $got = 3 ] || return
+    [ "$1" != malloc ] || grep -q memory err
 }
 
 "$curtain" unpack new.rom first && all=$(cd first && find . -type f | sed 's,^\./,./out/,' | sort | tr '\n' ' ')
@@ -70,7 +77,7 @@ for what in pack list unpack render record restamp; do
         before $what
         inject $what $call 0
         [ $got = 0 ] && [ ! -s err ] || { not_ok "$what, without a fault" "exit $got" "$(cat err)"; continue; }
-        count=$(cat count)
+        read -r count kept <count
         bad='' failed=0
         # all of them, or of very many: the first hundred, and then every few
         step=$(((count - 100) / ${most:-60} + 1))
@@ -78,7 +85,9 @@ for what in pack list unpack render record restamp; do
             before $what
             inject $what $call $n
             [ $got != 0 ] && failed=$((failed + 1))
-            said_well || bad+="$call $n: exit $got: $(head -c 300 err)"$'\n'
+            read -r _ held <count
+            ((held <= kept)) || bad+="$call $n: exit $got: $((held - kept)) pieces of memory are not given back"$'\n'
+            said_well $call || bad+="$call $n: exit $got: $(head -c 300 err)"$'\n'
             whole $what || bad+="$call $n: exit $got: left $(cd at && find . | sort | tr '\n' ' ')"$'\n'
         done
         same "$what: each of $count $call, $failed of which end it" '' "$bad"

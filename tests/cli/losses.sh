@@ -30,9 +30,10 @@ play_until() { # SIGNAL ARGUMENT...
     got=$?
 }
 
-play_until TERM --record /dev/full
+mknod full c 1 7 2>/dev/null || ln -s /dev/full full # root would lose /dev/full to a program that replaces it
+play_until TERM --record full
 same 'a recording without room says so, and is played' \
-    'curtain: /dev/full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
+    'curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
 play_until TERM --record /proc/nothing/x.demo
 same 'and so where there is no such folder' 'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
     "$(grep curtain err) $got"
@@ -66,6 +67,12 @@ saved_again() { # it goes on: what it saved once, it saves anew
 holds 'a hangup that is ignored stays ignored' saved_again
 kill -TERM "$(cat child)"
 wait $shielded
+
+rm -rf "$scores"
+mkdir -p "$scores"
+play_until TERM
+same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' "$(grep -m 1 curtain: err)"
+rmdir "$scores"
 
 mkdir -p "$(dirname "$scores")"
 damaged() { # NAME BYTES

@@ -3,7 +3,8 @@
  * tests/cli/faults.sh.
  *
  *     INJECT=NAME:N        the N-th call of NAME, from 1, fails; 0: none does
- *     INJECT_COUNT=FILE    at the program's end, how many calls of NAME there were
+ *     INJECT_COUNT=FILE    at the program's end, how many calls of NAME there were, and how many pieces of memory were
+ *                          never given back
  *
  * NAME is malloc (with calloc and realloc), open, fopen, fwrite, fflush, fsync, fclose, rename or mkdir. What fails has
  * the errno that a full disk or short memory gives. GNU libc.
@@ -22,9 +23,10 @@
 void *__libc_malloc(size_t n);
 void *__libc_calloc(size_t n, size_t size);
 void *__libc_realloc(void *p, size_t n);
+void __libc_free(void *p);
 
 static char target[16];
-static long victim, calls;
+static long victim, calls, held;
 
 static void __attribute__((constructor)) begin(void)
 {
@@ -39,13 +41,13 @@ static void __attribute__((constructor)) begin(void)
 static void __attribute__((destructor)) end(void)
 {
     const char *file = getenv("INJECT_COUNT");
-    char text[32];
-    const long seen = calls; /* the count's own file is none of them */
+    char text[64];
+    const long seen = calls, kept = held; /* the count's own file is none of them */
     int fd = file ? (int)(victim = -1, open(file, O_WRONLY | O_CREAT | O_TRUNC, 0600)) : -1;
 
     if (fd < 0)
         return;
-    int n = snprintf(text, sizeof text, "%ld\n", seen);
+    int n = snprintf(text, sizeof text, "%ld %ld\n", seen, kept);
     (void)!write(fd, text, (size_t)n);
     close(fd);
 }
@@ -64,25 +66,37 @@ static void *real(const char *name)
 
 #define NO(result, why) return errno = (why), (result)
 
+static void *taken(void *p)
+{
+    held += p != NULL;
+    return p;
+}
+
 void *malloc(size_t n)
 {
     if (fails("malloc"))
         NO(NULL, ENOMEM);
-    return __libc_malloc(n);
+    return taken(__libc_malloc(n));
 }
 
 void *calloc(size_t n, size_t size)
 {
     if (fails("malloc"))
         NO(NULL, ENOMEM);
-    return __libc_calloc(n, size);
+    return taken(__libc_calloc(n, size));
 }
 
 void *realloc(void *p, size_t n)
 {
     if (fails("malloc"))
         NO(NULL, ENOMEM);
-    return __libc_realloc(p, n);
+    return p ? __libc_realloc(p, n) : taken(__libc_malloc(n));
+}
+
+void free(void *p)
+{
+    held -= p != NULL;
+    __libc_free(p);
 }
 
 /* open and fopen have other names in a program that takes files of any size. */

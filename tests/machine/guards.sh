@@ -64,7 +64,7 @@ task 'tasks into a full pool' 'while true do task.go(print) end' \
 task 'bullets' 'while true do bullet.clear() end'
 task 'each callback' 'local s = task.scope() enemy.each("x", print) while true do task.stop(s) end'
 task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP"
-task 'long texts' 'local s = ("x"):rep(60000) while true do local t = s .. "y" end'
+task 'long texts' 'local s = ("x"):rep(4000) while true do local t = s .. "y" end'
 task 'a task that waits in between' 'while true do for i = 1, 3 do pcall(wait, 0) end end'
 bomb 'after a thousand good turns' "main.lua:1: $LOOP" <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
 bomb 'loop in a handler' "main.lua:2: $LOOP" <<'LUA'
@@ -121,8 +121,8 @@ both 'pattern bomb, gsub' '("a"):rep(300):gsub(("a*"):rep(8) .. "b", "")'
 both 'pattern bomb, gmatch' 'for _ in ("a"):rep(300):gmatch(("a-"):rep(8) .. "b") do end'
 both 'pattern bomb, %b and %f' '("("):rep(60000):gsub("%b()", "")'$' while true do end'
 both 'format' '("%99999d"):format(1)' "invalid conversion '%999' to 'format'"
-both 'utf8.len of much' 'local s = ("x"):rep(60000) while true do utf8.len(s) end'
-both 'reverse of much' 'local s = ("x"):rep(60000) while true do s:reverse() end'
+both 'utf8.len of much' 'local s = ("x"):rep(4000) while true do utf8.len(s) end'
+both 'reverse of much' 'local s = ("x"):rep(4000) while true do s:reverse() end'
 
 # ---- what is not there ----
 
@@ -143,7 +143,9 @@ LUA
 both 'memory: tables in a table' 'local t = {} while true do t[#t + 1] = {} end' "$MEMORY"
 both 'memory: one big array' 'local t = {} for i = 1, 1e9 do t[i] = i end' "$MEMORY"
 both 'memory: a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end' "$MEMORY"
-both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' "$MEMORY"
+both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' \
+    'a text of 131072 bytes: a text has 65536 at most'
+both 'memory: many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(60000) .. #t end' "$MEMORY"
 both 'memory: string.rep' 'local s = ("x"):rep(1 << 27)' "$MEMORY"
 both 'memory: closures' 'local f while true do local g = f f = function() return g end end' "$MEMORY"
 both 'memory: many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end' "$MEMORY"
@@ -153,7 +155,6 @@ both 'memory: inside pcall' 'pcall(function() local t = {} while true do t[#t + 
 both 'memory: around pcall' 'local t = {} while true do pcall(function() t[#t + 1] = {} end) end' "$MEMORY"
 both 'memory: a gsub' '(("x"):rep(60000)):gsub(".", ("y"):rep(100))' "$MEMORY"
 both 'memory: error values' 'local t = {} while true do local _, e = pcall(error, {}) t[#t + 1] = e end' "$MEMORY"
-both 'memory: print' 'print(("x"):rep(400000):rep(4))' "$MEMORY"
 bomb 'memory: parked tasks' "main.lua:1: $MEMORY" <<<'task.go(function() for i = 1, 100 do task.go(function() local t = {} for k = 1, 4000 do t[k] = k end wait(forever) end) end end)'
 
 # ---- depth ----

@@ -634,7 +634,7 @@ static void test_errors(void **state)
     remove(in_dir("com4/x.txt"));
     put_text("a/b/c/d/e/f/g/h/i/x.lua", "");
     refused("a/b/c/d/e/f/g/h/i: more than 8 folders deep");
-    snprintf(want, sizeof want, "%s/none: cannot be read as a folder", dir);
+    snprintf(want, sizeof want, "%s/none: no such folder", dir);
     strcat(dir, "/none");
     refused(want);
     *strrchr(dir, '/') = '\0';

@@ -1,0 +1,15 @@
+/*
+ * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit for a terminal.
+ * floor: cab    used by: all of cab/ that prints
+ */
+#ifndef CAB_CLEAN_H
+#define CAB_CLEAN_H
+
+/* Blanks in place what a terminal would obey, and what would end the line: control characters but tabs, those of UTF-8
+ * (U+0080 to U+009F) too. A byte that belongs to no UTF-8 character becomes '?'. */
+void clean_line(char *s);
+
+/* The same of lines: newlines stay. */
+void clean_lines(char *s);
+
+#endif

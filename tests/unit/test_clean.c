@@ -1,0 +1,85 @@
+/* test_clean.c - text of others on its way to a terminal. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/clean.h"
+
+static void becomes(const char *want, const char *text)
+{
+    char line[64];
+
+    snprintf(line, sizeof line, "%s", text);
+    clean_line(line);
+    assert_string_equal(line, want);
+}
+
+static void control_characters(void **state)
+{
+    char lines[] = "a\nb\033\n";
+
+    (void)state;
+    becomes("", "");
+    becomes("plain, 100 %", "plain, 100 %");
+    becomes("a [31mb", "a\033[31mb");
+    becomes("a b c\td ", "a\nb\rc\td\177");
+    becomes("a  b", "a\xc2\x9b"
+                    "b"); /* CSI in UTF-8 */
+    becomes("a?b", "a\x9b"
+                   "b"); /* and in Latin-1 */
+    clean_lines(lines);
+    assert_string_equal(lines, "a\nb \n");
+}
+
+static void characters(void **state)
+{
+    (void)state;
+    becomes("\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0", "\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0");
+    becomes("\xf4\x8f\xbf\xbf", "\xf4\x8f\xbf\xbf");
+    becomes("??", "\xc0\x9b");           /* too long for what it says */
+    becomes("???", "\xe0\x82\x9b");      /* the same */
+    becomes("????", "\xf4\x90\x80\x80"); /* beyond the last */
+    becomes("???", "\xed\xa0\x80");      /* half of a pair */
+    becomes("?a?", "\xe3"
+                   "a\xc3"); /* cut short */
+}
+
+/* Whatever comes: no byte more or less, and what is clean stays so. */
+static void any_bytes(void **state)
+{
+    struct rng rng;
+    char text[40], once[40];
+
+    (void)state;
+    rng_seed(&rng, 7);
+    for (int i = 0; i < 100000; i++) {
+        size_t n = rng_below(&rng, sizeof text);
+        for (size_t k = 0; k < n; k++)
+            text[k] = (char)(1 + rng_below(&rng, 255));
+        text[n] = 0;
+        clean_line(text);
+        assert_int_equal(strlen(text), n);
+        for (size_t k = 0; k < n; k++) {
+            unsigned char c = (unsigned char)text[k];
+            assert_true((c >= 32 && c != 127) || c == '\t');
+            assert_false(c == 0xc2 && (unsigned char)text[k + 1] < 0xa0);
+        }
+        memcpy(once, text, sizeof text);
+        clean_line(text);
+        assert_string_equal(text, once);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(control_characters),
+        cmocka_unit_test(characters),
+        cmocka_unit_test(any_bytes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
