@@ -425,6 +425,9 @@ static void writes_one_nan(void **state)
           "'nan';'nan';'nan\\32.nan\\32.\\32.\\32.nan|nan\\32.\\32.|NAN';");
     gives(p, "local n = 0/0 return table.concat({n, -n}, ' '), ('a'):gsub('a', n), ('a'):gsub('a', {a = -n})",
           "'nan\\32.nan';'nan';'nan';1;");
+    gives(p,
+          "local t = setmetatable({}, {__tostring = function() return 0/0 end}) return tostring(t), ('%s'):format(t)",
+          "'nan';'nan';");
     gives(p, "return tostring(1/0), tostring(-1/0), ('%f %+f % f'):format(1/0, 1/0, -1/0)",
           "'inf';'-inf';'inf\\32.+inf\\32.-inf';");
 }
