@@ -3,13 +3,15 @@
  * floor: board    used by: board/ cab/
  *
  * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
- * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys. table.sort is
- * a stable merge sort. Texts never hold an address and a NaN is "nan"; string.format refuses %a %A %p, and %q of a
- * fraction. sin cos tan asin acos atan go through trig.h: good to about 1e-9. A malformed pattern is an error even
- * where matching would not have reached the flaw. load takes text only, and what script.h forbids is an error as of
- * syntax. setmetatable refuses __gc, __mode, and a __call that is no function. A text
- * has TEXT_MOST bytes at most. pcall catches what error and assert raised and nothing else. Work in C
- * is charged with vm_charge.
+ * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys and what is
+ * no table. table.sort is a stable merge sort that takes any comparator, writes only what moves and, when it fails,
+ * leaves the table as it was. Texts never hold an address, a NaN is "nan", and there is no __pow of texts;
+ * string.format refuses %a %A %p; its %q writes a whole float in decimal and refuses a fraction. sin cos tan asin
+ * acos atan go through trig.h: good to about 1e-9, or to x / 2^52 where x is large. A malformed pattern is an error
+ * even where matching would not have reached the flaw. load takes text only, what script.h forbids is an error as of
+ * syntax, and an error in its reader is passed on. setmetatable refuses __gc, __mode, and a __call that is no
+ * function. A text has TEXT_MOST bytes at most. pcall catches what error and assert raised and nothing else. Work in
+ * C is charged with vm_charge. tests/unit/test_lua_reference.c compares the two.
  */
 #ifndef BOARD_LUALIB_H
 #define BOARD_LUALIB_H

@@ -234,6 +234,7 @@ static void open_metatables(lua_State *L)
 static void read_pieces(lua_State *L)
 {
     luaL_Buffer out;
+    size_t n;
 
     luaL_buffinit(L, &out);
     for (;;) {
@@ -243,7 +244,8 @@ static void read_pieces(lua_State *L)
             break;
         if (!lua_isstring(L, -1))
             luaL_error(L, "reader function must return a string");
-        if (lua_rawlen(L, -1) == 0)
+        lua_tolstring(L, -1, &n);
+        if (n == 0)
             break;
         vm_charge(L, 1);
         luaL_addvalue(&out);
@@ -264,7 +266,7 @@ static int refuse_text(lua_State *L, const char *chunk, int line, const char *wh
     return 2;
 }
 
-/* load(text or function, name, mode, env); whatever mode says, text only. */
+/* load(text or function, name, mode, env); whatever mode says, text only. An error in the function is passed on. */
 static int base_load(lua_State *L)
 {
     bool reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
@@ -272,12 +274,14 @@ static int base_load(lua_State *L)
     size_t n;
     int line;
 
+    luaL_optstring(L, 3, NULL);
+    const char *chunk = luaL_optstring(L, 2, reader ? "=(load)" : lua_tostring(L, 1));
     if (reader)
         luaL_checktype(L, 1, LUA_TFUNCTION);
     lua_settop(L, 4);
     if (reader)
         read_pieces(L);
-    const char *text = lua_tolstring(L, 1, &n), *chunk = luaL_optstring(L, 2, reader ? "=(load)" : text);
+    const char *text = lua_tolstring(L, 1, &n);
     vm_charge(L, 1000 + n * 16);
     if (!script_scan(text, n, &line, &what))
         return refuse_text(L, chunk, line, what);
@@ -319,28 +323,21 @@ const char *lualib_names(const char *library)
     return NULL;
 }
 
-/* A stock function whose work grows with the text at argument 1 alone; upvalue: that function. */
+/* A stock function whose work grows with the text at argument 1 alone. */
 static int charged(lua_State *L)
 {
     if (lua_type(L, 1) == LUA_TSTRING)
         vm_charge(L, lua_rawlen(L, 1) / 4);
-    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+    return luaparts_stock(L);
 }
 
-/* A stock function whose work grows with how much it returns; upvalue: that function. */
+/* A stock function whose work grows with how much it returns. */
 static int charged_results(lua_State *L)
 {
-    int n = lua_tocfunction(L, lua_upvalueindex(1))(L);
+    int n = luaparts_stock(L);
 
     vm_charge(L, (unsigned)n / 4);
     return n;
-}
-
-static void wrap(lua_State *L, const char *name, lua_CFunction wrapper)
-{
-    lua_getfield(L, -1, name);
-    lua_pushcclosure(L, wrapper, 1);
-    lua_setfield(L, -2, name);
 }
 
 /* True when name is one of the words of list, which are separated by spaces. */
@@ -379,7 +376,7 @@ static void open_base(lua_State *L)
     lua_pushglobaltable(L);
     keep(L, lualib_names(""));
     luaL_setfuncs(L, functions, 0);
-    wrap(L, "tonumber", charged);
+    luaparts_wrap(L, "tonumber", charged);
     lua_pop(L, 1);
 }
 
@@ -389,10 +386,10 @@ static void open_string(lua_State *L)
     keep(L, lualib_names("string"));
     luapattern_open(L);
     luatext_open(L);
-    wrap(L, "byte", charged_results);
-    wrap(L, "lower", charged);
-    wrap(L, "reverse", charged);
-    wrap(L, "upper", charged);
+    luaparts_wrap(L, "byte", charged_results);
+    luaparts_wrap(L, "lower", charged);
+    luaparts_wrap(L, "reverse", charged);
+    luaparts_wrap(L, "upper", charged);
     lua_pop(L, 1);
 }
 

@@ -24,6 +24,20 @@ int luatext_tostring(lua_State *L);
 /* Pushes the text of the number at idx. */
 void luatext_push_number(lua_State *L, int idx);
 
+/* Puts f in the place of the stock function of this name in the table on top, which f calls with luaparts_stock. */
+static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f)
+{
+    lua_getfield(L, -1, name);
+    lua_pushcclosure(L, f, 1);
+    lua_setfield(L, -2, name);
+}
+
+/* Calls the stock function, which is upvalue 1, in the place of the function that runs. Returns how many results. */
+static inline int luaparts_stock(lua_State *L)
+{
+    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+}
+
 /* A position in a text of n bytes, as strings and utf8 count: from 1, or from -1 back. Never below 0. */
 static inline size_t luatext_position(lua_Integer i, size_t n)
 {

@@ -56,7 +56,7 @@ struct matcher {
     lua_State *L;
     struct op *ops;
     const char *from, *to; /* the subject */
-    uint32_t work;
+    uint64_t work;         /* not yet charged */
     int captures;
     struct capture capture[CAPTURES];
 };
@@ -66,7 +66,7 @@ struct matcher {
 struct compiler {
     lua_State *L;
     const char *p, *end;
-    struct op *op; /* the next to write */
+    struct op *ops;
     int count, last_repeat, captures;
     bool open[CAPTURES];
 };
@@ -81,70 +81,37 @@ static bool in(const uint64_t set[4], unsigned char c)
     return set[c >> 6] >> (c & 63) & 1;
 }
 
-static void put_range(uint64_t set[4], unsigned from, unsigned to)
-{
-    for (unsigned c = from; c <= to; c++)
-        put(set, c);
-}
-
-/* The class of a lower-case letter, ASCII alone; false: no such class. */
-static bool put_class(uint64_t set[4], int letter)
-{
-    const uint64_t upper = 0x7fffffe, digits = 0x03ff000000000000, print_low = 0xffffffff00000000;
-    uint64_t low = 0, high = 0;
-
-    switch (letter) {
-    case 'a':
-        high = upper | upper << 32;
-        break;
-    case 'c':
-        low = ~print_low, high = (uint64_t)1 << 63;
-        break;
-    case 'd':
-        low = digits;
-        break;
-    case 'g':
-        low = print_low & ~(uint64_t)(1ull << 32), high = ~(uint64_t)(1ull << 63);
-        break;
-    case 'l':
-        high = upper << 32;
-        break;
-    case 'p':
-        low = print_low & ~(uint64_t)(1ull << 32) & ~digits, high = ~(uint64_t)(1ull << 63) & ~(upper | upper << 32);
-        break;
-    case 's':
-        low = 0x3e00 | 1ull << 32;
-        break;
-    case 'u':
-        high = upper;
-        break;
-    case 'w':
-        low = digits, high = upper | upper << 32;
-        break;
-    case 'x':
-        low = digits, high = 0x7e | 0x7eull << 32;
-        break;
-    case 'z':
-        low = 1;
-        break;
-    default:
-        return false;
-    }
-    set[0] |= low;
-    set[1] |= high;
-    return true;
-}
+/* The classes, ASCII alone: a bit for each character below 64, and for each from 64 to 127. */
+static const struct {
+    unsigned char letter;
+    uint64_t low, high;
+} classes[] = {
+    { 'a', 0, 0x07fffffe07fffffe },
+    { 'c', 0x00000000ffffffff, 0x8000000000000000 },
+    { 'd', 0x03ff000000000000, 0 },
+    { 'g', 0xfffffffe00000000, 0x7fffffffffffffff },
+    { 'l', 0, 0x07fffffe00000000 },
+    { 'p', 0xfc00fffe00000000, 0x78000001f8000001 },
+    { 's', 0x0000000100003e00, 0 },
+    { 'u', 0, 0x0000000007fffffe },
+    { 'w', 0x03ff000000000000, 0x07fffffe07fffffe },
+    { 'x', 0x03ff000000000000, 0x0000007e0000007e },
+    { 'z', 1, 0 },
+};
 
 /* What % and this character stand for: a class, its complement for a capital, or the character itself. */
 static void put_escape(uint64_t set[4], unsigned char c)
 {
-    uint64_t class[4] = { 0 };
-    bool capital = c >= 'A' && c <= 'Z';
-
-    if (!put_class(class, capital ? c - 'A' + 'a' : c))
-        put(class, c), capital = false;
-    for (int i = 0; i < 4; i++)
-        set[i] |= capital ? ~class[i] : class[i];
+    for (size_t i = 0; i < sizeof classes / sizeof *classes; i++)
+        if (classes[i].letter == (c | 0x20)) {
+            uint64_t flip = c & 0x20 ? 0 : ~(uint64_t)0;
+            set[0] |= classes[i].low ^ flip;
+            set[1] |= classes[i].high ^ flip;
+            set[2] |= flip;
+            set[3] |= flip;
+            return;
+        }
+    put(set, c);
 }
 
 /* The index behind the ] that closes the set whose [ stands before p. A ] right at the start is an ordinary one. */
@@ -161,35 +128,33 @@ static const char *set_end(struct compiler *c, const char *p)
     return p + 1;
 }
 
-/* Reads a set, c->p behind its [. */
+/* Reads a set, c->p behind its [, into an empty one. */
 static void read_set(struct compiler *c, uint64_t set[4])
 {
     const char *end = set_end(c, c->p), *last = end - 1, *p = c->p;
-    bool not = *p == '^';
+    bool complement = *p == '^';
 
-    memset(set, 0, 4 * sizeof *set);
-    for (p += not ; p < last; p++) {
-        if (*p == ESCAPE)
+    for (p += complement; p < last; p++) {
+        if (*p == ESCAPE) {
             put_escape(set, (unsigned char)*++p);
-        else if (p + 2 < last && p[1] == '-')
-            put_range(set, (unsigned char)p[0], (unsigned char)p[2]), p += 2;
-        else
+        } else if (p + 2 < last && p[1] == '-') {
+            for (unsigned ch = (unsigned char)p[0]; ch <= (unsigned char)p[2]; ch++)
+                put(set, ch);
+            p += 2;
+        } else {
             put(set, (unsigned char)*p);
+        }
     }
-    for (int i = 0; not &&i < 4; i++)
+    for (int i = 0; complement && i < 4; i++)
         set[i] = ~set[i];
     c->p = end;
 }
 
 static struct op *emit(struct compiler *c, enum op_kind kind, unsigned a)
 {
-    struct op *op = c->op++;
+    struct op *op = &c->ops[c->count++];
 
-    op->kind = (uint8_t)kind;
-    op->a = (uint8_t)a;
-    op->repeat = 0;
-    op->retry = c->last_repeat;
-    c->count++;
+    *op = (struct op){ .kind = (uint8_t)kind, .a = (uint8_t)a, .retry = c->last_repeat };
     return op;
 }
 
@@ -215,9 +180,10 @@ static void read_close(struct compiler *c)
     luaL_error(c->L, "invalid pattern capture");
 }
 
-static void read_back(struct compiler *c, int digit)
+/* The three that follow: c->p at the character behind the %. */
+static void read_back(struct compiler *c)
 {
-    int i = digit - '1';
+    int i = *c->p++ - '1';
 
     if (i < 0 || i >= c->captures || c->open[i])
         luaL_error(c->L, "invalid capture index %%%d in pattern", i + 1);
@@ -226,18 +192,16 @@ static void read_back(struct compiler *c, int digit)
 
 static void read_balance(struct compiler *c)
 {
-    if (c->end - c->p < 2)
+    if (c->end - c->p < 3)
         luaL_error(c->L, "malformed pattern (missing arguments to '%%b')");
-    struct op *op = emit(c, OP_BALANCE, (unsigned char)c->p[0]);
-    op->b = (uint8_t)c->p[1];
-    c->p += 2;
+    emit(c, OP_BALANCE, (unsigned char)c->p[1])->b = (uint8_t)c->p[2];
+    c->p += 3;
 }
 
 static void read_frontier(struct compiler *c)
 {
-    if (c->p == c->end || *c->p != '[')
+    if (++c->p == c->end || *c->p++ != '[')
         luaL_error(c->L, "missing '[' after '%%f' in pattern");
-    c->p++;
     read_set(c, emit(c, OP_FRONTIER, 0)->set);
 }
 
@@ -262,7 +226,6 @@ static void read_single(struct compiler *c, char first)
         op->a = e;
         if ((e >= 'A' && e <= 'Z') || (e >= 'a' && e <= 'z')) {
             op->kind = OP_SET;
-            memset(op->set, 0, sizeof op->set);
             put_escape(op->set, e);
         }
     }
@@ -273,27 +236,20 @@ static void read_escape(struct compiler *c)
 {
     if (c->p == c->end)
         luaL_error(c->L, "malformed pattern (ends with '%%')");
-    switch (*c->p) {
-    case 'b':
-        c->p++;
+    if (*c->p == 'b')
         read_balance(c);
-        break;
-    case 'f':
-        c->p++;
+    else if (*c->p == 'f')
         read_frontier(c);
-        break;
-    default:
-        if (*c->p >= '0' && *c->p <= '9')
-            read_back(c, *c->p++);
-        else
-            read_single(c, ESCAPE);
-    }
+    else if (*c->p >= '0' && *c->p <= '9')
+        read_back(c);
+    else
+        read_single(c, ESCAPE);
 }
 
 /* Compiles pattern [p, end) into ops, which have room for an op a byte and one more. Returns the count of captures. */
 static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
 {
-    struct compiler c = { .L = L, .p = p, .end = end, .op = ops, .last_repeat = -1 };
+    struct compiler c = { .L = L, .p = p, .end = end, .ops = ops, .last_repeat = -1 };
 
     vm_charge(L, (uint64_t)(end - p));
     while (c.p < end) {
@@ -326,7 +282,7 @@ static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
 
 static void settle(struct matcher *m)
 {
-    uint32_t work = m->work;
+    uint64_t work = m->work;
 
     m->work = 0;
     vm_charge(m->L, work);
@@ -334,11 +290,7 @@ static void settle(struct matcher *m)
 
 static void charge(struct matcher *m, size_t work)
 {
-    if (work >= CHARGE_EVERY) {
-        vm_charge(m->L, work);
-        return;
-    }
-    m->work += (uint32_t)work;
+    m->work += work;
     if (m->work >= CHARGE_EVERY)
         settle(m);
 }
@@ -644,38 +596,34 @@ static int string_match(lua_State *L)
 
 /* ---- gmatch ---- */
 
-enum { GMATCH_TEXT = 1, GMATCH_OPS, GMATCH_CAPTURES, GMATCH_NEXT, GMATCH_LAST }; /* upvalues; offsets, -1: none */
+/* Upvalue 2; upvalue 1 is the text. */
+struct walk {
+    size_t next, last; /* where to go on, and the end of the last match; NOWHERE: there is none */
+    int captures;
+    struct op ops[];
+};
 
-static lua_Integer upvalue(lua_State *L, int i)
-{
-    return lua_tointeger(L, lua_upvalueindex(i));
-}
-
-static void set_upvalue(lua_State *L, int i, lua_Integer v)
-{
-    lua_pushinteger(L, v);
-    lua_replace(L, lua_upvalueindex(i));
-}
+static const size_t NOWHERE = SIZE_MAX;
 
 static int next_match(lua_State *L)
 {
     size_t n;
-    const char *s = lua_tolstring(L, lua_upvalueindex(GMATCH_TEXT), &n);
+    const char *s = lua_tolstring(L, lua_upvalueindex(1), &n);
+    struct walk *w = lua_touserdata(L, lua_upvalueindex(2));
     struct matcher m;
 
-    start(&m, L, lua_touserdata(L, lua_upvalueindex(GMATCH_OPS)), s, n);
-    m.captures = (int)upvalue(L, GMATCH_CAPTURES);
-    if ((size_t)upvalue(L, GMATCH_NEXT) > n)
+    if (w->next > n)
         return 0;
-    const char *at = s + upvalue(L, GMATCH_NEXT), *e;
-    while ((e = search(&m, &at)) != NULL && e - s == upvalue(L, GMATCH_LAST))
+    start(&m, L, w->ops, s, n);
+    m.captures = w->captures;
+    const char *at = s + w->next, *e;
+    while ((e = search(&m, &at)) != NULL && (size_t)(e - s) == w->last)
         if (at++ == m.to) {
             e = NULL;
             break;
         }
     settle(&m);
-    set_upvalue(L, GMATCH_NEXT, e ? e - s : (lua_Integer)n + 1);
-    set_upvalue(L, GMATCH_LAST, e ? e - s : -1);
+    w->next = w->last = e ? (size_t)(e - s) : NOWHERE;
     return e ? push_captures(&m, at, e, true) : 0;
 }
 
@@ -686,14 +634,12 @@ static int string_gmatch(lua_State *L)
     const char *p = luaL_checklstring(L, 2, &pn);
     size_t init = luatext_position(luaL_optinteger(L, 3, 1), n);
 
-    init -= init > 0;
-    lua_settop(L, 2);
     lua_pushvalue(L, 1);
-    struct op *ops = lua_newuserdatauv(L, (pn + 1) * sizeof *ops, 0);
-    lua_pushinteger(L, compile(L, ops, p, p + pn));
-    lua_pushinteger(L, (lua_Integer)(init > n ? n + 1 : init));
-    lua_pushinteger(L, -1);
-    lua_pushcclosure(L, next_match, 5);
+    struct walk *w = lua_newuserdatauv(L, sizeof *w + (pn + 1) * sizeof *w->ops, 0);
+    w->next = init - (init > 0);
+    w->last = NOWHERE;
+    w->captures = compile(L, w->ops, p, p + pn);
+    lua_pushcclosure(L, next_match, 2);
     return 1;
 }
 

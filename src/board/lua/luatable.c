@@ -266,7 +266,8 @@ static int table_move(lua_State *L)
     lua_Integer from = luaL_checkinteger(L, 2), last = luaL_checkinteger(L, 3), to = luaL_checkinteger(L, 4);
     int into = lua_isnoneornil(L, 5) ? 1 : 5;
 
-    luaL_checktype(L, 1, LUA_TTABLE);
+    if (into == 1 || lua_type(L, 1) != LUA_TSTRING) /* what has an __index can be read */
+        luaL_checktype(L, 1, LUA_TTABLE);
     luaL_checktype(L, into, LUA_TTABLE);
     if (last >= from) {
         luaL_argcheck(L, from > 0 || last < LUA_MAXINTEGER + from, 3, "too many elements to move");
@@ -293,7 +294,7 @@ static size_t add_field(lua_State *L, luaL_Buffer *out, lua_Integer i)
         luatext_push_number(L, -1);
         lua_remove(L, -2);
     } else if (type != LUA_TNUMBER && type != LUA_TSTRING) {
-        luaL_error(L, "invalid value (at index %I) in table for 'concat'", (LUAI_UACINT)i);
+        luaL_error(L, "invalid value (%s) at index %I in table for 'concat'", luaL_typename(L, -1), (LUAI_UACINT)i);
     }
     lua_tolstring(L, -1, &n);
     luaL_addvalue(out);
