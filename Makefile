@@ -25,7 +25,7 @@ GAME    := roms/glasstide
 
 # -fwrapv and -ffp-contract=off are semantics: results may not depend on overflow rules or fused multiplications.
 SEMANTIC := -std=c11 -fwrapv -ffp-contract=off
-WARN     := -Wall -Wextra -Wshadow -Wconversion
+WARN     := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
 LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
 LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
@@ -100,6 +100,8 @@ $(OUT)/%.o: %.c
 
 $(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
+# -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
+$(OUT)/machine/test_fine: ALL_C += -Wno-pedantic
 
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
