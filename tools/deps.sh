@@ -42,6 +42,9 @@ for what; do
         have openbox || need openbox
         have identify || need imagemagick
         [ -e /usr/share/i18n/locales/de_DE ] || need locales
+        have desktop-file-validate || need desktop-file-utils
+        have appstreamcli || need appstream
+        have mandoc || need mandoc
         ;;
     fuzz)
         have clang || need clang

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# install.sh - what make install puts where: the programs, the documents, and the examples and games that README says to
-# copy, which the installed program checks and packs. One file for a friend, with another game in it. make null asks for no
+# install.sh - what make install puts where: the programs, the documents, the examples and games that README says to copy,
+# which the installed program checks and packs; the manual page and the desktop's entry, which their checkers pass; and
+# make uninstall takes all of it away. One file for a friend, with another game in it. make null asks for no
 # SDL2.
 . "$(dirname "$0")/../check.sh"
 repo=$PWD
@@ -9,7 +10,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS
 # A copy of the tree, with what is built of the release.
 tree=$scratch/tree
 mkdir -p "$tree/build/release"
-cp -a Makefile README.md docs examples fb platform roms scripts src tools "$tree"
+cp -a Makefile README.md CHANGELOG.md LICENSE docs examples fb platform roms scripts share src tools "$tree"
 mkdir "$tree/tests"
 for part in src fb platform gen embed curtain-bare curtain curtain-null game.rom game.is; do
     [ ! -e "build/release/$part" ] || cp -a "build/release/$part" "$tree/build/release/"
@@ -31,6 +32,57 @@ check 'an installed example, copied, is fine' "$installed" check mygame
 check 'and packs' "$installed" pack mygame -o mygame.rom
 check 'and runs' "$installed" hash mygame.rom --frames 60
 cd "$repo" || exit 2
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
+named() { "$installed" version | grep -q "^curtain $release "; }
+check 'it says which release it is' named
+
+# What the desktop and man look for.
+usr=$scratch/root/usr
+page() { # NAME: as man shows it
+    man -l "$usr/share/man/man1/$1.1" 2>&1 | tr -s ' \n' ' ' >"$scratch/page"
+    grep -q 'NAME curtain, curtain-null - play, record and verify' "$scratch/page" || { cat "$scratch/page"; return 1; }
+}
+read_page() { (cd "$usr/share/man" && page curtain); }
+if command -v man >/dev/null; then check 'man shows the page' read_page; else echo '# no man here'; fi
+other_name() { [ "$(cat "$usr/share/man/man1/curtain-null.1")" = '.so man1/curtain.1' ]; }
+check 'curtain-null has the same page' other_name
+entry=$usr/share/applications/curtain.desktop
+check 'the entry of the menu is valid' desktop-file-validate "$entry"
+starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=//p' "$entry")" ]; }
+check 'it starts the installed program' starts
+icons() { # of three sizes
+    local size
+    for size in 48 128 256; do
+        identify -format '%wx%h' "$usr/share/icons/hicolor/${size}x$size/apps/$(sed -n 's/^Icon=//p' "$entry").png" |
+            grep -qx "${size}x$size" || return 1
+    done
+}
+check 'its icon is there, of each size' icons
+data=$usr/share/metainfo/org.curtain.Curtain.metainfo.xml
+check 'the data for software centres are valid' appstreamcli validate --no-net "$data"
+sed 's/<id>.*</<id></' "$data" >"$scratch/org.curtain.Curtain.metainfo.xml"
+refuse 'planted: without an id' 'Validation failed' appstreamcli validate --no-net "$scratch/org.curtain.Curtain.metainfo.xml"
+sed '/^Type=/d' "$entry" >"$scratch/curtain.desktop"
+refuse 'planted: an entry of no type' 'Type' desktop-file-validate "$scratch/curtain.desktop"
+
+# Away again: all that was put there, and nothing else.
+gone() { # what is left is FILE..., and no folder of ours is without a file
+    local left
+    left=$(cd "$usr" && find . -type f | sort)
+    [ "$left" = "$*" ] || { echo "left: $left"; return 1; }
+    [ -z "$(find "$usr" -type d -name curtain -empty)" ]
+}
+echo 'return 1' >"$share/examples/first/mine.lua"
+touch "$usr/bin/other"
+uninstall() { makes uninstall DESTDIR="$scratch/root" PREFIX=/usr; }
+check 'make uninstall' uninstall
+check 'what others put there stays' gone "./bin/other
+./share/curtain/examples/first/mine.lua"
+rm "$share/examples/first/mine.lua" "$usr/bin/other"
+check 'once more' uninstall
+check 'nothing is left' gone
+ours() { [ ! -e "$share" ] && [ ! -e "$usr/share/doc/curtain" ]; }
+check 'nor any folder of its own' ours
 
 # The game that is built in is the one asked for, whatever was built in before, and follows its files.
 built_in() { # GAME [ARGUMENT]...: of make
