@@ -60,7 +60,8 @@ SAY = $(if $(V),@true,@echo)
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
 .PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
-all: deps-play
+# These build and install nothing: what is missing they say. play, test and deps get it.
+all: say-play
 	@$(MAKE) --no-print-directory build/curtain build/curtain-null build/curtain.1 build/curtain-null.1
 
 help:
@@ -83,8 +84,10 @@ deps:
 	@tools/deps.sh
 deps-%:
 	@tools/deps.sh $(subst -, ,$*)
+say-%:
+	@tools/deps.sh --say $(subst -, ,$*)
 
-null: deps-null
+null: say-null
 	@$(MAKE) --no-print-directory build/curtain-null
 
 build/curtain: $(OUT)/curtain

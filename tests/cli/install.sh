@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # install.sh - what make install puts where: the programs, the documents, the examples and games that README says to copy,
 # which the installed program checks and packs; the manual page and the desktop's entry, which their checkers pass; and
-# make uninstall takes all of it away. One file for a friend, with another game in it. make null asks for no
-# SDL2.
+# make uninstall takes all of it away. One file for a friend, with another game in it. What is missing is said by make and
+# make all, which install nothing, and installed by make play; make null asks for no SDL2.
 . "$(dirname "$0")/../check.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -110,17 +110,42 @@ not_again() { # nothing that is there is made once more
 check 'nothing is built twice' not_again
 check 'it is one file' bash -c 'cd / && exec "$1" hash --frames 1' - "$tree/build/curtain"
 
-# What make null asks for, on a machine that has nothing.
-asks() { # WHAT: with no programs and no headers
-    mkdir -p "$scratch/bin"
-    ln -sf "$(command -v dirname)" "$(command -v sh)" "$scratch/bin/"
-    sed 's,/usr/include/,/none/,' tools/deps.sh >"$scratch/deps.sh"
-    PATH=$scratch/bin sh "$scratch/deps.sh" "$1" 2>&1
+# A machine that has make and the plainest programs, apt-get, which writes down that it was asked, and no headers.
+bare=$scratch/bin
+mkdir -p "$bare"
+for word in dirname env find id make mkdir sh sort; do ln -sf "$(command -v $word)" "$bare/"; done
+printf '#!/bin/sh\necho "$@" >>"%s/asked"\n' "$scratch" >"$bare/apt-get"
+printf '#!/bin/sh\nexec "$@"\n' >"$bare/sudo"
+chmod +x "$bare/apt-get" "$bare/sudo"
+sed -i 's,/usr/include/,/none/,' "$tree/tools/deps.sh"
+asks() { # GOAL: of make there; what it says is in $scratch/says, what apt-get is asked in $scratch/asked
+    : >"$scratch/asked"
+    PATH=$bare make --no-print-directory -C "$tree" "$1" >"$scratch/says" 2>&1
 }
-without_sdl() { asks null | grep -q 'gcc .*liblua5.4-dev' && ! asks null | grep -q sdl; }
-check 'what is needed without a window has no SDL2' without_sdl
-with_sdl() { asks play | grep -q libsdl2-dev; }
-check 'with one it has' with_sdl
-asks_null() { make -n null | grep -qx 'tools/deps.sh null'; }
-check 'make null asks for the former' asks_null
+says() { # GOAL PACKAGES: make fails with one line to paste; apt-get is not asked
+    asks "$1" && { echo "make $1 does not fail"; return 1; }
+    cat "$scratch/says"
+    grep -qE "^curtain: something is missing; this installs it: (sudo )?apt-get install $2\$" "$scratch/says" && [ ! -s "$scratch/asked" ]
+}
+check 'make says what is missing, and installs nothing' says all 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
+check 'make null does, and asks for no SDL2' says null 'gcc libc6-dev pkg-config liblua5.4-dev libstb-dev'
+check 'make install does' says install 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
+installs() { # GOAL PACKAGE...: each of them asked of apt-get
+    local package
+    asks "$1"
+    cat "$scratch/says"
+    for package in "${@:2}"; do grep -q "^install .* $package\b" "$scratch/asked" || return 1; done
+}
+check 'make play installs it' installs play gcc libsdl2-dev
+check 'make test does, and what the tests need' installs test gcc libsdl2-dev libcmocka-dev appstream desktop-file-utils
+check 'make deps does' installs deps gcc libsdl2-dev libcmocka-dev
+refuse 'planted: a goal that installs' 'curtain: installing' says play 'gcc .*'
+lua_only() { # a machine whose pkg-config has no Lua
+    printf '#!/bin/sh\ncase "$*" in *lua*) exit 1 ;; esac\n' >"$bare/pkg-config"
+    chmod +x "$bare/pkg-config"
+    for word in cc gcc; do ln -sf "$(command -v $word)" "$bare/"; done
+    cp tools/deps.sh "$tree/tools/deps.sh"
+    says all liblua5.4-dev
+}
+check 'one library that is missing is one word' lua_only
 done_testing
