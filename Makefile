@@ -77,7 +77,7 @@ help:
 	@echo "make accuracy measure docs/accuracy.md anew"
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
-	@echo "make bench    measure docs/speed.md anew              make format   make clean"
+	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -100,6 +100,7 @@ build/curtain.1: $(OUT)/curtain-bare tools/manpage.sh
 	$(SAY) "  MAKE  $@"
 	$(Q)tools/manpage.sh "$(RUN) $<" > $@
 build/curtain-null.1:
+	@mkdir -p $(@D)
 	@echo '.so man1/curtain.1' > $@
 
 # ---- programs ----
