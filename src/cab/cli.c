@@ -21,6 +21,7 @@
 #include "headless.h"
 #include "host/keys.h"
 #include "verify.h"
+#include "version.h"
 
 #ifndef CURTAIN_CFLAGS
 #define CURTAIN_CFLAGS "unknown"
@@ -208,11 +209,10 @@ static const char *byte_order(void)
 
 static int version(void)
 {
-    printf("curtain core version %d\n", CORE_VERSION);
+    printf("curtain %s (core %d, %s)\n", CURTAIN_VERSION, CORE_VERSION, LUA_RELEASE);
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
-    puts(LUA_RELEASE);
     return stdout_done(EXIT_DONE);
 }
 
