@@ -163,7 +163,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := board/vm board/vm_count board/board board/eval cab/run/guard
+SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"

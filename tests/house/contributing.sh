@@ -74,10 +74,10 @@ api() {
             /^#define NO_PARAMS/ { while ((getline line <sign) > 0) print line }
             { print }
             /^static const struct api_entry entries/ { while ((getline line <row) > 0) print line }' \
-            src/board/api_rng.c >"$copy/src/board/api_rng.c" || return
-    grep -q '^static int rng_sign' "$copy/src/board/api_rng.c" || return
+            src/board/api/api_rng.c >"$copy/src/board/api/api_rng.c" || return
+    grep -q '^static int rng_sign' "$copy/src/board/api/api_rng.c" || return
     # shellcheck disable=SC2046
-    compile "$copy/src/board/api_rng.c" $(objects board/api_rng.o) "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
+    compile "$copy/src/board/api/api_rng.c" $(objects board/api/api_rng.o) "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
         mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
         echo 'local n = 0 for i = 1, 1000 do local s = rng.sign() assert(s == 1 or s == -1) n = n + s end assert(n > -200 and n < 200)' \
             >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&
