@@ -24,7 +24,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What a compiler does not tell by a macro, sums.h finds when the program runs. */
+/* What a compiler does not tell by a macro, ieee.h finds when the program runs. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
     defined(__NO_SIGNED_ZEROS__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "build without -ffast-math and its parts: results must be the same everywhere"
@@ -66,6 +66,28 @@ static inline fx fx_sat(int64_t v)
         return (fx)(v >> 63 ^ FX_MAX);
     }
     return (fx)v;
+}
+
+static inline fx fx_min(fx a, fx b)
+{
+    return a < b ? a : b;
+}
+
+static inline fx fx_max(fx a, fx b)
+{
+    return a > b ? a : b;
+}
+
+/* v clamped to lo..hi, lo <= hi. */
+static inline fx fx_clamp(fx v, fx lo, fx hi)
+{
+    return v < lo ? lo : v > hi ? hi : v;
+}
+
+/* |v|, v > FX_MIN. */
+static inline fx fx_abs(fx v)
+{
+    return v < 0 ? -v : v;
 }
 
 /* The high half of the 128-bit product; the low half is a * b. */
@@ -160,13 +182,13 @@ static inline fx fx_add(fx a, fx b)
 
 static inline fx fx_sub(fx a, fx b)
 {
-    fx rest = (fx)((uint32_t)a - (uint32_t)b);
+    fx diff = (fx)((uint32_t)a - (uint32_t)b);
 
-    if (!FX_USUAL(((a ^ rest) & (a ^ b)) >= 0)) {
+    if (!FX_USUAL(((a ^ diff) & (a ^ b)) >= 0)) {
         FX_RARE(a);
         return a >> 31 ^ FX_MAX;
     }
-    return rest;
+    return diff;
 }
 
 /* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; a tie that came out odd is one too many. */

@@ -51,7 +51,7 @@ static void control_back(const struct host *h)
 #endif
 }
 
-void host_aside(struct host *h)
+void host_enter(struct host *h)
 {
     fegetenv(&h->numbers);
     control_aside(h);
@@ -59,7 +59,7 @@ void host_aside(struct host *h)
     words_aside(h);
 }
 
-void host_back(const struct host *h)
+void host_leave(const struct host *h)
 {
     words_back(h);
     fesetenv(&h->numbers);

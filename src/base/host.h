@@ -4,7 +4,7 @@
  *
  * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
  * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between
- * host_aside and host_back: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
+ * host_enter and host_leave: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
  * nothing, and leaves all as it was, flags that were raised included. Both together take a quarter of a microsecond and,
  * with glibc and musl, no memory. The locale of a host without POSIX's thread locales has to be C.
  */
@@ -34,9 +34,9 @@ struct host {
 #endif
 };
 
-void host_aside(struct host *h);
+void host_enter(struct host *h);
 
-/* On the thread that called host_aside. */
-void host_back(const struct host *h);
+/* On the thread that called host_enter. */
+void host_leave(const struct host *h);
 
 #endif

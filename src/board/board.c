@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
-#include "../base/sums.h"
+#include "../base/ieee.h"
 #include "events_run.h"
 #include "hit.h"
 #include "../base/host.h"
@@ -240,7 +240,7 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
                            char *err, size_t err_size)
 {
     struct board *b = (struct board *)ram;
-    const char *wrong = sums_wrong();
+    const char *wrong = ieee_fault();
     size_t need;
 
     if (wrong) {
@@ -278,9 +278,9 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
 {
     struct host host;
 
-    host_aside(&host);
+    host_enter(&host);
     struct board *b = power(ram, size, rom, start, count, err, err_size);
-    host_back(&host);
+    host_leave(&host);
     return b;
 }
 
@@ -384,9 +384,9 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
 {
     struct host host;
 
-    host_aside(&host);
+    host_enter(&host);
     tick(b, pads);
-    host_back(&host);
+    host_leave(&host);
     return &b->hand->out;
 }
 

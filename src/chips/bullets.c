@@ -496,7 +496,7 @@ static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
         return 0;
     found = slots_gather(out) & b->idle[block];
     for (uint64_t m = found; m; m &= m - 1)
-        fetch(b, block * SLOTS_BLOCK + lowest_bit(m));
+        fetch(b, block * SLOTS_BLOCK + bits_lowest(m));
     return found;
 }
 
@@ -505,7 +505,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
 
     for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
-        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
+        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         enum rest rest = REST_BUSY;
         if (woken & bit(i) && b->end[i] != w->clock)
             rest = REST_IDLE;
@@ -637,7 +637,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
     for (uint32_t p = 0; p < PADS; p++)
         hold |= near[p];
     for (uint64_t m = named & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
-        uint32_t i = first + lowest_bit(m);
+        uint32_t i = first + bits_lowest(m);
         fx x = b->x[i], y = b->y[i];
         if (x >= keep->x0 && x <= keep->x1 && y >= keep->y0 && y <= keep->y1)
             continue;

@@ -64,11 +64,6 @@ void player_leave(struct player *p, uint32_t i)
     player_place(p, i, PARK, PARK);
 }
 
-static fx clamp(fx v, fx lo, fx hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held,
                      const struct box *area)
 {
@@ -79,10 +74,10 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     fx speed = p->focus[i] ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
         speed = fx_mul(speed, DIAGONAL);
-    p->was_x[i] = clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
-    p->was_y[i] = clamp(p->y[i], area->y0, area->y1);
-    p->x[i] = clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
-    p->y[i] = clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
+    p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
+    p->was_y[i] = fx_clamp(p->y[i], area->y0, area->y1);
+    p->x[i] = fx_clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
+    p->y[i] = fx_clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
 }
 
 void player_count(struct player *p)

@@ -25,6 +25,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../base/bits.h"
 #include "../base/bytes.h"
 
 enum column_kind {
@@ -166,19 +167,6 @@ typedef void slots_visit(void *context, const struct slots_value *v);
 /* Visits all that slots_hash folds, in its order. */
 void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
 
-/* The lowest set bit of a non-zero word. */
-static inline uint32_t lowest_bit(uint64_t w)
-{
-#ifdef __GNUC__
-    return (uint32_t)__builtin_ctzll(w);
-#else
-    uint32_t n = 0;
-    for (; !(w & 1); w >>= 1)
-        n++;
-    return n;
-#endif
-}
-
 /* Asks the processor for the cache line at p: it will be read soon. Changes nothing. */
 static inline void slots_fetch(const void *p)
 {
@@ -195,7 +183,7 @@ static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
     uint64_t m = 0;
 
     for (int i = 0; i < 8; i++)
-        m |= (get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
+        m |= (bytes_get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
     return m;
 }
 

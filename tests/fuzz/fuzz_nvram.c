@@ -24,7 +24,7 @@ static void edit(uint8_t *image, const uint8_t *data, size_t size)
     memset(image, 0, NV_BYTES);
     memcpy(image, "NV01", 4);
     for (size_t at = 0; size - at >= 3;) {
-        size_t to = get16(data + at) % NV_BYTES, n = data[at + 2] % 64u;
+        size_t to = bytes_get16(data + at) % NV_BYTES, n = data[at + 2] % 64u;
         at += 3;
         n = n < size - at ? n : size - at;
         n = n < NV_BYTES - to ? n : NV_BYTES - to;

@@ -84,7 +84,7 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
 
     assert_non_null(lump);
     for (int i = 0; i < 9; i++)
-        put16(lump + 2 * i, (uint16_t)header[i]);
+        bytes_put16(lump + 2 * i, (uint16_t)header[i]);
     for (int y = 0; y < frames * turns * h; y++)
         for (int x = 0; x < w; x++)
             lump[CART_GFX_HEADER + y * pitch + x] = (uint8_t)(below(100) < solid ? bank * 16 + 1 + below(15) : 0);
@@ -171,7 +171,7 @@ static struct {
 
 static void picture(struct rig *r, const struct bullets *s, const struct bullet_kinds *k)
 {
-    static const int coats[] = { VIDEO_NO_COATS, 0, 1, 5, VIDEO_COATS };
+    static const int overdraw[] = { VIDEO_NO_LAYERS, 0, 1, 5, VIDEO_OVERDRAW };
     const struct board *b = r->b;
     const struct manifest *m = &b->cart.m;
     size_t w = (size_t)m->screen_w, size = w * (size_t)m->screen_h;
@@ -181,8 +181,8 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
     for (size_t i = 0; i < size; i++)
         want[i] = backdrop[i] = (uint8_t)rng_next(&rng);
     paint_all(b, s, k, want);
-    for (size_t i = 0; i < sizeof coats / sizeof *coats; i++) {
-        struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, coats[i], 0, 0 };
+    for (size_t i = 0; i < sizeof overdraw / sizeof *overdraw; i++) {
+        struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, overdraw[i], 0, 0 };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
         fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
@@ -190,9 +190,9 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
         video_bullets(&c, s, k);
         for (int y = 0; y < m->screen_h; y++)
             if (memcmp(r->fb.pix + y * r->fb.pitch, want + (size_t)y * w, w))
-                fail_msg("%u bullets, %d coats: row %d differs", s->s.live, coats[i], y);
+                fail_msg("%u bullets, overdraw %d: row %d differs", s->s.live, overdraw[i], y);
         assert_int_equal(c.drawn, s->s.live);
-        assert_true(c.hidden <= c.drawn && (coats[i] != VIDEO_NO_COATS || !c.hidden));
+        assert_true(c.hidden <= c.drawn && (overdraw[i] != VIDEO_NO_LAYERS || !c.hidden));
         seen.drawn += (long)c.drawn;
         seen.hidden += (long)c.hidden;
         seen.layered += c.hidden > 0;

@@ -11,18 +11,9 @@
  * What leaves the field is asked too, for it may touch something on its way out: bullets_move holds the bullets that
  * touched, and all shots; hit_shots releases the shots that hit nobody, events_run the rest.
  */
+#include "../../base/int.h"
 #include "../hit.h"
 #include "hit_parts.h"
-
-static fx larger(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
-static fx size(fx v)
-{
-    return v < 0 ? -v : v;
-}
 
 /* How far from the player the end of a bullet's way can be that touches it, but for the bullet's own movement. */
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
@@ -31,8 +22,8 @@ static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
     fx most = 0;
 
     for (uint32_t i = 0; i < k->s.live; i++)
-        most = larger(most, k->shape[i] == SHAPE_BOX ? larger(k->a[i], k->b[i]) : k->a[i]);
-    return (int64_t)most + larger(c->a, graze) + larger(size(c->mx), size(c->my));
+        most = fx_max(most, k->shape[i] == SHAPE_BOX ? fx_max(k->a[i], k->b[i]) : k->a[i]);
+    return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
 /* May the bullet's way of this frame come within reach of the player, on both axes? */
@@ -40,7 +31,7 @@ static bool within(const struct body *bullet, const struct body *c, int64_t reac
 {
     int64_t dx = (int64_t)bullet->x - c->x, dy = (int64_t)bullet->y - c->y;
 
-    return (dx < 0 ? -dx : dx) <= reach + size(bullet->mx) && (dy < 0 ? -dy : dy) <= reach + size(bullet->my);
+    return int64_abs(dx) <= reach + fx_abs(bullet->mx) && int64_abs(dy) <= reach + fx_abs(bullet->my);
 }
 
 enum verdict { MISS, HIT, GRAZE };
@@ -67,7 +58,7 @@ static void bullets_against(struct board *b, uint32_t p)
 
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         for (uint64_t m = s->near[block * PADS + p]; m; m &= m - 1) {
-            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + lowest_bit(m)));
+            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + bits_lowest(m)));
             bool grazes = s->grazes[block * PADS + p] & m & -m;
             b->counts.hit += !grazes;
             b->counts.grazed += grazes;
@@ -81,7 +72,7 @@ static void enemies_against(struct board *b, uint32_t p, const struct body *c)
 
     for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
         for (uint64_t m = s->used[word]; m; m &= m - 1) {
-            uint32_t i = word * SLOTS_BLOCK + lowest_bit(m);
+            uint32_t i = word * SLOTS_BLOCK + bits_lowest(m);
             uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
             if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
                 continue;
@@ -111,7 +102,7 @@ static uint64_t judge(const struct watch *w, uint32_t p, uint32_t block, uint64_
     uint64_t found = 0;
 
     for (uint64_t m = near; m; m &= m - 1) {
-        enum verdict v = bullet_against(b, p, &c, w->reach, block * SLOTS_BLOCK + lowest_bit(m));
+        enum verdict v = bullet_against(b, p, &c, w->reach, block * SLOTS_BLOCK + bits_lowest(m));
         found |= v != MISS ? m & -m : 0;
         *grazes |= v == GRAZE ? m & -m : 0;
     }

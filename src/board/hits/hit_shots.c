@@ -16,6 +16,7 @@
 #include "hit_parts.h"
 #include <assert.h>
 #include <string.h>
+#include "../../base/int.h"
 
 enum {
     MANY = 4, /* fewer shots are not worth a sort */
@@ -65,26 +66,6 @@ struct search {
     uint32_t found;         /* its slot */
 };
 
-static inline int64_t least(int64_t a, int64_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline int64_t most(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-static inline int64_t size(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
-static inline int64_t clamp(int64_t v, int64_t lo, int64_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 static inline uint64_t squares(int64_t dx, int64_t dy)
 {
     return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
@@ -127,7 +108,7 @@ static void gather(struct crowd *c, const struct board *b)
     assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits);
+            uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
             fx x = e->was_x[i], y = e->was_y[i], a = k->a[kind];
             fx h = half_height(k->shape[kind], a, k->b[kind]);
@@ -138,9 +119,9 @@ static void gather(struct crowd *c, const struct board *b)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            core = least(core, a < h ? a : h);
-            reach_x = most(reach_x, a + size((int64_t)e->x[i] - x));
-            reach_y = most(reach_y, h + size((int64_t)e->y[i] - y));
+            core = int64_min(core, a < h ? a : h);
+            reach_x = int64_max(reach_x, a + int64_abs((int64_t)e->x[i] - x));
+            reach_y = int64_max(reach_y, h + int64_abs((int64_t)e->y[i] - y));
         }
     c->n = n;
     c->left = left;
@@ -175,7 +156,7 @@ static void divide(struct crowd *c, uint32_t shots, uint32_t slots)
     c->mask = ((uint32_t)1 << c->bits) - 1;
     c->minus_two = -2 * ((int64_t)1 << c->bits);
     c->spread = c->n <= MAX_ENEMIES / 3 && c->n <= shots * PAYS;
-    c->dense = c->spread && most(c->wide, c->high) <= INT32_MAX &&
+    c->dense = c->spread && int64_max(c->wide, c->high) <= INT32_MAX &&
                squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
                c->reach_y * 2 > c->cell;
 }
@@ -253,10 +234,10 @@ static bool reach(struct search *s)
 
     s->x = x - p->mx;
     s->y = y - p->my;
-    s->x0 = most(least(x, s->x) - ex, 0);
-    s->x1 = least(most(x, s->x) + ex, c->wide - 1);
-    s->y0 = most(least(y, s->y) - ey, 0);
-    s->y1 = least(most(y, s->y) + ey, c->high - 1);
+    s->x0 = int64_max(int64_min(x, s->x) - ex, 0);
+    s->x1 = int64_min(int64_max(x, s->x) + ex, c->wide - 1);
+    s->y0 = int64_max(int64_min(y, s->y) - ey, 0);
+    s->y1 = int64_min(int64_max(y, s->y) + ey, c->high - 1);
     return s->x0 <= s->x1 && s->y0 <= s->y1;
 }
 
@@ -268,20 +249,20 @@ static bool reach(struct search *s)
 static void search_rings(struct search *s)
 {
     const struct crowd *c = s->c;
-    const int64_t left = most(cell_of(c, s->x0), 1), right = least(cell_of(c, s->x1), c->cols - 2);
-    const int64_t top = most(cell_of(c, s->y0), 1), bottom = least(cell_of(c, s->y1), c->rows - 2);
-    const int64_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
+    const int64_t left = int64_max(cell_of(c, s->x0), 1), right = int64_min(cell_of(c, s->x1), c->cols - 2);
+    const int64_t top = int64_max(cell_of(c, s->y0), 1), bottom = int64_min(cell_of(c, s->y1), c->rows - 2);
+    const int64_t x = int64_clamp(cell_of(c, s->x), left, right), y = int64_clamp(cell_of(c, s->y), top, bottom);
     const int64_t w = c->spread, step = 2 * w + 1;
     const int64_t in_x = s->x * c->scale, in_y = s->y * c->scale;
-    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0);
-    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0);
+    const int64_t gap_x = int64_max(int64_max(s->x0 - s->x, s->x - s->x1), 0);
+    const int64_t gap_y = int64_max(int64_max(s->y0 - s->y, s->y - s->y1), 0);
     const int64_t far = INT64_MAX;
 
     if (left > right || top > bottom)
         return;
     for (int64_t r = 0;; r += step) {
         int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
-        int64_t from = most(x0, left), to = least(x1, right);
+        int64_t from = int64_max(x0, left), to = int64_min(x1, right);
         for (int64_t row = y - r; row <= y + r; row += step) {
             if (row + w < top || row - w > bottom)
                 continue;
@@ -294,8 +275,8 @@ static void search_rings(struct search *s)
             if (x1 - 2 * w <= right)
                 touched(s, row, x1 - 2 * w, to);
         }
-        int64_t dx = least(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
-        int64_t dy = least(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
+        int64_t dx = int64_min(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
+        int64_t dy = int64_min(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
         if ((dx == far || s->best < squares(length(c, dx), gap_y)) &&
             (dy == far || s->best < squares(length(c, dy), gap_x)))
             return;
@@ -328,13 +309,13 @@ static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 /* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
 static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 {
-    int64_t a = least(key(p, x, y), key(p + 1, x, y)), b = least(key(p + 2, x, y), key(p + 3, x, y));
+    int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
 
-    a = least(a, key(p + 4, x, y));
-    b = least(b, key(p + 5, x, y));
-    a = least(a, key(p + 6, x, y));
-    b = least(b, key(p + 7, x, y));
-    return least(a, b);
+    a = int64_min(a, key(p + 4, x, y));
+    b = int64_min(b, key(p + 5, x, y));
+    a = int64_min(a, key(p + 6, x, y));
+    b = int64_min(b, key(p + 7, x, y));
+    return int64_min(a, b);
 }
 
 /*
@@ -344,7 +325,7 @@ static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 static inline int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
     for (; i < end; i += RUN)
-        best = least(best, lowest_run(&c->place[i], x, y));
+        best = int64_min(best, lowest_run(&c->place[i], x, y));
     return best;
 }
 
@@ -375,12 +356,12 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
     const uint32_t from = begin[-1], to = begin[2];
     const int64_t kx = x * c->minus_two, ky = y * c->minus_two;
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
-    const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
+    const int64_t edge = length(c, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
     int64_t best = lowest(c, from + RUN, to, kx, ky, lowest_run(&c->place[from], kx, ky));
     const int64_t here = x * x + y * y;
     int64_t d = (best >> c->bits) + here; /* its square */
     if (d >= edge * edge) {
-        const int64_t a = most(-2, -col), z = least(3, c->cols - col), cols = c->cols;
+        const int64_t a = int64_max(-2, -col), z = int64_min(3, c->cols - col), cols = c->cols;
         best = lowest(c, begin[a - cols], begin[z - cols], kx, ky, best);
         best = lowest(c, begin[a + cols], begin[z + cols], kx, ky, best);
         d = (best >> c->bits) + here;
@@ -399,9 +380,9 @@ static inline uint32_t target_nearest(const struct board *b, const struct crowd 
 static void judge(struct crowd *c, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t core = least(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
+        int64_t core = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && c->core >= 0;
-        int64_t r = sure ? least(core + c->core, FX_MAX) : 0;
+        int64_t r = sure ? int64_min(core + c->core, FX_MAX) : 0;
         c->sure[i] = r * r;
     }
 }
@@ -443,14 +424,14 @@ static void aim_all(struct board *b, const struct crowd *c)
         if (c->dense)
             locate(&f, &b->shots, word * 64, (uint32_t)c->left, (uint32_t)c->top);
         for (uint64_t bits = flying_or_left(s, word); bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits), slot = target(b, c, &f, i);
+            uint32_t i = word * 64 + bits_lowest(bits), slot = target(b, c, &f, i);
             if (slot != NOBODY)
                 hit(b, i, slot);
             else
                 missed |= bits & -bits;
         }
         for (missed &= ~s->used[word]; missed; missed &= missed - 1)
-            bullets_release(&b->shots, word * 64 + lowest_bit(missed));
+            bullets_release(&b->shots, word * 64 + bits_lowest(missed));
     }
 }
 
