@@ -1,6 +1,6 @@
 /*
  * turn.h - turned copies of pictures, for the packer.
- * floor: fb    used by: cab/
+ * floor: fb
  */
 #ifndef FB_TURN_H
 #define FB_TURN_H

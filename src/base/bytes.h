@@ -1,6 +1,6 @@
 /*
  * bytes.h - little-endian access to byte streams, the same on every host.
- * floor: base    used by: everyone
+ * floor: base
  */
 #ifndef BASE_BYTES_H
 #define BASE_BYTES_H

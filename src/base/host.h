@@ -1,6 +1,6 @@
 /*
  * host.h - what a host may have set that arithmetic and texts depend on, put aside while the board works.
- * floor: board    used by: board/ cab/ tests/
+ * floor: board
  *
  * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
  * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between

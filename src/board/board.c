@@ -321,13 +321,13 @@ void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
-    struct watch watch[PADS];
+    struct bullets_query query[PADS];
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0);
-    hit_watch(b, watch);
-    bullets_move(&b->bullets, &w, &b->keep, watch, false);
+    hit_queries(b, query);
+    bullets_move(&b->bullets, &w, &b->keep, query, false);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }

@@ -1,6 +1,6 @@
 /*
  * hit.h - every collision of a frame, in one fixed order. Reads everything, writes only events.
- * floor: board    used by: board/
+ * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each with
  * the enemy it touches: of several, the one that was nearest to it before they moved, and of those the lowest slot; then
@@ -13,7 +13,7 @@
 #include "machine.h"
 
 /* What bullets_move must find for hit_run: the bullets near each player, who has moved already. */
-void hit_watch(struct board *b, struct watch watch[PADS]);
+void hit_queries(struct board *b, struct bullets_query query[PADS]);
 
 void hit_run(struct board *b);
 

@@ -1,6 +1,6 @@
 /*
  * video.h - what the makers of the picture share.
- * floor: board    used by: board/ tools/ tests/
+ * floor: board
  */
 #ifndef BOARD_VIDEO_H
 #define BOARD_VIDEO_H

@@ -16,7 +16,7 @@ enum { HEAD = 4, SAVE = 96, ROW = 24, TABLE = 32 + NV_ROWS * ROW, FIRST_TABLE = 
 
 static const char magic[] = "NV01";
 
-static bool sound(const uint8_t *image)
+static bool fields_valid(const uint8_t *image)
 {
     for (int i = 0; i < NV_SAVES; i++) {
         const uint8_t *r = image + HEAD + i * SAVE;
@@ -34,15 +34,15 @@ static bool sound(const uint8_t *image)
     return true;
 }
 
-bool nvram_good(const uint8_t *image, size_t size)
+bool nvram_valid(const uint8_t *image, size_t size)
 {
-    return size == NV_BYTES && !memcmp(image, magic, HEAD) && sound(image);
+    return size == NV_BYTES && !memcmp(image, magic, HEAD) && fields_valid(image);
 }
 
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size)
 {
     memset(nv->bytes, 0, NV_BYTES);
-    if (image && nvram_good(image, size))
+    if (image && nvram_valid(image, size))
         memcpy(nv->bytes, image, NV_BYTES);
     memcpy(nv->bytes, magic, HEAD);
     nv->writes = 0;

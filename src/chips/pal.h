@@ -1,6 +1,6 @@
 /*
  * pal.h - palette RAM: 256 colours in 16 banks of 16, fades and cycling.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_PAL_H
 #define CHIPS_PAL_H
@@ -32,7 +32,7 @@ void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n);
 bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);
 
 /* Ends all fades and cycles. */
-void pal_rest(struct pal *p);
+void pal_stop(struct pal *p);
 
 /* One frame of fades and cycles. */
 void pal_step(struct pal *p);

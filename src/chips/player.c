@@ -8,7 +8,7 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, sprite), COLUMN(player_kinds, radius),
     COLUMN(player_kinds, graze),  COLUMN(player_kinds, speed),
     COLUMN(player_kinds, focus),  COLUMN(player_kinds, lives),
-    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, REGISTERS),
+    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, PLAYER_REGISTERS),
 };
 
 static const struct column columns[] = {
@@ -23,7 +23,7 @@ static const struct column columns[] = {
     COLUMN(player, safe),
     COLUMN(player, grazes),
     COLUMN(player, score),
-    COLUMNS(player, regs, REGISTERS),
+    COLUMNS(player, regs, PLAYER_REGISTERS),
     COLUMN(player, focus),
 };
 
@@ -49,7 +49,7 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->grazes[i] = 0;
     p->score[i] = 0;
     p->focus[i] = 0;
-    memcpy(p->regs + i * REGISTERS, kinds->start + kind * REGISTERS, REGISTERS * sizeof *p->regs);
+    memcpy(p->regs + i * PLAYER_REGISTERS, kinds->start + kind * PLAYER_REGISTERS, PLAYER_REGISTERS * sizeof *p->regs);
 }
 
 bool player_retired(const struct player *p, uint32_t i)

@@ -92,12 +92,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         edit(image, copy, size - 1);
     const uint8_t *from = whole ? copy : image;
     size_t n = whole ? size - 1 : NV_BYTES;
-    bool good = nvram_good(from, n);
+    bool good = nvram_valid(from, n);
     nvram_load(&nv, from, n);
-    need(nvram_good(nv.bytes, NV_BYTES) && (!good || memcmp(nv.bytes, from, NV_BYTES) == 0));
+    need(nvram_valid(nv.bytes, NV_BYTES) && (!good || memcmp(nv.bytes, from, NV_BYTES) == 0));
     if (good)
         use(&nv, from);
-    need(nvram_good(nv.bytes, NV_BYTES));
+    need(nvram_valid(nv.bytes, NV_BYTES));
     free(nv.bytes);
     free(copy);
     return 0;

@@ -148,11 +148,11 @@ uint32_t engine_board_frame(struct board *b, const struct box *keep)
 
 uint32_t engine_hits(struct board *b)
 {
-    struct watch watch[PADS];
+    struct bullets_query query[PADS];
 
     b->events.n = 0;
-    hit_watch(b, watch);
-    bullets_watch(&b->bullets, watch);
+    hit_queries(b, query);
+    bullets_find_near(&b->bullets, query);
     hit_run(b);
     return b->events.n;
 }

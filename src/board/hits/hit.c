@@ -95,7 +95,7 @@ static struct body pilot(const struct board *b, uint32_t p)
 }
 
 /* Those of a block's bullets that hit player p or graze. */
-static uint64_t judge(const struct watch *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
+static uint64_t judge(const struct bullets_query *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
 {
     struct board *b = w->context;
     struct body c = pilot(b, p);
@@ -109,12 +109,12 @@ static uint64_t judge(const struct watch *w, uint32_t p, uint32_t block, uint64_
     return found;
 }
 
-void hit_watch(struct board *b, struct watch watch[PADS])
+void hit_queries(struct board *b, struct bullets_query query[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = pilot(b, p);
         fx graze = b->player_kinds.graze[b->player.kind[p]];
-        watch[p] = (struct watch){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, judge, b };
+        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, judge, b };
     }
 }
 

@@ -1,6 +1,6 @@
 /*
  * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
- * floor: board    used by: board/ (hit.c, hit_shots.c)
+ * floor: board
  */
 #ifndef BOARD_HIT_PARTS_H
 #define BOARD_HIT_PARTS_H
