@@ -1,10 +1,10 @@
 /*
  * stamp.c - see stamp.h.
  *
- * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0, the
- * colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into vector
- * instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7 pixels, whose
- * `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
+ * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0,
+ * the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into
+ * vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
+ * pixels, whose `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
  */
 #include "stamp.h"
 #include <assert.h>

@@ -41,8 +41,8 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Draws at destinations in order up to the first STAMP_OTHER; returns how many. The same picture as so many calls of blit_sprite,
- * but that pixels of the band may change. */
+/* Draws at destinations in order up to the first STAMP_OTHER; returns how many. The same picture as so many calls of
+ * blit_sprite, but that pixels of the band may change. */
 size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *dests, size_t n);
 
 /*
@@ -65,7 +65,8 @@ void stamp_layer_map(struct stamp_layer *l);
 size_t stamp_layer_size(int w, int h);
 void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h);
 
-/* Draws at destinations from the last to the first; there is no STAMP_OTHER among them. pixels: the picture's opaque ones. */
+/* Draws at destinations from the last to the first; there is no STAMP_OTHER among them. pixels: the picture's opaque
+ * ones. */
 void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const uint32_t *dests, size_t n, size_t pixels);
 
 /* Is all covered where a w x h picture would go? dest: without its bank. */

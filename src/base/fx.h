@@ -44,9 +44,9 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
 #define FX_MIN INT32_MIN
 
 /*
- * What hardly ever happens stands in a branch: one that is foreseen costs nothing, while a choice between two values
- * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps it
- * one. FX_USUAL(x) is x.
+ * What hardly ever happens stands in a branch: one that is predicted costs nothing, while a choice between two values
+ * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps
+ * it one. FX_USUAL(x) is x.
  */
 #if defined(__GNUC__)
 #define FX_RARE(v)  __asm__("" : "+r"(v))
@@ -103,7 +103,8 @@ static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 #endif
 }
 
-/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded so. */
+/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded
+ * so. */
 static inline int64_t fx_nearest(double v)
 {
     double sum = v + 6755399441055744.0;

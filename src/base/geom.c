@@ -75,8 +75,8 @@ bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
 
 /*
  * Two convex shapes are apart if and only if a line separates them that is parallel to a side of one: here to a side of
- * the box, or to the path. Across the path, the box reaches from its centre as far as its outermost corner. The products
- * are below 2^62.6, as above.
+ * the box, or to the path. Across the path, the box reaches from its centre as far as its outermost corner. The
+ * products are below 2^62.6, as above.
  */
 bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh)
 {

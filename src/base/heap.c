@@ -559,8 +559,8 @@ struct run {
 
 enum { HOLE = 512 /* bytes of a free block that are worth a new run */ };
 
-/* The next place at or after `at` that is `from` modulo 64: copying between places that differ by a few bytes within the
- * page is up to 16 times slower on some processors. */
+/* The next place at or after `at` that is `from` modulo 64: copying between places that differ by a few bytes within
+ * the page is up to 16 times slower on some processors. */
 static size_t in_step(size_t at, size_t from)
 {
     return at + ((from - at) & 63);

@@ -1,8 +1,8 @@
 /*
  * ieee.c - see ieee.h.
  *
- * Each sum stands in the form in which a flag lets the compiler compute another one, of operands it cannot know (they are
- * volatile), and is compared bit for bit, for constants may be what a flag changes.
+ * Each sum stands in the form in which a flag lets the compiler compute another one, of operands it cannot know (they
+ * are volatile), and is compared bit for bit, for constants may be what a flag changes.
  */
 #include "ieee.h"
 #include "fx.h"

@@ -6,8 +6,8 @@
 #ifndef BASE_IEEE_H
 #define BASE_IEEE_H
 
-/* NULL: it does. Else one sentence: what it does otherwise, and flags that make it do so. Takes less than a microsecond.
- * The thread has to round to nearest and to keep small numbers (board/host.h). */
+/* NULL: it does. Else one sentence: what it does otherwise, and flags that make it do so. Takes less than a
+ * microsecond. The thread has to round to nearest and to keep small numbers (host.h). */
 const char *ieee_fault(void);
 
 #endif

@@ -1,9 +1,9 @@
 /*
  * bullets.c - see bullets.h.
  *
- * One pass over the blocks of 64 runs programs, moves, and tests each bullet for two things at once: is it outside of the
- * keep box, and is it near a player (the broad phase)? Its loops have restrict parameters and a constant trip count, the form that gcc and
- * clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
+ * One pass over the blocks of 64 runs programs, moves, and tests each bullet for two things at once: is it outside of
+ * the keep box, and is it near a player (the broad phase)? Its loops have restrict parameters and a constant trip
+ * count, the form that gcc and clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
  *
  * A range is asked about in one subtraction and one signed comparison: lo <= v <= lo + size, of which size < 2^32, is
  * (uint32_t)(v - lo) <= size, and a comparison of unsigned numbers is one of signed numbers when 2^31 is added to both.
@@ -194,8 +194,8 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
     }
 }
 
-/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last bit:
- * what lies across is less than 2^-29 of it. */
+/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last
+ * bit: what lies across is less than 2^-29 of it. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
     int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
@@ -308,9 +308,9 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
 }
 
 /*
- * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame k
- * comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as well:
- * a change of speed ends where the closed form says.
+ * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame
+ * k comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as
+ * well: a change of speed ends where the closed form says.
  */
 static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 {
@@ -472,8 +472,8 @@ static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uin
     return any;
 }
 
-/* What of a bullet a program reads or writes. Where there are more of them than the caches hold, asking for it some
- * blocks ahead is worth half the time. */
+/* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
+ * half the time. */
 static void prefetch(const struct bullets *b, uint32_t i)
 {
     slots_prefetch(&b->motion[i]);
@@ -487,7 +487,7 @@ static void prefetch(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->flags[i]);
 }
 
-/* Those of a block whose waiting may be over. */
+/* Those of a block that may have waited long enough. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];

@@ -1,6 +1,6 @@
 /*
- * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code that
- * works on it; a slot is a numbered row of the columns.
+ * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code
+ * that works on it; a slot is a numbered row of the columns.
  * floor: chips
  *
  * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers stand in the struct
@@ -101,8 +101,8 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap);
  */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
 
-/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's to
- * park. */
+/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's
+ * to park. */
 int32_t slots_take(struct slots *s);
 
 /* The next entry of a list, or NO_SLOT. */

@@ -2,9 +2,9 @@
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
  * A counting sort lists every kind's bullets in slot order: as destinations (stamp.h) of a picture they all show, which
- * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's edge.
- * When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the topmost kinds that
- * are enough to cover it, then, of the others, those that can still be seen.
+ * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's
+ * edge. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the topmost
+ * kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -229,8 +229,8 @@ static bool is_unclipped(const struct view *t, fx x, fx y)
     return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
-/* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its slot
- * if part of it is inside the clip. */
+/* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
+ * slot if part of it is inside the clip. */
 static void list_other(struct lists *l, const struct bullets *s, const struct view *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
@@ -283,7 +283,7 @@ static void list_all(struct lists *l, const struct bullets *s, const struct view
             list_some(l, s, t, block, s->s.used[block]);
 }
 
-/* Those of a block whose kinds are open. */
+/* The bullets of a block that are of open kinds. */
 static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
 {
     const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
@@ -362,8 +362,8 @@ static void draw_over(struct canvas *c, const struct bullets *s, struct lists *l
 
 /* ---- front to back ---- */
 
-/* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed as
- * destinations. */
+/* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
+ * as destinations. */
 static void layer_kind(const struct canvas *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
                        const struct view *t, uint16_t kind)
 {
@@ -476,8 +476,8 @@ static size_t opaque_pixels(const struct image *image)
     return n;
 }
 
-/* Is the overdraw of all of them high enough? No when a picture is too large for a layer's band, or is blended with what
- * is under it. Pixels are counted only where the pictures' sizes leave a doubt. */
+/* Is the overdraw of all of them high enough? No when a picture is too large for a layer's band, or is blended with
+ * what is under it. Pixels are counted only where the pictures' sizes leave a doubt. */
 static bool is_layered(struct lists *l, uint64_t enough)
 {
     uint64_t most = 0, sum = 0;
