@@ -25,8 +25,8 @@ static inline uint64_t hash_fold(uint64_t h, uint64_t v)
 /* Folds n bytes, and n itself, into h. */
 uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n);
 
-/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). hash_crc32_add continues the CRC of the bytes before; the
- * first bytes' crc is 0. */
+/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). hash_crc32_add continues the CRC of the bytes before;
+ * the first bytes' crc is 0. */
 uint32_t hash_crc32_add(uint32_t crc, const void *bytes, size_t n);
 uint32_t hash_crc32(const void *bytes, size_t n);
 
