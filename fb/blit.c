@@ -20,9 +20,9 @@ static inline uint64_t reverse(uint64_t v)
 
 static inline void cover(uint8_t *d, uint64_t s, uint64_t add)
 {
-    uint64_t mask = opaque(s);
+    uint64_t mask = words_opaque(s);
 
-    store(d, (load(d) & ~mask) | (add_bytes(s, add) & mask));
+    words_store(d, (words_load(d) & ~mask) | (words_add(s, add) & mask));
 }
 
 /* Sixteen pixels at once, in a form that compilers turn into vector instructions of the plainest kind: a select by
@@ -53,7 +53,7 @@ static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t a
     for (; words > 1; words -= 2, s += 16, d += 16)
         cover_pair(d, s, (uint8_t)add);
     if (words > 0)
-        cover(d, load(s), add);
+        cover(d, words_load(s), add);
 }
 
 /* Whole words; words a row is a constant in the calls that matter. Here and below all of a job is copied first: for all
@@ -91,7 +91,7 @@ static inline void paint_flipped_words(const struct job *j)
         const uint8_t *from = s;
         uint8_t *to = d;
         for (int k = words; k > 0; k--, from += 8, to -= 8)
-            cover(to, reverse(load(from)), add);
+            cover(to, reverse(words_load(from)), add);
     }
 }
 
@@ -111,7 +111,7 @@ static void paint_turned(const struct job *j)
         t.rows = left < most ? left : most;
         for (int y = 0; y < t.rows; y++, s += j->s_row)
             for (int k = 0; k < row; k += 8)
-                store(turned + y * row + row - 8 - k, reverse(load(s + k)));
+                words_store(turned + y * row + row - 8 - k, reverse(words_load(s + k)));
         paint(&t);
     }
 }
@@ -133,7 +133,7 @@ static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
     uint64_t add = j->add;
 
     for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
-        cover(d, flip ? reverse(load(s) & mask) : load(s) & mask, add);
+        cover(d, flip ? reverse(words_load(s) & mask) : words_load(s) & mask, add);
 }
 
 /* As above with the first and last word of a row cut. */
@@ -159,12 +159,12 @@ static const uint8_t edge[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 25
 
 static uint64_t bytes_from(int from)
 {
-    return load(edge + 8 - from);
+    return words_load(edge + 8 - from);
 }
 
 static uint64_t bytes_to(int to)
 {
-    return load(edge + 16 - to);
+    return words_load(edge + 16 - to);
 }
 
 /* The part of an image inside the clip. */
@@ -213,7 +213,7 @@ static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, in
         .rows = p.rows,
         .first = bytes_from(p.from - 8 * word),
         .last = bytes_to(p.to - 8 * last),
-        .add = BYTES((uint8_t)(bank * 16)),
+        .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
     paint_cut(&j, flip);
 }
@@ -232,7 +232,7 @@ static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
 /* The opaque ones of eight. Written out: gcc leaves a loop as it is. */
 static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uint8_t *table)
 {
-    if (opaque(load(s)) == ~(uint64_t)0) {
+    if (words_opaque(words_load(s)) == ~(uint64_t)0) {
         mix(d, (uint8_t)(s[0] + add), table);
         mix(d + 1, (uint8_t)(s[1] + add), table);
         mix(d + 2, (uint8_t)(s[2] + add), table);
@@ -265,7 +265,7 @@ static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uin
 static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
 {
     for (; n >= 8; n -= 8, s += 8, d += 8)
-        if (load(s) != 0)
+        if (words_load(s) != 0)
             mix_word(d, s, add, table);
     for (; n > 0; n--, s++, d++)
         if (*s)
@@ -276,7 +276,7 @@ static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, con
 static inline void mix_row_flipped(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
 {
     for (; n >= 8; n -= 8, s += 8, d -= 8) {
-        if (load(s) == 0)
+        if (words_load(s) == 0)
             continue;
         for (int k = 0; k < 8; k++)
             if (s[k])
@@ -320,7 +320,7 @@ static inline struct job whole_job(const struct fb *fb, const struct image *imag
         .s_row = flags & BLIT_FLIP_Y ? -image->pitch : image->pitch,
         .words = (image->w + 7) / 8,
         .rows = image->h,
-        .add = BYTES((uint8_t)(bank * 16)),
+        .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
 }
 

@@ -1,6 +1,6 @@
 /*
  * blit.h - sprites: masked, flipped and recoloured by bank.
- * floor: fb    used by: board/
+ * floor: fb
  */
 #ifndef FB_BLIT_H
 #define FB_BLIT_H

@@ -3,6 +3,7 @@
  * what is left after clipping is small.
  */
 #include "fb.h"
+#include "../src/base/int.h"
 #include <assert.h>
 #include <stdbool.h>
 #include <string.h>
@@ -28,17 +29,12 @@ void fb_init(struct fb *fb, void *mem, int w, int h)
     fb_clip_all(fb);
 }
 
-static int clamp(int64_t v, int hi)
-{
-    return v < 0 ? 0 : v > hi ? hi : (int)v;
-}
-
 void fb_clip(struct fb *fb, int x, int y, int w, int h)
 {
-    fb->x0 = clamp(x, fb->w);
-    fb->y0 = clamp(y, fb->h);
-    fb->x1 = clamp((int64_t)x + w, fb->w);
-    fb->y1 = clamp((int64_t)y + h, fb->h);
+    fb->x0 = (int)int64_clamp(x, 0, fb->w);
+    fb->y0 = (int)int64_clamp(y, 0, fb->h);
+    fb->x1 = (int)int64_clamp((int64_t)x + w, 0, fb->w);
+    fb->y1 = (int)int64_clamp((int64_t)y + h, 0, fb->h);
     if (fb->x0 >= fb->x1 || fb->y0 >= fb->y1) {
         fb->x0 = fb->y0 = fb->x1 = fb->y1 = 0;
         fb->sx0 = fb->sy0 = fb->sx1 = fb->sy1 = 0;

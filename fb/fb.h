@@ -1,8 +1,8 @@
 /*
  * fb.h - the surface: an 8-bit indexed picture with a guard band, its clip, rectangles and lines.
- * floor: fb    used by: board/ cab/
+ * floor: fb
  *
- * Round the picture lies a band of FB_GUARD pixels that nobody shows: a sprite wholly inside picture plus band is drawn
+ * Round the picture lies a band of FB_GUARD pixels that is not shown: a sprite wholly inside picture plus band is drawn
  * without a clip test a pixel. What the band holds is never read as picture and means nothing.
  */
 #ifndef FB_FB_H

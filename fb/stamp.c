@@ -1,13 +1,13 @@
 /*
  * stamp.c - see stamp.h.
  *
- * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0, the
- * colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into vector
- * instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7 pixels, whose
- * `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
+ * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0,
+ * the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into
+ * vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
+ * pixels, whose `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
  *
- * `unroll 1` keeps the loops over sixteen bytes loops: gcc's -O3 would unroll them first and then find no vectors in what
- * is left. A 24 px picture took 180 ns instead of 33. tests/house/levels.sh reads the compilers' output for it.
+ * `unroll 1` keeps the loops over sixteen bytes loops: gcc's -O3 would unroll them first and then find no vectors in
+ * what is left. A 24 px picture took 180 ns instead of 33. tests/house/levels.sh reads the compilers' output for it.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -16,7 +16,7 @@
 
 static uint64_t bank_bytes(unsigned bank)
 {
-    return BYTES((uint8_t)(bank * 16));
+    return WORDS_EACH((uint8_t)(bank * 16));
 }
 
 bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks)
@@ -29,18 +29,18 @@ bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks)
     stamp->bytes = stamp->row * image->h;
     for (int at = 0, y = 0; y < image->h; y++)
         for (int x = 0; x < stamp->row; x += 8, at += 8) {
-            uint64_t s = load(image->pix + (ptrdiff_t)y * image->pitch + x), mask = opaque(s);
-            store(stamp->keep + at, ~mask);
+            uint64_t s = words_load(image->pix + (ptrdiff_t)y * image->pitch + x), mask = words_opaque(s);
+            words_store(stamp->keep + at, ~mask);
             for (unsigned bank = 0; bank < 16; bank++)
                 if (banks >> bank & 1)
-                    store(stamp->colour + (int)bank * stamp->bytes + at, add_bytes(s, bank_bytes(bank)) & mask);
+                    words_store(stamp->colour + (int)bank * stamp->bytes + at, words_add(s, bank_bytes(bank)) & mask);
         }
     return true;
 }
 
 static inline void over(uint8_t *d, const uint8_t *keep, const uint8_t *colour)
 {
-    store(d, (load(d) & load(keep)) | load(colour));
+    words_store(d, (words_load(d) & words_load(keep)) | words_load(colour));
 }
 
 static inline void over_pair(uint8_t *restrict d, const uint8_t *restrict keep, const uint8_t *restrict colour)
@@ -52,9 +52,9 @@ static inline void over_pair(uint8_t *restrict d, const uint8_t *restrict keep, 
 
 static inline void under(uint8_t *d, uint64_t colour)
 {
-    uint64_t s = load(d);
+    uint64_t s = words_load(d);
 
-    store(d, s | (colour & ~opaque(s)));
+    words_store(d, s | (colour & ~words_opaque(s)));
 }
 
 static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colour)
@@ -83,7 +83,7 @@ static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colou
         for (; k + 16 <= row; k += 16)
             under_pair(d + k, colour + k);
         if (k < row)
-            under(d + k, load(colour + k));
+            under(d + k, words_load(colour + k));
     }
 }
 
@@ -115,19 +115,19 @@ struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
 }
 
 /* row is a constant in its calls, or 0; so is h. */
-static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp, const uint32_t *places, size_t n,
-                               int row, int h)
+static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp, const uint32_t *dests, size_t n, int row,
+                               int h)
 {
     const ptrdiff_t pitch = fb->pitch;
     const uint32_t bytes = (uint32_t)(row && h ? row * h : stamp->bytes);
     uint8_t *first = fb->pix + fb->sy0 * pitch + fb->sx0;
 
     for (size_t i = 0; i < n; i++) {
-        uint32_t place = places[i];
-        if (place & STAMP_OTHER)
+        uint32_t dest = dests[i];
+        if (dest & STAMP_OTHER)
             return i;
-        uint8_t *d = first + (place & (STAMP_OTHER - 1));
-        const uint8_t *colour = stamp->colour + (place >> 28) * bytes;
+        uint8_t *d = first + (dest & (STAMP_OTHER - 1));
+        const uint8_t *colour = stamp->colour + (dest >> 28) * bytes;
         if (row == 8 && h == 8)
             paint_eight(d, pitch, stamp->keep, colour);
         else
@@ -136,38 +136,38 @@ static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp, c
     return n;
 }
 
-size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *places, size_t n)
+size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *dests, size_t n)
 {
     if (stamp->row == 8)
-        return stamp->h == 8 ? draw_over(fb, stamp, places, n, 8, 8) : draw_over(fb, stamp, places, n, 8, 0);
+        return stamp->h == 8 ? draw_over(fb, stamp, dests, n, 8, 8) : draw_over(fb, stamp, dests, n, 8, 0);
     if (stamp->row == 16)
-        return draw_over(fb, stamp, places, n, 16, 0);
-    return draw_over(fb, stamp, places, n, 0, 0);
+        return draw_over(fb, stamp, dests, n, 16, 0);
+    return draw_over(fb, stamp, dests, n, 0, 0);
 }
 
 /* ---- layers ---- */
 
-/* Pixels of a layer that are drawn, on the average, before the map is worth drawing up: so many, then so many more. */
-enum { FIRST_COATS = 4, MORE_COATS = 3 };
+/* Overdraw, in times the layer's area, before the map is worth an update: the first one, and each one after. */
+enum { FIRST_OVERDRAW = 4, MORE_OVERDRAW = 3 };
 
 static size_t words_of(const struct fb *fb)
 {
     return (size_t)(fb->pitch / 8) * (size_t)(fb->h + 2 * FB_GUARD);
 }
 
-size_t layer_size(int w, int h)
+size_t stamp_layer_size(int w, int h)
 {
     size_t size = fb_size(w, h);
 
     return size + size / 8 + 8;
 }
 
-void layer_init(struct layer *l, void *mem, int w, int h)
+void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h)
 {
     fb_init(&l->fb, mem, w, h);
     l->full = (uint8_t *)mem + fb_size(w, h);
-    l->room = FIRST_COATS * (size_t)w * (size_t)h;
-    l->step = MORE_COATS * (size_t)w * (size_t)h;
+    l->budget = FIRST_OVERDRAW * (size_t)w * (size_t)h;
+    l->step = MORE_OVERDRAW * (size_t)w * (size_t)h;
     l->covered = false;
     l->hidden = 0;
     memset(l->full, 0, words_of(&l->fb));
@@ -180,13 +180,13 @@ static uint64_t band_bytes(const struct fb *fb, int at)
 
     for (int i = 0; i < 8; i++)
         b[i] = at * 8 + i < FB_GUARD || at * 8 + i >= FB_GUARD + fb->w ? 255 : 0;
-    return load(b);
+    return words_load(b);
 }
 
 /* Is no byte of it 0? */
 static inline bool is_full(uint64_t s)
 {
-    return !((s - BYTES(1)) & ~s & BYTES(0x80));
+    return !((s - WORDS_EACH(1)) & ~s & WORDS_EACH(0x80));
 }
 
 /* The map of a row of words, of which `below` is the map of the row under it. False: something is 0 still. */
@@ -196,15 +196,15 @@ static bool map_row(uint8_t *restrict full, const uint8_t *restrict below, const
     unsigned all = 1;
 
     for (int i = 0; i < words; i++) {
-        unsigned is = is_full(load(row + 8 * i) | band[i]);
+        unsigned is = is_full(words_load(row + 8 * i) | band[i]);
         full[i] = (uint8_t)((below[i] + (unsigned)(below[i] < 255)) & (0u - is));
         all &= is;
     }
     return all;
 }
 
-/* Nobody sees the band: it counts as drawn. */
-void layer_map(struct layer *l)
+/* The band is not shown: it counts as drawn. */
+void stamp_layer_map(struct stamp_layer *l)
 {
     const struct fb *fb = &l->fb;
     int words = fb->pitch / 8, y = fb->h + FB_GUARD;
@@ -224,30 +224,30 @@ void layer_map(struct layer *l)
             uint8_t below = l->full[(ptrdiff_t)(y + 1) * words + i];
             l->full[(ptrdiff_t)y * words + i] = (uint8_t)(below + (below < 255));
         }
-    l->room = l->step;
+    l->budget = l->step;
 }
 
-static void used(struct layer *l, size_t pixels)
+static void count_drawn(struct stamp_layer *l, size_t pixels)
 {
-    if (l->room > pixels)
-        l->room -= pixels;
+    if (l->budget > pixels)
+        l->budget -= pixels;
     else
-        layer_map(l);
+        stamp_layer_map(l);
 }
 
-void layer_stamp(struct layer *l, const struct stamp *stamp, const uint32_t *places, size_t n, size_t pixels)
+void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const uint32_t *dests, size_t n, size_t pixels)
 {
     uint8_t *first = origin(&l->fb);
 
     while (n > 0 && !l->covered) {
-        uint32_t place = places[--n], at = place & (STAMP_OTHER - 1);
-        const uint8_t *colour = stamp->colour + (place >> 28) * (uint32_t)stamp->bytes;
-        if (layer_hides(l, at, (uint32_t)stamp->w, (uint32_t)stamp->h)) {
+        uint32_t dest = dests[--n], at = dest & (STAMP_OTHER - 1);
+        const uint8_t *colour = stamp->colour + (dest >> 28) * (uint32_t)stamp->bytes;
+        if (stamp_layer_hides(l, at, (uint32_t)stamp->w, (uint32_t)stamp->h)) {
             l->hidden++;
             continue;
         }
         paint_under(first + at, l->fb.pitch, colour, stamp->row, stamp->h);
-        used(l, pixels);
+        count_drawn(l, pixels);
     }
     l->hidden += n;
 }
@@ -258,7 +258,7 @@ static void cells_across(int w, int h, uint32_t *across, uint32_t *down)
     *down = (uint32_t)(h + 2 * FB_GUARD + 7) / 8;
 }
 
-size_t layer_cells_size(int w, int h)
+size_t stamp_cells_size(int w, int h)
 {
     uint32_t across, down;
 
@@ -266,8 +266,8 @@ size_t layer_cells_size(int w, int h)
     return (size_t)across * down + 1;
 }
 
-/* Is all covered in [x0, x1) x [y0, y1), counted from the band's first byte? What lies outside nobody sees. */
-static bool all_covered(const struct layer *l, int x0, int y0, int x1, int y1)
+/* Is all covered in [x0, x1) x [y0, y1), counted from the band's first byte? What lies outside is not shown. */
+static bool all_covered(const struct stamp_layer *l, int x0, int y0, int x1, int y1)
 {
     int words = l->fb.pitch / 8, rows = l->fb.h + 2 * FB_GUARD;
 
@@ -283,7 +283,8 @@ static bool all_covered(const struct layer *l, int x0, int y0, int x1, int y1)
     return true;
 }
 
-void layer_find_cells(const struct layer *l, struct layer_cells *cells, uint8_t *seen, int x0, int y0, int x1, int y1)
+void stamp_cells_find(const struct stamp_layer *l, struct stamp_cells *cells, uint8_t *seen, int x0, int y0, int x1,
+                      int y1)
 {
     cells_across(l->fb.w, l->fb.h, &cells->across, &cells->down);
     cells->seen = seen;
@@ -293,7 +294,7 @@ void layer_find_cells(const struct layer *l, struct layer_cells *cells, uint8_t 
     *seen = 1;
 }
 
-void layer_cells_at(const struct layer_cells *cells, const fx *restrict x, const fx *restrict y, uint32_t *restrict at)
+void stamp_cells_at(const struct stamp_cells *cells, const fx *restrict x, const fx *restrict y, uint32_t *restrict at)
 {
     const uint32_t across = cells->across, none = across * cells->down, w = 8 * across, h = 8 * cells->down;
 
@@ -304,12 +305,12 @@ void layer_cells_at(const struct layer_cells *cells, const fx *restrict x, const
     }
 }
 
-void layer_sprite(struct layer *l, const struct image *image, uint32_t place, size_t pixels)
+void stamp_layer_sprite(struct stamp_layer *l, const struct image *image, uint32_t dest, size_t pixels)
 {
-    uint64_t add = bank_bytes(place >> 28);
-    uint8_t *first = origin(&l->fb) + (place & (STAMP_OTHER - 1));
+    uint64_t add = bank_bytes(dest >> 28);
+    uint8_t *first = origin(&l->fb) + (dest & (STAMP_OTHER - 1));
 
-    if (l->covered || layer_hides(l, place & (STAMP_OTHER - 1), (uint32_t)image->w, (uint32_t)image->h)) {
+    if (l->covered || stamp_layer_hides(l, dest & (STAMP_OTHER - 1), (uint32_t)image->w, (uint32_t)image->h)) {
         l->hidden++;
         return;
     }
@@ -317,22 +318,22 @@ void layer_sprite(struct layer *l, const struct image *image, uint32_t place, si
         const uint8_t *s = image->pix + (ptrdiff_t)row * image->pitch;
         uint8_t *d = first + (ptrdiff_t)row * l->fb.pitch;
         for (int k = 0; k < image->w; k += 8) {
-            uint64_t v = load(s + k);
-            under(d + k, add_bytes(v, add) & opaque(v));
+            uint64_t v = words_load(s + k);
+            under(d + k, words_add(v, add) & words_opaque(v));
         }
     }
-    used(l, pixels);
+    count_drawn(l, pixels);
 }
 
-void layer_show(const struct layer *l, struct fb *fb, int x, int y)
+void stamp_layer_show(const struct stamp_layer *l, struct fb *fb, int x, int y)
 {
     for (int row = 0; row < l->fb.h; row++) {
         const uint8_t *s = l->fb.pix + (ptrdiff_t)row * l->fb.pitch;
         uint8_t *d = fb->pix + (ptrdiff_t)(y + row) * fb->pitch + x;
         int k = 0;
         for (; k + 8 <= l->fb.w; k += 8) {
-            uint64_t v = load(s + k);
-            store(d + k, (load(d + k) & ~opaque(v)) | v);
+            uint64_t v = words_load(s + k);
+            words_store(d + k, (words_load(d + k) & ~words_opaque(v)) | v);
         }
         for (; k < l->fb.w; k++)
             d[k] = s[k] ? s[k] : d[k];

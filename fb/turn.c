@@ -129,8 +129,8 @@ void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int o
 
 /* ---- turning ---- */
 
-/* The way from a place in the result to one in the image, in units of 2^-32 quarter pixels a sixteenth of a pixel. */
-struct way {
+/* From a place in the result to one in the image, in units of 2^-32 quarter pixels a sixteenth of a pixel. */
+struct transform {
     const struct turn *t;
     int64_t cos30, sin30;
     int out_w, out_h;
@@ -143,7 +143,7 @@ static int at(const struct turn *t, int x, int y)
 
 /* The first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16; to the next in a row add (2 * cos30,
  * -2 * sin30), to the next in a column (2 * sin30, 2 * cos30). */
-static void locate(const struct way *a, int x, int y, int64_t *px, int64_t *py)
+static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t *py)
 {
     int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
 
@@ -152,7 +152,7 @@ static void locate(const struct way *a, int x, int y, int64_t *px, int64_t *py)
 }
 
 /* True: the image has one colour as far round the middle of pixel (x, y) as its points can see. */
-static bool is_flat(const struct way *a, int x, int y, uint8_t *colour)
+static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
 {
     const struct turn *t = a->t;
     int64_t px, py;
@@ -169,7 +169,7 @@ static bool is_flat(const struct way *a, int x, int y, uint8_t *colour)
 }
 
 /* The votes of pixel (x, y)'s points in the smooth image, a colour an entry. */
-static void count(const struct way *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
+static void count(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
 {
     uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
     int64_t px, py;
@@ -183,7 +183,7 @@ static void count(const struct way *a, const uint8_t *fine, int x, int y, uint8_
 }
 
 /* The opaque colour with the most votes, the lowest of equals; 0 without votes, or when most are for transparent. */
-static uint8_t vote(const struct way *a, const uint8_t *fine, int x, int y, bool may_clear)
+static uint8_t vote(const struct transform *a, const uint8_t *fine, int x, int y, bool may_clear)
 {
     uint8_t votes[256], most = 0, best = 0;
 
@@ -203,7 +203,7 @@ static uint8_t vote(const struct way *a, const uint8_t *fine, int x, int y, bool
     return best;
 }
 
-static uint8_t turned_pixel(const struct way *a, int x, int y)
+static uint8_t turned_pixel(const struct transform *a, int x, int y)
 {
     uint8_t colour;
 
@@ -211,7 +211,7 @@ static uint8_t turned_pixel(const struct way *a, int x, int y)
 }
 
 /* Quarter turns map middles of pixels to middles, or all of them to edges, of which the lower pixel is then taken. */
-static uint8_t quarter_pixel(const struct way *a, int x, int y)
+static uint8_t quarter_pixel(const struct transform *a, int x, int y)
 {
     int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;
     int hx = (int)((a->cos30 * u + a->sin30 * v) >> 30) + a->t->ox,
@@ -222,7 +222,7 @@ static uint8_t quarter_pixel(const struct way *a, int x, int y)
 
 void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch)
 {
-    struct way a = { t, trig_cos30(turn), trig_sin30(turn), out_w, out_h };
+    struct transform a = { t, trig_cos30(turn), trig_sin30(turn), out_w, out_h };
     bool quarter = (turn & 0x3fffffff) == 0;
 
     assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate fits 64 bits */

@@ -1,6 +1,6 @@
 /*
  * turn.h - turned copies of pictures, for the packer.
- * floor: fb    used by: cab/
+ * floor: fb
  */
 #ifndef FB_TURN_H
 #define FB_TURN_H
@@ -31,8 +31,8 @@ size_t turn_scratch(int w, int h);
 void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch);
 
 /* Paints into out all of out_w x out_h pixels: the image turned clockwise about its point, which comes to lie in the
- * middle of out. Quarter turns copy pixels; other turns choose for each pixel one of the image's colours, none is mixed.
- * out_w and out_h up to FB_MAX; bytes of out beyond out_w are left alone. */
+ * middle of out. Quarter turns copy pixels; other turns choose for each pixel one of the image's colours, none is
+ * mixed. out_w and out_h up to FB_MAX; bytes of out beyond out_w are left alone. */
 void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch);
 
 #endif

@@ -1,7 +1,7 @@
 /*
  * words.h - eight pixels at a time: what a 64-bit word of them can do without a step from one byte to the next, so that
  * the byte order of the host does not matter.
- * floor: fb    used by: fb/
+ * floor: fb
  */
 #ifndef FB_WORDS_H
 #define FB_WORDS_H
@@ -9,9 +9,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#define BYTES(b) ((uint64_t)(b)*0x0101010101010101u)
+#define WORDS_EACH(b) ((uint64_t)(b)*0x0101010101010101u)
 
-static inline uint64_t load(const uint8_t *p)
+static inline uint64_t words_load(const uint8_t *p)
 {
     uint64_t v;
 
@@ -19,23 +19,23 @@ static inline uint64_t load(const uint8_t *p)
     return v;
 }
 
-static inline void store(uint8_t *p, uint64_t v)
+static inline void words_store(uint8_t *p, uint64_t v)
 {
     memcpy(p, &v, sizeof v);
 }
 
 /* 255 in every byte that is not 0 in s. */
-static inline uint64_t opaque(uint64_t s)
+static inline uint64_t words_opaque(uint64_t s)
 {
-    uint64_t top = (((s & BYTES(0x7f)) + BYTES(0x7f)) | s) & BYTES(0x80);
+    uint64_t top = (((s & WORDS_EACH(0x7f)) + WORDS_EACH(0x7f)) | s) & WORDS_EACH(0x80);
 
     return top | (top - (top >> 7));
 }
 
 /* s + add in each byte, modulo 256. */
-static inline uint64_t add_bytes(uint64_t s, uint64_t add)
+static inline uint64_t words_add(uint64_t s, uint64_t add)
 {
-    return ((s & BYTES(0x7f)) + (add & BYTES(0x7f))) ^ ((s ^ add) & BYTES(0x80));
+    return ((s & WORDS_EACH(0x7f)) + (add & WORDS_EACH(0x7f))) ^ ((s ^ add) & WORDS_EACH(0x80));
 }
 
 #endif

@@ -66,14 +66,14 @@ static inline void spoil_repair(uint8_t *p, size_t size)
     if (size < ROM_HEADER)
         return;
     memcpy(p, "CURTAIN\x1a\x01\0\0\0", 12);
-    put32(p + 20, (uint32_t)size);
-    for (size_t i = 0; i < get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
+    bytes_put32(p + 20, (uint32_t)size);
+    for (size_t i = 0; i < bytes_get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
         uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
-        size_t at = get32(e + 4), n = get32(e + 8);
+        size_t at = bytes_get32(e + 4), n = bytes_get32(e + 8);
         if (at <= size && n <= size - at)
-            put32(e + 12, crc32_of(p + at, n));
+            bytes_put32(e + 12, hash_crc32(p + at, n));
     }
-    put32(p + 12, crc32_of(p + 16, size - 16));
+    bytes_put32(p + 12, hash_crc32(p + 16, size - 16));
 }
 
 /* Where lump i of a valid ROM stands. */
@@ -81,8 +81,8 @@ static inline void spoil_lump(const uint8_t *p, uint32_t i, size_t *at, size_t *
 {
     const uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
 
-    *at = get32(e + 4);
-    *n = get32(e + 8);
+    *at = bytes_get32(e + 4);
+    *n = bytes_get32(e + 8);
 }
 
 /* A sentence: something, on one line, without control characters, not cut in the middle by the buffer. */

@@ -1,43 +1,43 @@
 /*
  * bytes.h - little-endian access to byte streams, the same on every host.
- * floor: base    used by: everyone
+ * floor: base
  */
 #ifndef BASE_BYTES_H
 #define BASE_BYTES_H
 
 #include <stdint.h>
 
-static inline uint16_t get16(const uint8_t *p)
+static inline uint16_t bytes_get16(const uint8_t *p)
 {
     return (uint16_t)(p[0] | p[1] << 8);
 }
 
-static inline uint32_t get32(const uint8_t *p)
+static inline uint32_t bytes_get32(const uint8_t *p)
 {
-    return (uint32_t)get16(p) | (uint32_t)get16(p + 2) << 16;
+    return (uint32_t)bytes_get16(p) | (uint32_t)bytes_get16(p + 2) << 16;
 }
 
-static inline uint64_t get64(const uint8_t *p)
+static inline uint64_t bytes_get64(const uint8_t *p)
 {
-    return (uint64_t)get32(p) | (uint64_t)get32(p + 4) << 32;
+    return (uint64_t)bytes_get32(p) | (uint64_t)bytes_get32(p + 4) << 32;
 }
 
-static inline void put16(uint8_t *p, uint16_t v)
+static inline void bytes_put16(uint8_t *p, uint16_t v)
 {
     p[0] = (uint8_t)v;
     p[1] = (uint8_t)(v >> 8);
 }
 
-static inline void put32(uint8_t *p, uint32_t v)
+static inline void bytes_put32(uint8_t *p, uint32_t v)
 {
-    put16(p, (uint16_t)v);
-    put16(p + 2, (uint16_t)(v >> 16));
+    bytes_put16(p, (uint16_t)v);
+    bytes_put16(p + 2, (uint16_t)(v >> 16));
 }
 
-static inline void put64(uint8_t *p, uint64_t v)
+static inline void bytes_put64(uint8_t *p, uint64_t v)
 {
-    put32(p, (uint32_t)v);
-    put32(p + 4, (uint32_t)(v >> 32));
+    bytes_put32(p, (uint32_t)v);
+    bytes_put32(p + 4, (uint32_t)(v >> 32));
 }
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * fx.h - Q15.16 fixed point: 65536 is one.
- * floor: base    used by: everyone
+ * floor: base
  *
  * The rounding law: a result is the exact value rounded once to the nearest representable one, ties to the even one,
  * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and
@@ -24,7 +24,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What a compiler does not tell by a macro, sums.h finds when the program runs. */
+/* What a compiler does not tell by a macro, ieee.h finds when the program runs. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
     defined(__NO_SIGNED_ZEROS__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "build without -ffast-math and its parts: results must be the same everywhere"
@@ -44,9 +44,9 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
 #define FX_MIN INT32_MIN
 
 /*
- * What hardly ever happens stands in a branch: one that is foreseen costs nothing, while a choice between two values
- * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps it
- * one. FX_USUAL(x) is x.
+ * What hardly ever happens stands in a branch: one that is predicted costs nothing, while a choice between two values
+ * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps
+ * it one. FX_USUAL(x) is x.
  */
 #if defined(__GNUC__)
 #define FX_RARE(v)  __asm__("" : "+r"(v))
@@ -68,6 +68,28 @@ static inline fx fx_sat(int64_t v)
     return (fx)v;
 }
 
+static inline fx fx_min(fx a, fx b)
+{
+    return a < b ? a : b;
+}
+
+static inline fx fx_max(fx a, fx b)
+{
+    return a > b ? a : b;
+}
+
+/* v clamped to lo..hi, lo <= hi. */
+static inline fx fx_clamp(fx v, fx lo, fx hi)
+{
+    return v < lo ? lo : v > hi ? hi : v;
+}
+
+/* |v|, v > FX_MIN. */
+static inline fx fx_abs(fx v)
+{
+    return v < 0 ? -v : v;
+}
+
 /* The high half of the 128-bit product; the low half is a * b. */
 static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 {
@@ -81,7 +103,8 @@ static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 #endif
 }
 
-/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded so. */
+/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded
+ * so. */
 static inline int64_t fx_nearest(double v)
 {
     double sum = v + 6755399441055744.0;
@@ -160,13 +183,13 @@ static inline fx fx_add(fx a, fx b)
 
 static inline fx fx_sub(fx a, fx b)
 {
-    fx rest = (fx)((uint32_t)a - (uint32_t)b);
+    fx diff = (fx)((uint32_t)a - (uint32_t)b);
 
-    if (!FX_USUAL(((a ^ rest) & (a ^ b)) >= 0)) {
+    if (!FX_USUAL(((a ^ diff) & (a ^ b)) >= 0)) {
         FX_RARE(a);
         return a >> 31 ^ FX_MAX;
     }
-    return rest;
+    return diff;
 }
 
 /* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; a tie that came out odd is one too many. */

@@ -7,11 +7,7 @@
  * No signed number overflows, with any compiler's rules, for the inputs that geom.h names.
  */
 #include "geom.h"
-
-static int64_t magnitude(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
+#include "int.h"
 
 static uint64_t difference(int64_t a, int64_t b)
 {
@@ -21,7 +17,7 @@ static uint64_t difference(int64_t a, int64_t b)
 /* Is (x, y) within r of the box around the origin? For 0 <= r < 2^31: the sum of two squares is below 2^63. */
 static bool near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
 {
-    int64_t ex = magnitude(x) - hw, ey = magnitude(y) - hh;
+    int64_t ex = int64_abs(x) - hw, ey = int64_abs(y) - hh;
 
     if (ex > r || ey > r)
         return false;
@@ -39,7 +35,7 @@ static bool inside(int64_t x, int64_t y, int64_t r)
 /* Does what runs from d to d + w, on one axis, come within r of 0? Its middle is d + w/2. */
 static bool passes(int64_t d, int64_t w, int64_t r)
 {
-    return magnitude(2 * d + w) <= magnitude(w) + 2 * r;
+    return int64_abs(2 * d + w) <= int64_abs(w) + 2 * r;
 }
 
 /* a^2 <= b * c */
@@ -79,14 +75,14 @@ bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
 
 /*
  * Two convex shapes are apart if and only if a line separates them that is parallel to a side of one: here to a side of
- * the box, or to the path. Across the path, the box reaches from its centre as far as its outermost corner. The products
- * are below 2^62.6, as above.
+ * the box, or to the path. Across the path, the box reaches from its centre as far as its outermost corner. The
+ * products are below 2^62.6, as above.
  */
 bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh)
 {
     if (!passes(dx, wx, hw) || !passes(dy, wy, hh) || (hw | hh) < 0)
         return false;
-    return difference(dx * wy, dy * wx) <= (uint64_t)(hw * magnitude(wy) + hh * magnitude(wx));
+    return difference(dx * wy, dy * wx) <= (uint64_t)(hw * int64_abs(wy) + hh * int64_abs(wx));
 }
 
 /*

@@ -1,6 +1,6 @@
 /*
  * geom.h - do two shapes touch? Exactly, with integers only; one common point is touching.
- * floor: base    used by: board/ chips/
+ * floor: base
  *
  * All lengths are in one unit, whichever. A negative radius or half extent touches nothing.
  */

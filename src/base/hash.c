@@ -1,7 +1,7 @@
 /*
- * hash.c - see hash.h. The CRC takes four bytes at a time, a table of 16 entries for each of their nibbles: const, small
- * and without start-up code. nibbles[k][v] is what v << 4 * k becomes when 8 nibbles of zeros follow; the last row is
- * also that of a single nibble.
+ * hash.c - see hash.h. The CRC takes four bytes at a time, a table of 16 entries for each of their nibbles: const,
+ * small and without start-up code. nibbles[k][v] is what v << 4 * k becomes when 8 nibbles of zeros follow; the last
+ * row is also that of a single nibble.
  */
 #include "hash.h"
 #include "bytes.h"
@@ -12,7 +12,7 @@ uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n)
     size_t left = n;
 
     for (; left >= 8; left -= 8, p += 8)
-        h = hash_fold(h, get64(p));
+        h = hash_fold(h, bytes_get64(p));
     uint64_t tail = 0;
     for (size_t i = 0; i < left; i++)
         tail |= (uint64_t)p[i] << 8 * i;
@@ -38,13 +38,13 @@ static const uint32_t nibbles[8][16] = {
       0xf00f9344, 0xd6d6a3e8, 0xcb61b38c, 0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c },
 };
 
-uint32_t crc32_add(uint32_t crc, const void *bytes, size_t n)
+uint32_t hash_crc32_add(uint32_t crc, const void *bytes, size_t n)
 {
     const uint8_t *p = bytes;
 
     crc = ~crc;
     for (; n >= 4; n -= 4, p += 4) {
-        uint32_t x = crc ^ get32(p);
+        uint32_t x = crc ^ bytes_get32(p);
         crc = nibbles[0][x & 15] ^ nibbles[1][x >> 4 & 15] ^ nibbles[2][x >> 8 & 15] ^ nibbles[3][x >> 12 & 15] ^
               nibbles[4][x >> 16 & 15] ^ nibbles[5][x >> 20 & 15] ^ nibbles[6][x >> 24 & 15] ^ nibbles[7][x >> 28];
     }
@@ -56,7 +56,7 @@ uint32_t crc32_add(uint32_t crc, const void *bytes, size_t n)
     return ~crc;
 }
 
-uint32_t crc32_of(const void *bytes, size_t n)
+uint32_t hash_crc32(const void *bytes, size_t n)
 {
-    return crc32_add(0, bytes, n);
+    return hash_crc32_add(0, bytes, n);
 }

@@ -1,6 +1,6 @@
 /*
  * hash.h - the 64-bit state hash and the CRC32 of files.
- * floor: base    used by: everyone
+ * floor: base
  *
  * The state hash folds 64-bit values, never memory, so it is the same on every host whatever its byte order.
  * It tells states apart; it does not resist an adversary.
@@ -25,9 +25,9 @@ static inline uint64_t hash_fold(uint64_t h, uint64_t v)
 /* Folds n bytes, and n itself, into h. */
 uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n);
 
-/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). crc32_of(p, n) starts and ends one; crc32_add goes on.
- */
-uint32_t crc32_add(uint32_t crc, const void *bytes, size_t n);
-uint32_t crc32_of(const void *bytes, size_t n);
+/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). hash_crc32_add continues the CRC of the bytes before;
+ * the first bytes' crc is 0. */
+uint32_t hash_crc32_add(uint32_t crc, const void *bytes, size_t n);
+uint32_t hash_crc32(const void *bytes, size_t n);
 
 #endif

@@ -13,6 +13,7 @@
 
 #include <assert.h>
 #include <string.h>
+#include "bits.h"
 
 enum {
     UNIT = HEAP_ALIGN,
@@ -69,30 +70,6 @@ static const uint16_t class_bytes[CLASSES] = {
 static const uint8_t class_of[SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,  9,  9,  10, 10, 11, 11,
                                                     12, 12, 12, 12, 13, 13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
 
-static uint32_t lowest(uint32_t bits)
-{
-#ifdef __GNUC__
-    return (uint32_t)__builtin_ctz(bits);
-#else
-    uint32_t n = 0;
-    for (; !(bits & 1); bits >>= 1)
-        n++;
-    return n;
-#endif
-}
-
-static uint32_t highest(uint32_t bits)
-{
-#ifdef __GNUC__
-    return 31u - (uint32_t)__builtin_clz(bits);
-#else
-    uint32_t n = 0;
-    while (bits >>= 1)
-        n++;
-    return n;
-#endif
-}
-
 static void *at(const struct heap *h, uint32_t unit)
 {
     return (char *)(uintptr_t)h + (size_t)unit * UNIT;
@@ -135,7 +112,7 @@ static struct place bin_of(uint32_t units)
 {
     if (units < COLUMNS_A_ROW)
         return (struct place){ 0, units };
-    uint32_t log = highest(units);
+    uint32_t log = bits_highest(units);
     return (struct place){ log - 3, units >> (log - 4) & (COLUMNS_A_ROW - 1) };
 }
 
@@ -221,18 +198,18 @@ static uint32_t find(const struct heap *h, uint32_t units)
     struct place own = bin_of(units), p = own;
     uint32_t bits;
 
-    if (units >= COLUMNS_A_ROW && units & ((1u << (highest(units) - 4)) - 1))
+    if (units >= COLUMNS_A_ROW && units & ((1u << (bits_highest(units) - 4)) - 1))
         p.column++;
     bits = p.column < COLUMNS_A_ROW ? (uint32_t)h->columns[p.row] >> p.column << p.column : 0;
     if (!bits) {
         bits = h->rows & ~((2u << p.row) - 1);
         if (bits) {
-            p.row = lowest(bits);
+            p.row = bits_lowest(bits);
             bits = h->columns[p.row];
         }
     }
     if (bits)
-        return h->bin[p.row][lowest(bits)];
+        return h->bin[p.row][bits_lowest(bits)];
     uint32_t b = h->bin[own.row][own.column];
     return b && units_of(h, b) >= units ? b : 0;
 }
@@ -582,8 +559,8 @@ struct run {
 
 enum { HOLE = 512 /* bytes of a free block that are worth a new run */ };
 
-/* The next place at or after `at` that is `from` modulo 64: copying between places that differ by a few bytes within the
- * page is up to 16 times slower on some processors. */
+/* The next place at or after `at` that is `from` modulo 64: copying between places that differ by a few bytes within
+ * the page is up to 16 times slower on some processors. */
 static size_t in_step(size_t at, size_t from)
 {
     return at + ((from - at) & 63);

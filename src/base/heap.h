@@ -1,13 +1,13 @@
 /*
  * heap.h - a deterministic allocator inside one fixed block.
- * floor: base    used by: board/
+ * floor: base
  *
  * All state lives in the block, so copying the block copies the heap. Where an allocation lands depends only on the
  * sequence of calls, never on an address, the time or what the memory held before. The interface is Lua's lua_Alloc:
  * the caller knows the size of what it gives back.
  *
- * Snapshots: heap_save copies away what is in use, heap_restore puts it back to the same place, whatever stands there by
- * then. What a free block holds, and bytes at or beyond the extent, nobody reads.
+ * Snapshots: heap_save copies away what is in use, heap_restore puts it back to the same place, whatever stands there
+ * by then. What a free block holds, and bytes at or beyond the extent, are not read.
  */
 #ifndef BASE_HEAP_H
 #define BASE_HEAP_H

@@ -1,38 +1,38 @@
 /*
  * host.c - see host.h.
  *
- * The process's locale is left alone, for other threads use it. glibc and musl have the C locale as a constant, which
- * newlocale hands out and freelocale takes back without a word to anybody.
+ * The process's locale is left alone, for other threads use it. In glibc and musl the C locale is a constant: newlocale
+ * returns it without allocating, and freelocale does nothing with it.
  */
 #include "host.h"
 
 #ifdef HOST_LOCALES
-static void words_aside(struct host *h)
+static void set_locale(struct host *h)
 {
-    h->own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    h->words = uselocale(h->own);
+    h->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    h->locale = uselocale(h->c_locale);
 }
 
-static void words_back(const struct host *h)
+static void restore_locale(const struct host *h)
 {
-    uselocale(h->words);
-    if (h->own)
-        freelocale(h->own);
+    uselocale(h->locale);
+    if (h->c_locale)
+        freelocale(h->c_locale);
 }
 #else
-static void words_aside(struct host *h)
+static void set_locale(struct host *h)
 {
     (void)h;
 }
 
-static void words_back(const struct host *h)
+static void restore_locale(const struct host *h)
 {
     (void)h;
 }
 #endif
 
-/* fesetenv leaves alone what glibc knows no use for: on arm64 the bit by which all NaNs are one. */
-static void control_aside(struct host *h)
+/* fesetenv does not set all bits: with glibc on arm64, not the one by which all NaNs are the default NaN. */
+static void set_control(struct host *h)
 {
 #ifdef HOST_FPCR
     __asm__ volatile("mrs %0, fpcr" : "=r"(h->control));
@@ -42,7 +42,7 @@ static void control_aside(struct host *h)
 #endif
 }
 
-static void control_back(const struct host *h)
+static void restore_control(const struct host *h)
 {
 #ifdef HOST_FPCR
     __asm__ volatile("msr fpcr, %0" : : "r"(h->control));
@@ -51,17 +51,17 @@ static void control_back(const struct host *h)
 #endif
 }
 
-void host_aside(struct host *h)
+void host_enter(struct host *h)
 {
-    fegetenv(&h->numbers);
-    control_aside(h);
+    fegetenv(&h->arithmetic);
+    set_control(h);
     fesetenv(FE_DFL_ENV);
-    words_aside(h);
+    set_locale(h);
 }
 
-void host_back(const struct host *h)
+void host_leave(const struct host *h)
 {
-    words_back(h);
-    fesetenv(&h->numbers);
-    control_back(h);
+    restore_locale(h);
+    fesetenv(&h->arithmetic);
+    restore_control(h);
 }

@@ -1,15 +1,15 @@
 /*
- * host.h - what a host may have set that arithmetic and texts depend on, put aside while the board works.
- * floor: board    used by: board/ cab/ tests/
+ * host.h - the thread's settings that arithmetic and texts depend on: set for the board, and restored after.
+ * floor: base
  *
  * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
  * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between
- * host_aside and host_back: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
- * nothing, and leaves all as it was, flags that were raised included. Both together take a quarter of a microsecond and,
- * with glibc and musl, no memory. The locale of a host without POSIX's thread locales has to be C.
+ * host_enter and host_leave: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
+ * nothing, and leaves all as it was, flags that were raised included. Both together take a quarter of a microsecond
+ * and, with glibc and musl, no memory. The locale of a host without POSIX's thread locales has to be C.
  */
-#ifndef BOARD_HOST_H
-#define BOARD_HOST_H
+#ifndef BASE_HOST_H
+#define BASE_HOST_H
 
 #include <fenv.h>
 #include <locale.h>
@@ -25,18 +25,19 @@
 #endif
 
 struct host {
-    fenv_t numbers;
+    fenv_t arithmetic;
 #ifdef HOST_FPCR
     uint64_t control;
 #endif
 #ifdef HOST_LOCALES
-    locale_t words, own; /* the thread's, and what took its place */
+    locale_t locale, c_locale; /* the thread's, and the one set instead */
 #endif
 };
 
-void host_aside(struct host *h);
+/* Saves the thread's settings, and sets the board's. */
+void host_enter(struct host *h);
 
-/* On the thread that called host_aside. */
-void host_back(const struct host *h);
+/* Restores the settings; on the thread that called host_enter. */
+void host_leave(const struct host *h);
 
 #endif

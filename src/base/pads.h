@@ -1,6 +1,6 @@
 /*
  * pads.h - the button bits of one player's pad, the same in RAM, demos and ports.
- * floor: base    used by: everyone
+ * floor: base
  */
 #ifndef BASE_PADS_H
 #define BASE_PADS_H

@@ -35,7 +35,7 @@ static const uint8_t *entry(const struct rom *rom, uint32_t i)
 
 static const char *name_of(const struct rom *rom, uint32_t i)
 {
-    return (const char *)rom->data + get32(entry(rom, i));
+    return (const char *)rom->data + bytes_get32(entry(rom, i));
 }
 
 bool rom_name_ok(const char *name)
@@ -54,23 +54,23 @@ static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_si
         return fail(err, err_size, "too short for a ROM (%zu bytes)", size);
     if (memcmp(p, magic, sizeof magic) != 0)
         return fail(err, err_size, "not a Curtain ROM");
-    if (get32(p + 8) != ROM_VERSION)
-        return fail(err, err_size, "ROM format %" PRIu32 " is not known (this program reads %d)", get32(p + 8),
+    if (bytes_get32(p + 8) != ROM_VERSION)
+        return fail(err, err_size, "ROM format %" PRIu32 " is not known (this program reads %d)", bytes_get32(p + 8),
                     ROM_VERSION);
-    if (get32(p + 20) != size)
-        return fail(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, get32(p + 20));
-    if (get32(p + 12) != crc32_of(p + CRC_FROM, size - CRC_FROM))
+    if (bytes_get32(p + 20) != size)
+        return fail(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
+    if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))
         return fail(err, err_size, "damaged: the checksum does not match");
-    if (get64(p + 24) != 0)
+    if (bytes_get64(p + 24) != 0)
         return fail(err, err_size, "reserved header bytes are not zero");
-    if (get32(p + 16) > (size - ROM_HEADER) / ROM_ENTRY)
-        return fail(err, err_size, "the directory of %" PRIu32 " lumps runs past the end", get32(p + 16));
+    if (bytes_get32(p + 16) > (size - ROM_HEADER) / ROM_ENTRY)
+        return fail(err, err_size, "the directory of %" PRIu32 " lumps runs past the end", bytes_get32(p + 16));
     return true;
 }
 
 static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_size)
 {
-    size_t at = get32(entry(rom, i)), names = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
+    size_t at = bytes_get32(entry(rom, i)), names = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
 
     if (at < names || at >= rom->size || memchr(rom->data + at, 0, rom->size - at) == NULL)
         return fail(err, err_size, "lump %" PRIu32 ": its name is outside the file", i);
@@ -85,7 +85,7 @@ static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_
 static bool check_data(const struct rom *rom, uint32_t i, size_t *end, char *err, size_t err_size)
 {
     const uint8_t *e = entry(rom, i);
-    size_t at = get32(e + 4), size = get32(e + 8);
+    size_t at = bytes_get32(e + 4), size = bytes_get32(e + 8);
     const char *name = name_of(rom, i);
 
     if (at % ROM_ALIGN != 0)
@@ -94,7 +94,7 @@ static bool check_data(const struct rom *rom, uint32_t i, size_t *end, char *err
         return fail(err, err_size, "lump %" PRIu32 " \"%s\" runs past the end", i, name);
     if (at < *end)
         return fail(err, err_size, "lump %" PRIu32 " \"%s\" overlaps what stands before it", i, name);
-    if (crc32_of(rom->data + at, size) != get32(e + 12))
+    if (hash_crc32(rom->data + at, size) != bytes_get32(e + 12))
         return fail(err, err_size, "lump %" PRIu32 " \"%s\" is damaged: its checksum does not match", i, name);
     *end = at + size;
     return true;
@@ -106,13 +106,13 @@ bool rom_open(struct rom *rom, const void *data, size_t size, char *err, size_t 
 
     if (!check_header(p, size, err, err_size))
         return false;
-    struct rom r = { p, size, get32(p + 16), get32(p + 12) };
+    struct rom r = { p, size, bytes_get32(p + 16), bytes_get32(p + 12) };
     size_t end = ROM_HEADER + (size_t)r.count * ROM_ENTRY;
     for (uint32_t i = 0; i < r.count; i++) {
         size_t name_end;
         if (!check_name(&r, i, err, err_size))
             return false;
-        name_end = get32(entry(&r, i)) + strlen(name_of(&r, i)) + 1;
+        name_end = bytes_get32(entry(&r, i)) + strlen(name_of(&r, i)) + 1;
         end = name_end > end ? name_end : end;
     }
     for (uint32_t i = 0; i < r.count; i++)
@@ -148,7 +148,7 @@ void rom_lump(const struct rom *rom, int i, struct lump *out)
     assert(i >= 0 && (uint32_t)i < rom->count);
     const uint8_t *e = entry(rom, (uint32_t)i);
 
-    *out = (struct lump){ name_of(rom, (uint32_t)i), rom->data + get32(e + 4), get32(e + 8) };
+    *out = (struct lump){ name_of(rom, (uint32_t)i), rom->data + bytes_get32(e + 4), bytes_get32(e + 8) };
 }
 
 static uint64_t fold_lump(uint64_t h, const struct rom *rom, uint32_t i)
@@ -211,10 +211,10 @@ size_t rom_write_size(const struct lump *lumps, int n)
 static void write_header(uint8_t *p, size_t size, int n)
 {
     memcpy(p, magic, sizeof magic);
-    put32(p + 8, ROM_VERSION);
-    put32(p + 16, (uint32_t)n);
-    put32(p + 20, (uint32_t)size);
-    put32(p + 12, crc32_of(p + CRC_FROM, size - CRC_FROM));
+    bytes_put32(p + 8, ROM_VERSION);
+    bytes_put32(p + 16, (uint32_t)n);
+    bytes_put32(p + 20, (uint32_t)size);
+    bytes_put32(p + 12, hash_crc32(p + CRC_FROM, size - CRC_FROM));
 }
 
 void rom_write(void *out, const struct lump *lumps, int n)
@@ -229,10 +229,10 @@ void rom_write(void *out, const struct lump *lumps, int n)
         uint8_t *e = p + ROM_HEADER + (size_t)i * ROM_ENTRY;
         assert(rom_name_ok(l->name) && (i == 0 || strcmp(lumps[i - 1].name, l->name) < 0));
         at = (size_t)align_up(at);
-        put32(e, (uint32_t)name_at);
-        put32(e + 4, (uint32_t)at);
-        put32(e + 8, l->size);
-        put32(e + 12, crc32_of(l->data, l->size));
+        bytes_put32(e, (uint32_t)name_at);
+        bytes_put32(e + 4, (uint32_t)at);
+        bytes_put32(e + 8, l->size);
+        bytes_put32(e + 12, hash_crc32(l->data, l->size));
         memcpy(p + name_at, l->name, strlen(l->name));
         if (l->size > 0)
             memcpy(p + at, l->data, l->size);

@@ -2,16 +2,16 @@
  * trig.c - a first guess by polynomials, and when it is in doubt an exact decision.
  * floor: base
  *
- * Sines in Q15.16 come from quadratics by table (trig_tables.h). What these leave in doubt, and sines in Q30, come from a
- * series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
+ * Sines in Q15.16 come from quadratics by table (trig_tables.h). What these leave in doubt, and sines in Q30, come from
+ * a series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
  * 2^-62 of one. The polynomials in t = (u / 2^29)^2 interpolate sin(x)/x and (1 - cos x)/x^2 at the Chebyshev nodes,
  * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few lie near enough to a
  * tie to be in doubt, and each of those was checked.
  *
  * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides unless it is near halfway between
  * two; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
- * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h), what that leaves
- * in doubt by the series to 2^-29, and decided likewise. Strides start from the series.
+ * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h), what that
+ * leaves in doubt by the series to 2^-29, and decided likewise. Strides start from the series.
  */
 #include "trig.h"
 #include "trig_guess.h"
@@ -233,9 +233,9 @@ static ang atan_eighth(uint32_t n, uint32_t d)
 }
 #else
 /*
- * atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is 1/64: that
- * gives the cell of the table and, taken off again, h without error. The polynomials are off by less than 4173 / 2^24 of
- * an ang, the quotient and their evaluation by less than 8 more, for no term is above 2^53.
+ * atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is 1/64:
+ * that gives the cell of the table and, taken off again, h without error. The polynomials are off by less than 4173 /
+ * 2^24 of an ang, the quotient and their evaluation by less than 8 more, for no term is above 2^53.
  */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
@@ -358,8 +358,8 @@ static inline uint64_t in_steps(double v)
 /*
  * The guess is off by less than 2.56 / 2^44, so the product by less than a third of a step of 2^-10, its rounding
  * included, and the step nearest to it by less than one. So unless that is a whole number of units, nothing whole lies
- * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides. Only
- * from FX_MIN can more come than an fx holds.
+ * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides.
+ * Only from FX_MIN can more come than an fx holds.
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {

@@ -1,6 +1,6 @@
 /*
  * trig.h - angles, their sines, and directions of vectors.
- * floor: base    used by: everyone
+ * floor: base
  *
  * An ang is a whole number of 2^-32 turns, so it wraps by itself: 0 points along +x, and as y grows downwards
  * 0x40000000 points down. Sine and cosine belong to that frame: the direction a is (cos a, sin a) on the screen.
@@ -23,15 +23,15 @@ fx trig_cos(ang a);
 ang trig_atan2(fx y, fx x);
 
 /*
- * *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards; FX_MIN does so along
- * an axis at FX_MAX.
+ * *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards; FX_MIN does so
+ * along an axis at FX_MAX.
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
 /*
- * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once: so
- * strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless its
- * exact place is within 2^-70 of halfway.
+ * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once:
+ * so strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless
+ * its exact place is within 2^-70 of halfway.
  */
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
 

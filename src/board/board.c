@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
-#include "../base/sums.h"
+#include "../base/ieee.h"
 #include "events_run.h"
 #include "hit.h"
 #include "../base/host.h"
@@ -240,7 +240,7 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
                            char *err, size_t err_size)
 {
     struct board *b = (struct board *)ram;
-    const char *wrong = sums_wrong();
+    const char *wrong = ieee_fault();
     size_t need;
 
     if (wrong) {
@@ -278,9 +278,9 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
 {
     struct host host;
 
-    host_aside(&host);
+    host_enter(&host);
     struct board *b = power(ram, size, rom, start, count, err, err_size);
-    host_back(&host);
+    host_leave(&host);
     return b;
 }
 
@@ -321,13 +321,13 @@ void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
-    struct watch watch[PADS];
+    struct bullets_query query[PADS];
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0);
-    hit_watch(b, watch);
-    bullets_move(&b->bullets, &w, &b->keep, watch, false);
+    hit_queries(b, query);
+    bullets_move(&b->bullets, &w, &b->keep, query, false);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }
@@ -384,9 +384,9 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
 {
     struct host host;
 
-    host_aside(&host);
+    host_enter(&host);
     tick(b, pads);
-    host_back(&host);
+    host_leave(&host);
     return &b->hand->out;
 }
 

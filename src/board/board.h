@@ -126,7 +126,7 @@ struct board;
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
- * ROM that cannot run, and where the build computes otherwise than others (sums.h). A script fault while loading is not
+ * ROM that cannot run, and where the build computes otherwise than others (ieee.h). A script fault while loading is not
  * NULL: it stands in board_last(b)->fault. */
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
                           char *err, size_t err_size);

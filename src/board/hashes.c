@@ -30,7 +30,7 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
-        if (!parts[i].chip->apart)
+        if (!parts[i].chip->cosmetic)
             h = hash_fold(h, hashes[i]);
     return h;
 }

@@ -1,20 +1,21 @@
 /*
  * hit.h - every collision of a frame, in one fixed order. Reads everything, writes only events.
- * floor: board    used by: board/
+ * floor: board
  *
- * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each with
- * the enemy it touches: of several, the one that was nearest to it before they moved, and of those the lowest slot; then
- * the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move outside of the field
- * and its margin are asked as all others.
+ * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each
+ * with the enemy it touches: of several, the one that was nearest to it before they moved, and of those the lowest
+ * slot; then the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move outside of
+ * the field and its margin are tested as all others.
  */
 #ifndef BOARD_HIT_H
 #define BOARD_HIT_H
 
 #include "machine.h"
 
-/* What bullets_move must find for hit_run: the bullets near each player, who has moved already. */
-void hit_watch(struct board *b, struct watch watch[PADS]);
+/* The broad phase that bullets_move does for hit_run: the bullets near each player. The players have moved already. */
+void hit_queries(struct board *b, struct bullets_query query[PADS]);
 
+/* Raises the events of this frame's hits. */
 void hit_run(struct board *b);
 
 #endif

@@ -3,6 +3,7 @@
  */
 #include "inspect.h"
 #include <string.h>
+#include "../base/int.h"
 #include "api.h"
 #include "machine.h"
 
@@ -212,16 +213,6 @@ bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *o
 
 /* ---- what is under a point ---- */
 
-static fx larger(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
-static int64_t size(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 /* How well a body fits the point asked for: the least wins, by field. */
 struct fit {
     fx gap, size, far;
@@ -246,14 +237,14 @@ static void consider(void *context, const struct inspect_body *body)
 {
     struct search *s = context;
     fx w = body->a, h = body->shape == INSPECT_BOX ? body->b : body->a;
-    int64_t dx = size((int64_t)body->x - s->x), dy = size((int64_t)body->y - s->y);
+    int64_t dx = int64_abs((int64_t)body->x - s->x), dy = int64_abs((int64_t)body->y - s->y);
 
     if (dx > (int64_t)w + s->within || dy > (int64_t)h + s->within)
         return;
     fx far = fx_hypot((fx)dx, (fx)dy), gap = far - w;
     if (body->shape == INSPECT_BOX)
-        gap = fx_hypot(larger((fx)dx - w, 0), larger((fx)dy - h, 0));
-    struct fit fit = { larger(gap, 0), larger(w, h), far };
+        gap = fx_hypot(fx_max((fx)dx - w, 0), fx_max((fx)dy - h, 0));
+    struct fit fit = { fx_max(gap, 0), fx_max(w, h), far };
     if (fit.gap > s->within || (s->found.kind != INSPECT_NOTHING && !better(&fit, &s->best)))
         return;
     s->best = fit;

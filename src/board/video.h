@@ -1,6 +1,6 @@
 /*
  * video.h - what the makers of the picture share.
- * floor: board    used by: board/ tools/ tests/
+ * floor: board
  */
 #ifndef BOARD_VIDEO_H
 #define BOARD_VIDEO_H
@@ -14,15 +14,15 @@ struct canvas {
     struct fb *fb;
     int x, y; /* of the field on the screen */
     void *scratch;
-    int coats;
-    uint64_t drawn, hidden; /* pictures; of those, what later ones cover was skipped */
+    int overdraw;           /* from how much on bullets are drawn front to back */
+    uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
 };
 
-/* Bullets are drawn front to back when they would cover the field so many times. Measured: docs/speed.md. */
-enum { VIDEO_COATS = 50, VIDEO_NO_COATS = -1 };
+/* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */
+enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
-/* board_draw with another VIDEO_COATS; the picture is the same. VIDEO_NO_COATS: never front to back. */
-struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int coats);
+/* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
+struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
 
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);

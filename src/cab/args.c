@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../base/int.h"
 
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
@@ -141,11 +142,6 @@ static bool fail(char *err, size_t err_size, const char *format, ...)
 
 enum { NEAR_MOST = 31 };
 
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
 /* Edits (a letter more, less or another, or two swapped) from a to b. */
 static int edits(const char *a, const char *b)
 {
@@ -160,9 +156,9 @@ static int edits(const char *a, const char *b)
                 d[i][j] = i + j;
                 continue;
             }
-            d[i][j] = least(d[i - 1][j - 1] + (a[i - 1] != b[j - 1]), least(d[i - 1][j], d[i][j - 1]) + 1);
+            d[i][j] = int_min(d[i - 1][j - 1] + (a[i - 1] != b[j - 1]), int_min(d[i - 1][j], d[i][j - 1]) + 1);
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+                d[i][j] = int_min(d[i][j], d[i - 2][j - 2] + 1);
         }
     }
     return d[n][m];

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "../base/sums.h"
+#include "../base/ieee.h"
 #include "../board/api.h"
 #include "../base/host.h"
 #include "args.h"
@@ -223,7 +223,7 @@ static int run(int argc, char **argv)
 
     if (!args_parse(&a, argc, argv, err, sizeof err))
         return game_report(EXIT_INPUT, "%s", err);
-    const char *wrong = sums_wrong();
+    const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
         return game_report(EXIT_HOST, "%s", wrong);
     switch (a.command) {
@@ -254,8 +254,8 @@ int cli_main(int argc, char **argv)
 {
     struct host host;
 
-    host_aside(&host); /* what it prints is the same everywhere, too */
+    host_enter(&host); /* what it prints is the same everywhere, too */
     int code = run(argc, argv);
-    host_back(&host);
+    host_leave(&host);
     return code;
 }

@@ -1,15 +1,16 @@
 /*
  * bullets.c - see bullets.h.
  *
- * One pass over the blocks of 64 runs programs, moves, and asks of each bullet two questions at once: is it outside the
- * keep box, is it near a player? Its loops have restrict parameters and a constant trip count, the form that gcc and
- * clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
+ * One pass over the blocks of 64 runs programs, moves, and tests each bullet for two things at once: is it outside of
+ * the keep box, and is it near a player (the broad phase)? Its loops have restrict parameters and a constant trip
+ * count, the form that gcc and clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
  *
  * A range is asked about in one subtraction and one signed comparison: lo <= v <= lo + size, of which size < 2^32, is
  * (uint32_t)(v - lo) <= size, and a comparison of unsigned numbers is one of signed numbers when 2^31 is added to both.
  */
 #include "bullets.h"
 #include <string.h>
+#include "../base/int.h"
 
 static const struct column kind_columns[] = {
     COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),      COLUMN(bullet_kinds, b),
@@ -46,7 +47,7 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "nothing is held between frames"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
-    DERIVED_REGISTER(bullets, fastest, "a bound that decides only who is looked at more closely"),
+    DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
 };
@@ -63,7 +64,7 @@ static uint64_t bit(uint32_t i)
     return 1ull << (i % SLOTS_BLOCK);
 }
 
-/* Bullet i is looked at in the next frame, or until further notice not at all. */
+/* Bullet i's program runs in the next frame; or, not busy, it has none that runs or waits. */
 static void wake(struct bullets *b, uint32_t i, bool busy)
 {
     uint32_t block = i / SLOTS_BLOCK;
@@ -72,7 +73,7 @@ static void wake(struct bullets *b, uint32_t i, bool busy)
     b->idle[block] &= ~bit(i);
 }
 
-/* Inside every keep box, so that a block with dead slots is not looked at for them. */
+/* Puts a dead slot inside of every keep box, so that it never counts as having left. */
 static void park(struct bullets *b, uint32_t i)
 {
     b->x[i] = b->y[i] = 0;
@@ -139,7 +140,7 @@ void bullets_release_all(struct bullets *b)
 
 static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
-    fx ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, a = ax > ay ? ax : ay;
+    fx a = fx_max(fx_abs(vx), fx_abs(vy));
 
     b->vx[i] = vx;
     b->vy[i] = vy;
@@ -151,7 +152,7 @@ void bullets_steer(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
-    if (b->flags[i] & BULLET_FINE) /* those, `fly` steers */
+    if (b->flags[i] & BULLET_FINE) /* `fly` steers those */
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     set_velocity(b, i, vx, vy);
@@ -161,7 +162,7 @@ static int64_t clamp_pace(int64_t v)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;
 
-    return v > most ? most : v < -most ? -most : v;
+    return int64_clamp(v, -most, most);
 }
 
 /* The fx nearest to a clamped pace, ties to even. */
@@ -193,11 +194,11 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
     }
 }
 
-/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last bit:
- * what lies across is less than 2^-29 of it. */
+/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last
+ * bit: what lies across is less than 2^-29 of it. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
-    int64_t ax = vx < 0 ? -vx : vx, ay = vy < 0 ? -vy : vy, along[2], across;
+    int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
     int shift = 0;
 
     while ((ax | ay) >> shift > FX_MAX)
@@ -267,7 +268,7 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
 }
 
 /* Squared distance; positions are within the world: below 2^63. */
-static uint64_t apart(const struct targets *t, uint32_t i, fx x, fx y)
+static uint64_t distance_squared(const struct targets *t, uint32_t i, fx x, fx y)
 {
     int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
 
@@ -288,7 +289,7 @@ int32_t targets_nearest(const struct targets *t, fx x, fx y)
         }
         if (t->in && !t->in[i])
             continue;
-        uint64_t d = apart(t, i, x, y);
+        uint64_t d = distance_squared(t, i, x, y);
         if (d < best) {
             best = d;
             found = (int32_t)i;
@@ -307,9 +308,9 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
 }
 
 /*
- * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame k
- * comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as well:
- * a change of speed ends where the closed form says.
+ * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame
+ * k comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as
+ * well: a change of speed ends where the closed form says.
  */
 static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 {
@@ -323,9 +324,9 @@ static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 static ang toward(ang dir, ang goal, ang most)
 {
     int32_t gap = trig_difference(dir, goal);
-    uint32_t size = gap < 0 ? 0u - (uint32_t)gap : (uint32_t)gap;
+    uint32_t angle = gap < 0 ? 0u - (uint32_t)gap : (uint32_t)gap;
 
-    if (size <= most)
+    if (angle <= most)
         return goal;
     return gap < 0 ? dir - most : dir + most;
 }
@@ -351,7 +352,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
     const struct steps *s = w->steps;
     unsigned does = s->does[st];
 
-    if (!(mute & MUTE_DIR)) {
+    if (!(mute & OVERRIDE_DIR)) {
         if (does & DOES_DIR)
             b->dir[i] = s->dir[st];
         if (does & DOES_AIM)
@@ -361,7 +362,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         if (does & DOES_HOME)
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
-    if (does & (DOES_SPEED | DOES_ACCEL) && !(mute & MUTE_SPEED)) {
+    if (does & (DOES_SPEED | DOES_ACCEL) && !(mute & OVERRIDE_SPEED)) {
         int shift = b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* steps are rounded to units of the bullet's own */
         int64_t v = bullets_speed(b, i) >> shift;
 
@@ -374,7 +375,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         bullets_steer(b, i);
 }
 
-/* Takes a fine bullet on along its way. vx, vy become what that is in whole units. */
+/* Moves a fine bullet on by its pace. vx, vy become what that is in whole units. */
 static void fly(struct bullets *b, uint32_t i)
 {
     int64_t x, y, dx, dy, to = b->way[i] + b->pace[i];
@@ -400,15 +401,15 @@ static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, 
     return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-/* What has to be done for a bullet's program in frames to come. */
-enum rest {
-    REST_NONE, /* nothing, for it is over, or the bullet gone */
-    REST_BUSY, /* it runs in each */
-    REST_IDLE  /* it waits for the clock to be `end` */
+/* A bullet's program after a frame. */
+enum program_state {
+    PROGRAM_OVER, /* it is over, or the bullet gone */
+    PROGRAM_RUNS, /* it runs in the next frame too */
+    PROGRAM_WAITS /* it does nothing until the clock is `end` */
 };
 
 /* Runs bullet i's program for this frame. */
-static enum rest run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
+static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const struct steps *s = w->steps;
     const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
@@ -434,7 +435,7 @@ static enum rest run_program(struct bullets *b, const struct motion_world *w, ui
         }
         if (does & DOES_DIE) {
             bullets_drop(b, i);
-            return REST_NONE;
+            return PROGRAM_OVER;
         }
         if (n && b->end[i] != w->clock) {
             mute |= STEP_BEGUN;
@@ -443,7 +444,7 @@ static enum rest run_program(struct bullets *b, const struct motion_world *w, ui
             if (does & DOES_DRIVE)
                 drive(b, w, i, mute, st, n - (b->end[i] - w->clock) + 1, n);
             b->due[i] = (uint8_t)b->end[i];
-            return does & DOES_DRIVE || fine ? REST_BUSY : REST_IDLE;
+            return does & DOES_DRIVE || fine ? PROGRAM_RUNS : PROGRAM_WAITS;
         }
         if (!n && does & DOES_DRIVE)
             drive(b, w, i, mute, st, 1, 1);
@@ -454,7 +455,7 @@ static enum rest run_program(struct bullets *b, const struct motion_world *w, ui
     b->mute[i] = (uint8_t)mute;
     if (!fine)
         b->motion[i] = 0;
-    return fine ? REST_BUSY : REST_NONE;
+    return fine ? PROGRAM_RUNS : PROGRAM_OVER;
 }
 
 enum { AHEAD = 4 /* blocks */ };
@@ -471,22 +472,22 @@ static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uin
     return any;
 }
 
-/* What of a bullet a program reads or writes. Where there are more of them than the caches hold, asking for it some
- * blocks ahead is worth half the time. */
-static void fetch(const struct bullets *b, uint32_t i)
+/* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
+ * half the time. */
+static void prefetch(const struct bullets *b, uint32_t i)
 {
-    slots_fetch(&b->motion[i]);
-    slots_fetch(&b->pc[i]);
-    slots_fetch(&b->mute[i]);
-    slots_fetch(&b->end[i]);
-    slots_fetch(&b->from[i]);
-    slots_fetch(&b->rounds[i * MOTION_DEPTH]);
-    slots_fetch(&b->dir[i]);
-    slots_fetch(&b->speed[i]);
-    slots_fetch(&b->flags[i]);
+    slots_prefetch(&b->motion[i]);
+    slots_prefetch(&b->pc[i]);
+    slots_prefetch(&b->mute[i]);
+    slots_prefetch(&b->end[i]);
+    slots_prefetch(&b->from[i]);
+    slots_prefetch(&b->rounds[i * MOTION_DEPTH]);
+    slots_prefetch(&b->dir[i]);
+    slots_prefetch(&b->speed[i]);
+    slots_prefetch(&b->flags[i]);
 }
 
-/* Those of a block whose waiting may be over. */
+/* Those of a block that may have waited long enough. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];
@@ -496,7 +497,7 @@ static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
         return 0;
     found = slots_gather(out) & b->idle[block];
     for (uint64_t m = found; m; m &= m - 1)
-        fetch(b, block * SLOTS_BLOCK + lowest_bit(m));
+        prefetch(b, block * SLOTS_BLOCK + bits_lowest(m));
     return found;
 }
 
@@ -505,16 +506,16 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
 
     for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
-        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
-        enum rest rest = REST_BUSY;
+        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        enum program_state state = PROGRAM_RUNS;
         if (woken & bit(i) && b->end[i] != w->clock)
-            rest = REST_IDLE;
+            state = PROGRAM_WAITS;
         else if (b->motion[i])
-            rest = run_program(b, w, i);
+            state = run_program(b, w, i);
         if (b->flags[i] & BULLET_FINE)
             fly(b, i);
-        busy |= rest == REST_BUSY ? bit(i) : 0;
-        idle |= rest == REST_IDLE ? bit(i) : 0;
+        busy |= state == PROGRAM_RUNS ? bit(i) : 0;
+        idle |= state == PROGRAM_WAITS ? bit(i) : 0;
     }
     b->busy[block] = busy;
     b->idle[block] = idle;
@@ -539,16 +540,16 @@ static struct range keep_range(const struct box *k)
     return range_of(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
 }
 
-/* Whoever ends its move in it may be near. */
-static struct range watch_range(const struct watch *w, fx fastest)
+/* The broad phase: a bullet that is near ends its move in this range. */
+static struct range near_range(const struct bullets_query *q, fx fastest)
 {
-    int64_t reach = w->reach + fastest;
+    int64_t reach = q->reach + fastest;
 
-    if (w->reach < 0) /* one place, where nobody is */
+    if (q->reach < 0) /* one place, where nothing is */
         return range_of(FX_MIN, FX_MIN, 0, 0);
     if (reach > FX_MAX) /* 2 * reach would wrap */
         return range_of(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
-    return range_of(w->x - reach, w->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
+    return range_of(q->x - reach, q->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
 }
 
 #define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
@@ -590,41 +591,41 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
     return any;
 }
 
-/* Bullets of a block may be near player p. */
-static void met(struct bullets *b, const struct watch *w, uint32_t block, uint32_t p, uint64_t near)
+/* `near`, of a block's bullets, may be near player p: the narrow phase decides. */
+static void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
 {
     uint64_t grazes = 0;
 
     near &= b->s.used[block];
-    if (near && w->met)
-        near = w->met(w, p, block, near, &grazes);
+    if (near && q->narrow)
+        near = q->narrow(q, p, block, near, &grazes);
     b->near[block * PADS + p] = near;
     b->grazes[block * PADS + p] = grazes;
 }
 
-/* What met will read of a block's bullets besides where they are. */
-static void fetch_met(const struct bullets *b, uint32_t first)
+/* What the narrow phase will read of a block's bullets besides where they are. */
+static void prefetch_near(const struct bullets *b, uint32_t first)
 {
-    slots_fetch(&b->kind[first]);
-    slots_fetch(&b->kind[first + SLOTS_BLOCK / 2]);
-    slots_fetch(&b->flags[first]);
+    slots_prefetch(&b->kind[first]);
+    slots_prefetch(&b->kind[first + SLOTS_BLOCK / 2]);
+    slots_prefetch(&b->flags[first]);
 }
 
-static void watch_block(struct bullets *b, const struct watch *w, uint32_t block, uint32_t p)
+static void find_near_block(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p)
 {
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
-    struct range r = watch_range(w, b->fastest);
-    bool some = w->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
+    struct range r = near_range(q, b->fastest);
+    bool some = q->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
 
-    met(b, w, block, p, some ? slots_gather(out) : 0);
+    set_near(b, q, block, p, some ? slots_gather(out) : 0);
 }
 
-void bullets_watch(struct bullets *b, const struct watch watch[PADS])
+void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS])
 {
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++)
         for (uint32_t p = 0; p < PADS; p++)
-            watch_block(b, &watch[p], block, p);
+            find_near_block(b, &query[p], block, p);
 }
 
 /* Of those that a moved block names, drops the ones outside keep, but holds those that are near a player or, with
@@ -637,7 +638,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
     for (uint32_t p = 0; p < PADS; p++)
         hold |= near[p];
     for (uint64_t m = named & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
-        uint32_t i = first + lowest_bit(m);
+        uint32_t i = first + bits_lowest(m);
         fx x = b->x[i], y = b->y[i];
         if (x >= keep->x0 && x <= keep->x1 && y >= keep->y0 && y <= keep->y1)
             continue;
@@ -676,17 +677,17 @@ static fx fastest_of(const struct bullets *b)
 }
 
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
-                  const struct watch watch[PADS], bool hold_all)
+                  const struct bullets_query query[PADS], bool hold_all)
 {
-    static const struct watch nobody[PADS] = { { .reach = -1 }, { .reach = -1 } };
+    static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
     uint8_t out[SLOTS_BLOCK];
     struct range kept = keep_range(keep), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
     uint64_t woken[AHEAD]; /* of the blocks from the present one on */
     fx fastest = -1;
 
-    if (!watch)
-        watch = nobody;
+    if (!query)
+        query = none;
     if (w->clock % FASTEST_AGE == 0)
         b->fastest = fastest_of(b);
     b->moved = 0;
@@ -699,20 +700,20 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
 
         if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
-            fetch_met(b, i + AHEAD * SLOTS_BLOCK);
+            prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
         if (b->busy[block] | now)
             run_programs(b, w, block, now);
         if (b->fastest != fastest) { /* a program may have made one faster */
             fastest = b->fastest;
-            near = watch_range(&watch[0], fastest);
+            near = near_range(&query[0], fastest);
         }
         int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
         if (some)
             named = slots_gather(out);
-        met(b, &watch[0], block, 0, watch[0].reach < 0 ? 0 : named);
+        set_near(b, &query[0], block, 0, query[0].reach < 0 ? 0 : named);
         for (uint32_t p = 1; p < PADS; p++)
-            watch_block(b, &watch[p], block, p);
+            find_near_block(b, &query[p], block, p);
         if (some & 2)
             leave(b, named, i, keep, hold_all);
     }

@@ -1,14 +1,14 @@
 /*
  * bullets.h - bullets and player shots: pools kept as columns. Both are the same chip; a board has one of each.
- * floor: chips    used by: board/
+ * floor: chips
  *
  * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
- * program also runs it (motion.h); while it only waits, nobody looks at it. Dead slots below top are parked: standing
+ * program also runs it (motion.h), which costs nothing while it only waits. Dead slots below top are parked: standing
  * still in the field's corner, so that loops need not test them.
  *
  * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more (x and y being the
- * nearest fx), of its speed in pace. Each frame it goes on by pace along dir, and vx, vy are what that comes to in whole
- * units of fx, so that the common loop moves it and hits see it as any other.
+ * nearest fx), of its speed in pace. Each frame it goes on by pace along dir, and vx, vy are what that comes to in
+ * whole units of fx, so that the common loop moves it and hits see it as any other.
  */
 #ifndef CHIPS_BULLETS_H
 #define CHIPS_BULLETS_H
@@ -23,15 +23,16 @@ enum {
     KIND_GRAZE = 1 << 0, /* passing close counts */
     KIND_TURNS = 1 << 1, /* the picture points along dir */
 
-    KIND_SWEPT = 1 << 2, /* hits look at the whole way of a frame, not at its end alone */
+    KIND_SWEPT = 1 << 2, /* hits look at the whole path of a frame, not at its end alone */
     KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
     KIND_BLEND_ONE = 1 << 3,
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
 
-    MUTE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
-    MUTE_SPEED = 1 << 1,
+    /* in the column `mute` */
+    OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
+    OVERRIDE_SPEED = 1 << 1,
     STEP_BEGUN = 1 << 7, /* the step at pc has begun */
 
     MAX_KINDS = 1024
@@ -59,12 +60,12 @@ struct bullets {
     uint8_t *flags;
     uint32_t *born;   /* clock */
     uint32_t *by;     /* serial of the task that fired it, 0: none */
-    uint8_t *player;  /* of a shot: 1 or 2, 0: nobody's */
+    uint8_t *player;  /* of a shot: 1 or 2, 0: none */
     uint16_t *motion; /* program + 1, 0: none */
     uint16_t *pc;     /* the step it is at */
     uint32_t *end;    /* clock at which a timed step is over */
     int64_t *from;    /* speed when the step began, as pace */
-    uint8_t *mute;
+    uint8_t *mute;    /* of the step at pc: OVERRIDE_, STEP_BEGUN */
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
     int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
@@ -73,9 +74,9 @@ struct bullets {
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
     uint64_t *idle;    /* its program does nothing until the clock is `end` */
-    uint64_t *near;    /* PADS words: may be near that player this frame, or what `met` kept of them */
-    uint64_t *grazes;  /* PADS words: those of near that `met` marked */
-    uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on the way */
+    uint64_t *near;    /* PADS words: may be near that player this frame, or what `narrow` kept of them */
+    uint64_t *grazes;  /* PADS words: those of near that `narrow` marked */
+    uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
     fx fastest;        /* no |vx| or |vy| is above it */
     uint32_t moved;    /* bullets moved this frame */
@@ -83,18 +84,18 @@ struct bullets {
 };
 
 /*
- * A player whose neighbours a move is to find: bullets that end it within `reach` and their own speed of (x, y), on both
- * axes. Negative: none. `met` (may be NULL) is asked at once, while they are at hand, which of a block's bullets `near`
- * are to be kept there, and marks those of them that only graze.
+ * The broad phase for one player: a move finds the bullets that end it within `reach` and their own speed of (x, y), on
+ * both axes. reach < 0: none. `narrow` (may be NULL) is the narrow phase: it gets a block's bullets found so as `near`
+ * while their columns are in the cache, returns those to keep, and marks in *grazes those of them that only graze.
  */
-struct watch {
+struct bullets_query {
     fx x, y;
     int64_t reach;
-    uint64_t (*met)(const struct watch *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes);
-    void *context; /* of met */
+    uint64_t (*narrow)(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes);
+    void *context; /* of narrow */
 };
 
-/* What aiming looks at: the things of a pool or list, of which `in` (when given) says who counts. */
+/* What can be aimed at: the things of a pool or list; with `in`, those alone where it is not 0. */
 struct targets {
     const struct slots *s;
     const fx *x, *y;
@@ -131,14 +132,14 @@ void bullets_drop(struct bullets *b, uint32_t i);
 void bullets_release(struct bullets *b, uint32_t i);
 void bullets_release_all(struct bullets *b);
 
-/* Runs the motion programs in slot order, moves every bullet, and sets `near`: of every live bullet that the watch asks
- * for, and some others. watch NULL: nobody's. Those that end outside keep are dropped, but held (slots.h) if they are
+/* Runs the motion programs in slot order, moves every bullet, and sets `near`: of every live bullet that the query asks
+ * for, and some others. query NULL: of none. Those that end outside keep are dropped, but held (slots.h) if they are
  * `near` or with hold_all; the caller releases them in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
-                  const struct watch watch[PADS], bool hold_all);
+                  const struct bullets_query query[PADS], bool hold_all);
 
 /* Sets `near` alone, from where the bullets are. */
-void bullets_watch(struct bullets *b, const struct watch watch[PADS]);
+void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]);
 
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);

@@ -1,5 +1,5 @@
 /*
- * enemies.c - see enemies.h. Easing is quadratic. The share of the way is a fraction of whole numbers and a place is
+ * enemies.c - see enemies.h. Easing is quadratic. The share of a move is a fraction of whole numbers, and a place is
  * rounded once.
  */
 #include "enemies.h"
@@ -94,7 +94,7 @@ void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum e
     e->ease[i] = (uint8_t)ease;
 }
 
-/* A share of the way: part / whole, exactly; part <= whole < 2^62. */
+/* A share of a move: part / whole, exactly; part <= whole < 2^62. */
 struct share {
     uint64_t part, whole;
 };

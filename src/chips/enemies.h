@@ -1,6 +1,6 @@
 /*
  * enemies.h - enemies and bosses: one pool, with the one move each may be making.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_ENEMIES_H
 #define CHIPS_ENEMIES_H
@@ -11,12 +11,12 @@
 
 enum {
     ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
-    ENEMY_SWEPT = 1 << 1, /* of a kind: a player meets the whole way of its frame, not its end alone */
+    ENEMY_SWEPT = 1 << 1, /* of a kind: hits on players look at the whole path of its frame, not at its end alone */
     ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
 
     ENEMY_HELD = 1 << 0,    /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
-    ENEMY_DYING = 1 << 1,   /* it died, and goes once its handlers have been told */
+    ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */
     ENEMY_LEAVING = 1 << 2, /* it left in this frame's move, can still be hit, and goes as the dying do */
     ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either: not alive for scripts */
 
@@ -51,7 +51,7 @@ struct enemies {
     int32_t *safe;  /* frames it takes no damage, or SAFE_FOREVER */
     uint32_t *born; /* clock */
     uint32_t *by;
-    int64_t *owner; /* at whose end it goes, 0: nobody; the board's to name */
+    int64_t *owner; /* it goes when that one ends, 0: none; the board gives it a meaning */
     uint8_t *flags;
     fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */
     uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
@@ -65,7 +65,7 @@ extern const struct chip enemies_chip, enemy_kinds_chip;
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
 void enemies_drop(struct enemies *e, uint32_t i);
 
-/* Removes what has that owner, but for the dying, who go when their handlers have been told. */
+/* Removes all that have that owner, but for the dying, which go after their handlers have run. */
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
 /* Moves enemy i to (x, y) in the next `over` calls of enemies_move, 1 <= over < 2^31; it arrives exactly. After k of n

@@ -1,6 +1,6 @@
 /*
  * events.h - what happened this frame, in the order it was found. Empty between frames.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_EVENTS_H
 #define CHIPS_EVENTS_H
@@ -22,9 +22,7 @@ enum event_kind {
 
 struct event {
     int64_t a, b;
-    int32_t x, y; /* of a thing that is gone by the time a handler asks */
-    uint32_t extra;
-    uint32_t kind;
+    uint32_t kind; /* enum event_kind */
 };
 
 struct events {

@@ -1,10 +1,10 @@
 /*
  * input.h - the pads as a game sees them: held, pressed, released, repeated; and presses that wait to be taken.
- * floor: chips    used by: board/
+ * floor: chips
  *
- * A press is a frame in which a button went down. It waits for somebody to take it, once, and goes stale. The game and
- * the screen that freezes it have presses of their own: what was pressed while the game stood is none of the game's, and
- * what it had not taken by then is as old as it was when it goes on.
+ * A press is a frame in which a button went down. It can be taken once (input_take) while it is at most PRESS_KEPT
+ * frames old. The game and the pause screen have presses of their own: a press during a pause is not the game's, and
+ * the game's presses do not age during a pause.
  */
 #ifndef CHIPS_INPUT_H
 #define CHIPS_INPUT_H
@@ -14,7 +14,7 @@
 
 enum { REPEAT_AFTER = 20, REPEAT_EVERY = 5, PRESS_KEPT = 60 }; /* frames */
 
-enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES }; /* whose it is */
+enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES };
 
 struct input {
     struct slots s; /* two entries */
@@ -28,14 +28,14 @@ struct input {
 
 extern const struct chip input_chip;
 
-/* Takes this frame's pads. Opposite directions held together count as neither. Presses are those of `side`, whose frame
- * it is; the other's grow no older. */
+/* Takes this frame's pads. Opposite directions held together count as neither. The frame belongs to `side`: it gets the
+ * presses, and the other side's do not age. */
 void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side);
 
 /* Takes the oldest press of a button that is at most n frames old (0 to PRESS_KEPT; 0: of this very frame). */
 bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side);
 
-/* No press of player p waits any more. */
+/* Drops all presses of player p. */
 void input_forget(struct input *in, uint32_t p, enum press_side side);
 
 #endif

@@ -16,7 +16,7 @@ enum { HEAD = 4, SAVE = 96, ROW = 24, TABLE = 32 + NV_ROWS * ROW, FIRST_TABLE = 
 
 static const char magic[] = "NV01";
 
-static bool sound(const uint8_t *image)
+static bool fields_valid(const uint8_t *image)
 {
     for (int i = 0; i < NV_SAVES; i++) {
         const uint8_t *r = image + HEAD + i * SAVE;
@@ -34,15 +34,15 @@ static bool sound(const uint8_t *image)
     return true;
 }
 
-bool nvram_good(const uint8_t *image, size_t size)
+bool nvram_valid(const uint8_t *image, size_t size)
 {
-    return size == NV_BYTES && !memcmp(image, magic, HEAD) && sound(image);
+    return size == NV_BYTES && !memcmp(image, magic, HEAD) && fields_valid(image);
 }
 
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size)
 {
     memset(nv->bytes, 0, NV_BYTES);
-    if (image && nvram_good(image, size))
+    if (image && nvram_valid(image, size))
         memcpy(nv->bytes, image, NV_BYTES);
     memcpy(nv->bytes, magic, HEAD);
     nv->writes = 0;
@@ -71,7 +71,7 @@ struct nv_value nvram_get(const struct nvram *nv, const char *key)
     if (!r)
         return v;
     v.type = (enum nv_type)r[32];
-    v.bits = get64(r + 36);
+    v.bits = bytes_get64(r + 36);
     v.length = r[33];
     memcpy(v.text, r + 36, NV_STRING);
     return v;
@@ -93,7 +93,7 @@ bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v)
         r[33] = (uint8_t)v->length;
         memcpy(r + 36, v->text, v->length);
     } else
-        put64(r + 36, v->bits);
+        bytes_put64(r + 36, v->bits);
     return true;
 }
 
@@ -118,7 +118,7 @@ bool nvram_row(const struct nvram *nv, const char *table, int r, char *name, int
     if (!p || r < 0 || r >= NV_ROWS || !p[32 + r * ROW])
         return false;
     memcpy(name, p + 32 + r * ROW, NV_NAME + 1);
-    *score = (int64_t)get64(p + 32 + r * ROW + 16);
+    *score = (int64_t)bytes_get64(p + 32 + r * ROW + 16);
     return true;
 }
 
@@ -131,7 +131,7 @@ int nvram_enter(struct nvram *nv, const char *table, const char *name, int64_t s
     if (!p)
         return -2;
     uint8_t *rows = p + 32;
-    while (r < NV_ROWS && rows[r * ROW] && (int64_t)get64(rows + r * ROW + 16) >= score)
+    while (r < NV_ROWS && rows[r * ROW] && (int64_t)bytes_get64(rows + r * ROW + 16) >= score)
         r++;
     if (r == NV_ROWS)
         return -1;
@@ -139,6 +139,6 @@ int nvram_enter(struct nvram *nv, const char *table, const char *name, int64_t s
     memmove(rows + (r + 1) * ROW, rows + r * ROW, (size_t)(NV_ROWS - 1 - r) * ROW);
     memset(rows + r * ROW, 0, ROW);
     strcpy((char *)rows + r * ROW, name);
-    put64(rows + r * ROW + 16, (uint64_t)score);
+    bytes_put64(rows + r * ROW + 16, (uint64_t)score);
     return r;
 }

@@ -1,6 +1,6 @@
 /*
  * nvram.h - memory that outlives the power: score tables and saves. Bytes, little-endian, the same on every host.
- * floor: chips    used by: board/
+ * floor: chips
  *
  * Layout: magic "NV01"; SAVES records of 96 bytes { key[32], type, length, 2 spare, value[60] }; TABLES tables of
  * 32 + ROWS x 24 bytes { name[32], rows { name[16], score } }. An empty key or name is a free record.
@@ -38,9 +38,9 @@ struct nvram {
 extern const struct chip nvram_chip;
 
 /* Is it an image that nvram_load takes? */
-bool nvram_good(const uint8_t *image, size_t size);
+bool nvram_valid(const uint8_t *image, size_t size);
 
-/* Blank, or the image when it is one of ours; a damaged image is blank. */
+/* Starts with the image if it is valid, else blank. */
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size);
 
 /* The value kept under a key; type NV_NONE when there is none. */

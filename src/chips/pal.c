@@ -58,7 +58,7 @@ bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every)
     return true;
 }
 
-void pal_rest(struct pal *p)
+void pal_stop(struct pal *p)
 {
     memset(p->over, 0, COLOURS * sizeof *p->over);
     memset(p->cycle_every, 0, sizeof p->cycle_every);

@@ -1,6 +1,6 @@
 /*
  * pal.h - palette RAM: 256 colours in 16 banks of 16, fades and cycling.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_PAL_H
 #define CHIPS_PAL_H
@@ -23,8 +23,8 @@ extern const struct chip pal_chip;
 /* Sets a colour now; a fade of it ends. */
 void pal_set(struct pal *p, int i, uint32_t rgb);
 
-/* Fades entry i to rgb over n frames (0: now). After k of them each of red, green and blue is the whole number nearest to
- * from + (to - from) k/n, of two the one nearer to `to`. */
+/* Fades entry i to rgb over n frames (0: now). After k of them each of red, green and blue is the whole number nearest
+ * to from + (to - from) k/n, of two the one nearer to `to`. */
 void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n);
 
 /* Rotates entries first..last by one every so many frames; every 0 stops the cycle of that range. False: no cycle free.
@@ -32,7 +32,7 @@ void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n);
 bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);
 
 /* Ends all fades and cycles. */
-void pal_rest(struct pal *p);
+void pal_stop(struct pal *p);
 
 /* One frame of fades and cycles. */
 void pal_step(struct pal *p);

@@ -8,7 +8,7 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, sprite), COLUMN(player_kinds, radius),
     COLUMN(player_kinds, graze),  COLUMN(player_kinds, speed),
     COLUMN(player_kinds, focus),  COLUMN(player_kinds, lives),
-    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, REGISTERS),
+    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, PLAYER_REGISTERS),
 };
 
 static const struct column columns[] = {
@@ -23,7 +23,7 @@ static const struct column columns[] = {
     COLUMN(player, safe),
     COLUMN(player, grazes),
     COLUMN(player, score),
-    COLUMNS(player, regs, REGISTERS),
+    COLUMNS(player, regs, PLAYER_REGISTERS),
     COLUMN(player, focus),
 };
 
@@ -49,7 +49,7 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->grazes[i] = 0;
     p->score[i] = 0;
     p->focus[i] = 0;
-    memcpy(p->regs + i * REGISTERS, kinds->start + kind * REGISTERS, REGISTERS * sizeof *p->regs);
+    memcpy(p->regs + i * PLAYER_REGISTERS, kinds->start + kind * PLAYER_REGISTERS, PLAYER_REGISTERS * sizeof *p->regs);
 }
 
 bool player_retired(const struct player *p, uint32_t i)
@@ -64,11 +64,6 @@ void player_leave(struct player *p, uint32_t i)
     player_place(p, i, PARK, PARK);
 }
 
-static fx clamp(fx v, fx lo, fx hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held,
                      const struct box *area)
 {
@@ -79,10 +74,10 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     fx speed = p->focus[i] ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
         speed = fx_mul(speed, DIAGONAL);
-    p->was_x[i] = clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
-    p->was_y[i] = clamp(p->y[i], area->y0, area->y1);
-    p->x[i] = clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
-    p->y[i] = clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
+    p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
+    p->was_y[i] = fx_clamp(p->y[i], area->y0, area->y1);
+    p->x[i] = fx_clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
+    p->y[i] = fx_clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
 }
 
 void player_count(struct player *p)

@@ -1,6 +1,6 @@
 /*
  * player.h - the two players: ship, lives, score, registers.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_PLAYER_H
 #define CHIPS_PLAYER_H
@@ -10,7 +10,7 @@
 #include "motion.h"
 #include "slots.h"
 
-enum { REGISTERS = 16 };
+enum { PLAYER_REGISTERS = 16 };
 
 /* What player.def declares. */
 struct player_kinds {
@@ -21,7 +21,7 @@ struct player_kinds {
     fx *speed, *focus;
     int32_t *lives;
     uint32_t *safe; /* frames after a death, and after joining */
-    int32_t *start; /* REGISTERS a kind: their values in a new game */
+    int32_t *start; /* PLAYER_REGISTERS a kind: their values in a new game */
 };
 
 struct player {
@@ -41,7 +41,7 @@ struct player {
 
 extern const struct chip player_chip, player_kinds_chip;
 
-/* Has player i been in 2^30 - 2 games? Then it must not enter again: a handle would come to mean another game's. */
+/* Has player i been in 2^30 - 2 games? Then it must not enter again, for a handle could mean another game's player. */
 bool player_retired(const struct player *p, uint32_t i);
 
 /* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives, score and registers. */

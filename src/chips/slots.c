@@ -88,7 +88,7 @@ static uint64_t room_in(const struct slots *s, uint32_t block)
 
     if (block * 64 < s->held_top)
         room &= ~s->held[block];
-    while (room && s->gen[block * 64 + lowest_bit(room)] == GENERATIONS)
+    while (room && s->gen[block * 64 + bits_lowest(room)] == GENERATIONS)
         room &= room - 1;
     return room;
 }
@@ -101,7 +101,7 @@ int32_t slots_take(struct slots *s)
         uint64_t room = room_in(s, s->low);
         if (!room)
             continue;
-        uint32_t i = s->low * 64 + lowest_bit(room);
+        uint32_t i = s->low * 64 + bits_lowest(room);
         if (i >= s->cap)
             break;
         s->used[i / 64] |= 1ull << (i & 63);
@@ -176,7 +176,7 @@ static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
     while (i < top) {
         uint64_t rest = words[i / 64] >> (i & 63);
         if (rest)
-            return i + lowest_bit(rest);
+            return i + bits_lowest(rest);
         i = i / 64 * 64 + 64;
     }
     return top;

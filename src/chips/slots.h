@@ -1,6 +1,7 @@
 /*
- * slots.h - what every chip is made of: a struct of columns, described by one table, with slots and generations.
- * floor: chips    used by: chips/ board/
+ * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code
+ * that works on it; a slot is a numbered row of the columns.
+ * floor: chips
  *
  * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers stand in the struct
  * itself. The column table lays the chip out, hashes it, saves and restores it; tests and docs walk the same table.
@@ -8,11 +9,10 @@
  * A pool (`used` is not NULL): a live thing keeps its slot, a new one takes the lowest free slot, and a slot's
  * generation goes up when its tenant dies. A slot whose generation has reached the last one, after 2^30 - 2 tenants, is
  * retired: no tenant ever has that generation, so no handle can come to mean another thing, and the pool is full one
- * slot earlier. A list (`used` is NULL): entries [0, live) are in use, in the order they
- * were added.
+ * slot earlier. A list (`used` is NULL): entries [0, live) are in use, in the order they were added.
  *
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used hold below high,
- * and nothing at or beyond top is read by anybody, so a snapshot copies [0, top) of the columns and [0, high) of gen
+ * and nothing at or beyond top is read, so a snapshot copies [0, top) of the columns and [0, high) of gen
  * and used.
  *
  * A held slot's tenant is not live any more, but its columns and generation stay, and no new tenant gets the slot: a
@@ -25,6 +25,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../base/bits.h"
 #include "../base/bytes.h"
 
 enum column_kind {
@@ -43,37 +44,31 @@ struct column {
     const char *why; /* of a derived column */
 };
 
+/* Entries of a column table, named as the fields of the chip's struct. */
+/* clang-format off */
+#define COLUMN_ENTRY(chip, name, width, n, reg, block, kind, why)                                                      \
+    { #name, offsetof(struct chip, name), width, n, reg, block, kind, why }
+#define COLUMN_FIELD(chip, name) (((struct chip *)0)->name)
+
+/* A column, with one value a slot or n. */
 #define COLUMN(chip, name)                                                                                             \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, false, COL_GAME, 0             \
-    }
+    COLUMNS(chip, name, 1)
 #define COLUMNS(chip, name, n)                                                                                         \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, false, COL_GAME, 0             \
-    }
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL)
 #define DERIVED(chip, name, why)                                                                                       \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, 1, false, false, COL_DERIVED, why        \
-    }
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why)
 #define DERIVED_BLOCKS(chip, name, n, why)                                                                             \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof *((struct chip *)0)->name, n, false, true, COL_DERIVED, why         \
-    }
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, true, COL_DERIVED, why)
+
+/* A register: one value, or an array. */
 #define REGISTER(chip, name)                                                                                           \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, false, COL_GAME, 0                \
-    }
+    COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_GAME, NULL)
 #define REGISTERS(chip, name)                                                                                          \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name),                                                                            \
-            sizeof((struct chip *)0)                                                                                   \
-                ->name[0],                                                                                             \
-                       sizeof((struct chip *)0)->name / sizeof((struct chip *)0)->name[0], true, false, COL_GAME, 0    \
-    }
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name),                                                         \
+                 sizeof COLUMN_FIELD(chip, name) / sizeof *COLUMN_FIELD(chip, name), true, false, COL_GAME, NULL)
 #define DERIVED_REGISTER(chip, name, why)                                                                              \
-    {                                                                                                                  \
-#name, offsetof(struct chip, name), sizeof((struct chip *)0)->name, 1, true, false, COL_DERIVED, why           \
-    }
+    COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_DERIVED, why)
+/* clang-format on */
 
 struct slots {
     uint32_t cap;  /* most that can live at once */
@@ -94,7 +89,7 @@ struct chip {
     const struct column *columns;
     int count;
     bool list;
-    bool apart; /* hashed for reports, but outside the combined hash: no script can read it */
+    bool cosmetic; /* no script can read it: hashed for reports, but not in the combined hash */
 };
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
@@ -106,8 +101,8 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap);
  */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
 
-/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's to
- * park. */
+/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's
+ * to park. */
 int32_t slots_take(struct slots *s);
 
 /* The next entry of a list, or NO_SLOT. */
@@ -166,21 +161,8 @@ typedef void slots_visit(void *context, const struct slots_value *v);
 /* Visits all that slots_hash folds, in its order. */
 void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
 
-/* The lowest set bit of a non-zero word. */
-static inline uint32_t lowest_bit(uint64_t w)
-{
-#ifdef __GNUC__
-    return (uint32_t)__builtin_ctzll(w);
-#else
-    uint32_t n = 0;
-    for (; !(w & 1); w >>= 1)
-        n++;
-    return n;
-#endif
-}
-
-/* Asks the processor for the cache line at p: it will be read soon. Changes nothing. */
-static inline void slots_fetch(const void *p)
+/* Prefetches the cache line at p. */
+static inline void slots_prefetch(const void *p)
 {
 #ifdef __GNUC__
     __builtin_prefetch(p);
@@ -189,13 +171,13 @@ static inline void slots_fetch(const void *p)
 #endif
 }
 
-/* A bit for each byte of a block, of which each is 0 or 1: what a loop that the compiler vectorises can hand on. */
+/* A bit for each byte of a block, each of which is 0 or 1: a vectorised loop writes bytes. */
 static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
 {
     uint64_t m = 0;
 
     for (int i = 0; i < 8; i++)
-        m |= (get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
+        m |= (bytes_get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
     return m;
 }
 

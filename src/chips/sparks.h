@@ -1,6 +1,6 @@
 /*
- * sparks.h - particles: seen by the player, never by a script. They have their own random stream and their own hash.
- * floor: chips    used by: board/
+ * sparks.h - particles: cosmetic, no script can read them. They have their own random stream and their own hash.
+ * floor: chips
  */
 #ifndef CHIPS_SPARKS_H
 #define CHIPS_SPARKS_H

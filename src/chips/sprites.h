@@ -1,6 +1,6 @@
 /*
  * sprites.h - free sprites: pictures a script places by hand.
- * floor: chips    used by: board/
+ * floor: chips
  */
 #ifndef CHIPS_SPRITES_H
 #define CHIPS_SPRITES_H
@@ -30,7 +30,7 @@ struct sprites {
     uint8_t *layer;
     uint8_t *flags;
     uint32_t *born; /* clock */
-    int64_t *owner; /* at whose end it goes, 0: nobody; the board's to name */
+    int64_t *owner; /* it goes when that one ends, 0: none; the board gives it a meaning */
 };
 
 extern const struct chip sprites_chip;

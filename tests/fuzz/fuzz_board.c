@@ -42,7 +42,7 @@ static size_t edit(uint8_t *rom, size_t size, const uint8_t *data, size_t left)
     if (count > left - 4)
         count = left - 4;
     for (size_t k = 0; k < count && n > 0; k++)
-        rom[at + (get16(data + 1) + k) % n] = data[4 + k];
+        rom[at + (bytes_get16(data + 1) + k) % n] = data[4 + k];
     return 4 + count;
 }
 

@@ -15,13 +15,13 @@ static void repair(uint8_t *p, size_t n, uint32_t format)
     uint32_t crc = 0;
 
     memcpy(p, "CDEM", 4);
-    put32(p + 4, format);
-    for (size_t at = 8; n - at >= 12; at += 12 + get32(p + at + 4)) {
-        size_t size = get32(p + at + 4);
+    bytes_put32(p + 4, format);
+    for (size_t at = 8; n - at >= 12; at += 12 + bytes_get32(p + at + 4)) {
+        size_t size = bytes_get32(p + at + 4);
         if (size > n - at - 12)
             return;
-        crc = crc32_add(crc, p + at, 8 + size);
-        put32(p + at + 8 + size, crc);
+        crc = hash_crc32_add(crc, p + at, 8 + size);
+        bytes_put32(p + at + 8 + size, crc);
     }
 }
 

@@ -24,7 +24,7 @@ static void edit(uint8_t *image, const uint8_t *data, size_t size)
     memset(image, 0, NV_BYTES);
     memcpy(image, "NV01", 4);
     for (size_t at = 0; size - at >= 3;) {
-        size_t to = get16(data + at) % NV_BYTES, n = data[at + 2] % 64u;
+        size_t to = bytes_get16(data + at) % NV_BYTES, n = data[at + 2] % 64u;
         at += 3;
         n = n < size - at ? n : size - at;
         n = n < NV_BYTES - to ? n : NV_BYTES - to;
@@ -92,12 +92,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         edit(image, copy, size - 1);
     const uint8_t *from = whole ? copy : image;
     size_t n = whole ? size - 1 : NV_BYTES;
-    bool good = nvram_good(from, n);
+    bool good = nvram_valid(from, n);
     nvram_load(&nv, from, n);
-    need(nvram_good(nv.bytes, NV_BYTES) && (!good || memcmp(nv.bytes, from, NV_BYTES) == 0));
+    need(nvram_valid(nv.bytes, NV_BYTES) && (!good || memcmp(nv.bytes, from, NV_BYTES) == 0));
     if (good)
         use(&nv, from);
-    need(nvram_good(nv.bytes, NV_BYTES));
+    need(nvram_valid(nv.bytes, NV_BYTES));
     free(nv.bytes);
     free(copy);
     return 0;

@@ -21,7 +21,7 @@ static void repair(uint8_t *p, size_t n)
         size_t size = be32(p + at);
         if (size > n - at - 12)
             return;
-        uint32_t crc = crc32_of(p + at + 4, size + 4);
+        uint32_t crc = hash_crc32(p + at + 4, size + 4);
         for (int i = 0; i < 4; i++)
             p[at + 8 + size + (size_t)i] = (uint8_t)(crc >> (24 - 8 * i));
     }

@@ -6,10 +6,10 @@
 flags="-std=c11 -fwrapv -ffp-contract=off -O2"
 cat >"$scratch/main.c" <<'EOL'
 #include <stdio.h>
-#include "src/base/sums.h"
+#include "src/base/ieee.h"
 int main(void)
 {
-    const char *wrong = sums_wrong();
+    const char *wrong = ieee_fault();
     if (wrong)
         puts(wrong);
     return wrong ? 3 : 0;
@@ -20,7 +20,7 @@ silent="-U__FAST_MATH__ -U__ASSOCIATIVE_MATH__ -U__RECIPROCAL_MATH__ -U__NO_SIGN
 
 built() { # COMPILER FLAG...: compiles the sums; then does them
     # shellcheck disable=SC2086
-    $1 $flags "${@:2}" -I. "$scratch/main.c" src/base/sums.c -o "$scratch/sums" -lm && "$scratch/sums"
+    $1 $flags "${@:2}" -I. "$scratch/main.c" src/base/ieee.c -o "$scratch/sums" -lm && "$scratch/sums"
 }
 fma() { grep -qw fma /proc/cpuinfo; }
 
@@ -65,10 +65,10 @@ whole() { # WORD...: what it prints, and its exit code
     "$scratch/curtain" "$@" 2>&1
     echo "exit $?"
 }
-objects() { sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v base/sums.o; }
+objects() { sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v base/ieee.o; }
 link() {
     # shellcheck disable=SC2046
-    clang $flags -freciprocal-math -c src/base/sums.c -o "$scratch/sums.o" &&
+    clang $flags -freciprocal-math -c src/base/ieee.c -o "$scratch/sums.o" &&
         ${CC:-cc} $(objects) "$scratch/sums.o" $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/curtain"
 }
 said="curtain: built with flags that change results: it divides by reciprocals (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)
@@ -107,7 +107,7 @@ host() { # OBJECT: the sums
     ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" $(pkg-config --libs lua5.4) -lm -pthread \
         -o "$scratch/host" && "$scratch/host"
 }
-check "a board is powered" host "$OUT/src/base/sums.o"
+check "a board is powered" host "$OUT/src/base/ieee.o"
 refuse "a board with such sums is not" "built with flags that change results: it divides" host "$scratch/sums.o"
 check "the program as built is fine" "$OUT/curtain-null" hash roms/testcard --frames 1
 done_testing

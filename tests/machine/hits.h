@@ -132,11 +132,11 @@ static bool meets(struct thing p, struct thing q, bool swept)
 /* hit_run after things were put in places by hand, without a move that found who is near. */
 static inline void hit_now(struct board *b)
 {
-    struct watch watch[PADS];
+    struct bullets_query query[PADS];
 
     b->events.n = 0;
-    hit_watch(b, watch);
-    bullets_watch(&b->bullets, watch);
+    hit_queries(b, query);
+    bullets_find_near(&b->bullets, query);
     hit_run(b);
 }
 

@@ -241,7 +241,7 @@ static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit
     for (int k = 0; k < PARTS; k++)
         if ((now.part[k] != was->part[k]) != (k == i))
             fail_msg("%s: a flipped bit: the hash of %s %s", what, parts[k].chip->name, k == i ? "stays" : "changes");
-    if ((now.all != was->all) != (i >= 0 && !parts[i].chip->apart))
+    if ((now.all != was->all) != (i >= 0 && !parts[i].chip->cosmetic))
         fail_msg("%s: the combined hash %s", what, now.all == was->all ? "stays" : "changes");
 }
 

@@ -84,7 +84,7 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
 
     assert_non_null(lump);
     for (int i = 0; i < 9; i++)
-        put16(lump + 2 * i, (uint16_t)header[i]);
+        bytes_put16(lump + 2 * i, (uint16_t)header[i]);
     for (int y = 0; y < frames * turns * h; y++)
         for (int x = 0; x < w; x++)
             lump[CART_GFX_HEADER + y * pitch + x] = (uint8_t)(below(100) < solid ? bank * 16 + 1 + below(15) : 0);
@@ -171,7 +171,7 @@ static struct {
 
 static void picture(struct rig *r, const struct bullets *s, const struct bullet_kinds *k)
 {
-    static const int coats[] = { VIDEO_NO_COATS, 0, 1, 5, VIDEO_COATS };
+    static const int overdraw[] = { VIDEO_NO_LAYERS, 0, 1, 5, VIDEO_OVERDRAW };
     const struct board *b = r->b;
     const struct manifest *m = &b->cart.m;
     size_t w = (size_t)m->screen_w, size = w * (size_t)m->screen_h;
@@ -181,8 +181,8 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
     for (size_t i = 0; i < size; i++)
         want[i] = backdrop[i] = (uint8_t)rng_next(&rng);
     paint_all(b, s, k, want);
-    for (size_t i = 0; i < sizeof coats / sizeof *coats; i++) {
-        struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, coats[i], 0, 0 };
+    for (size_t i = 0; i < sizeof overdraw / sizeof *overdraw; i++) {
+        struct canvas c = { b, &r->fb, m->field_x, m->field_y, r->scratch, overdraw[i], 0, 0 };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
         fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
@@ -190,9 +190,9 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
         video_bullets(&c, s, k);
         for (int y = 0; y < m->screen_h; y++)
             if (memcmp(r->fb.pix + y * r->fb.pitch, want + (size_t)y * w, w))
-                fail_msg("%u bullets, %d coats: row %d differs", s->s.live, coats[i], y);
+                fail_msg("%u bullets, overdraw %d: row %d differs", s->s.live, overdraw[i], y);
         assert_int_equal(c.drawn, s->s.live);
-        assert_true(c.hidden <= c.drawn && (coats[i] != VIDEO_NO_COATS || !c.hidden));
+        assert_true(c.hidden <= c.drawn && (overdraw[i] != VIDEO_NO_LAYERS || !c.hidden));
         seen.drawn += (long)c.drawn;
         seen.hidden += (long)c.hidden;
         seen.layered += c.hidden > 0;
@@ -252,7 +252,7 @@ static int64_t gap(fx a, fx b)
 }
 
 /* One frame of straight bullets: who goes, where the others are, and who is near whom. */
-static void move(struct board *b, const struct box *keep, const struct watch watch[PADS], uint32_t clock)
+static void move(struct board *b, const struct box *keep, const struct bullets_query query[PADS], uint32_t clock)
 {
     struct bullets *s = &b->bullets;
     struct motion_world w = { .motions = &b->motions, .steps = &b->steps, .kinds = &b->bullet_kinds, .clock = clock };
@@ -270,7 +270,7 @@ static void move(struct board *b, const struct box *keep, const struct watch wat
         left += was[i];
     }
     assert_int_equal(left, live);
-    bullets_move(s, &w, keep, watch, false);
+    bullets_move(s, &w, keep, query, false);
     assert_int_equal(s->moved, live);
     for (uint32_t i = 0; i < top; i++) {
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;
@@ -284,18 +284,18 @@ static void move(struct board *b, const struct box *keep, const struct watch wat
         assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->fastest && vy[i] <= s->fastest);
         for (uint32_t p = 0; p < PADS; p++) {
             bool near = s->near[i / SLOTS_BLOCK * PADS + p] >> (i % SLOTS_BLOCK) & 1;
-            bool must = watch[p].reach >= 0 && gap(x[i], watch[p].x) <= watch[p].reach + vx[i] &&
-                        gap(y[i], watch[p].y) <= watch[p].reach + vy[i];
-            bool may = watch[p].reach >= 0 && gap(x[i], watch[p].x) <= watch[p].reach + s->fastest &&
-                       gap(y[i], watch[p].y) <= watch[p].reach + s->fastest;
+            bool must = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + vx[i] &&
+                        gap(y[i], query[p].y) <= query[p].reach + vy[i];
+            bool may = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + s->fastest &&
+                       gap(y[i], query[p].y) <= query[p].reach + s->fastest;
             assert_true(near >= must);
-            if (watch[p].reach + s->fastest <= FX_MAX)
+            if (query[p].reach + s->fastest <= FX_MAX)
                 assert_int_equal(near, may);
         }
     }
     uint64_t near[2 * 1024 / SLOTS_BLOCK];
     memcpy(near, s->near, s->s.top / SLOTS_BLOCK * PADS * sizeof *near);
-    bullets_watch(s, watch);
+    bullets_find_near(s, query);
     for (uint32_t k = 0; k < s->s.top / SLOTS_BLOCK * PADS; k++)
         assert_true(!((near[k] ^ s->near[k]) & s->s.used[k / PADS]));
     bullets_release_all(s);
@@ -315,16 +315,16 @@ static void test_moves(void **state)
     struct bullets *s = &r.b->bullets;
     for (int scene = 0; scene < 3000; scene++) {
         struct box keep = { -length(64 << 16), -length(64 << 16), world, world };
-        struct watch watch[PADS];
+        struct bullets_query query[PADS];
         if (below(2))
             keep = (struct box){ -world, -world, world, world };
         else if (below(2))
             keep = (struct box){ -(64 << 16), -(64 << 16), 300 << 16, 300 << 16 };
         for (uint32_t p = 0; p < PADS; p++)
-            watch[p] = (struct watch){ .x = length(world),
-                                       .y = length(world),
-                                       .reach = below(4) ? (int64_t)below(64 << 16) - 1
-                                                         : (int64_t)rng_below(&rng, 1ull << 33) };
+            query[p] = (struct bullets_query){ .x = length(world),
+                                               .y = length(world),
+                                               .reach = below(4) ? (int64_t)below(64 << 16) - 1
+                                                                 : (int64_t)rng_below(&rng, 1ull << 33) };
         EACH_LIVE (i, &s->s)
             bullets_drop(s, i);
         slots_trim(&s->s);
@@ -339,7 +339,7 @@ static void test_moves(void **state)
             EACH_LIVE (i, &s->s)
                 if (below(10) == 0)
                     bullets_drop(s, i);
-            move(r.b, &keep, watch, (uint32_t)scene * 3 + n);
+            move(r.b, &keep, query, (uint32_t)scene * 3 + n);
         }
     }
     rig_free(&r);

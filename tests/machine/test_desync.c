@@ -131,9 +131,9 @@ static void repair(uint8_t *p, size_t n)
 {
     uint32_t crc = 0;
 
-    for (size_t at = 8; at < n; at += 12 + get32(p + at + 4)) {
-        crc = crc32_add(crc, p + at, 8 + get32(p + at + 4));
-        put32(p + at + 8 + get32(p + at + 4), crc);
+    for (size_t at = 8; at < n; at += 12 + bytes_get32(p + at + 4)) {
+        crc = hash_crc32_add(crc, p + at, 8 + bytes_get32(p + at + 4));
+        bytes_put32(p + at + 8 + bytes_get32(p + at + 4), crc);
     }
 }
 
@@ -142,7 +142,7 @@ static size_t second_at(uint32_t i)
 {
     size_t at = 8;
 
-    for (;; at += 12 + get32(bytes + at + 4))
+    for (;; at += 12 + bytes_get32(bytes + at + 4))
         if (bytes[at] == 'S' && i-- == 0)
             return at;
 }

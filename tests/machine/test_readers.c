@@ -173,12 +173,12 @@ static void spoil(uint8_t *p, size_t n, struct rng *r)
     case 2:
         if (n >= 2) {
             at = at & ~(size_t)1 & (n - 2);
-            put16(p + at, (uint16_t)odd_value(r));
+            bytes_put16(p + at, (uint16_t)odd_value(r));
         }
         break;
     case 3:
         if (n >= 4)
-            put32(p + (at < n - 4 ? at & ~(size_t)3 : 0), odd_value(r));
+            bytes_put32(p + (at < n - 4 ? at & ~(size_t)3 : 0), odd_value(r));
         break;
     case 4:
         p[at] = p[from];
@@ -194,7 +194,7 @@ static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
     size_t at, n;
 
     for (uint64_t k = rng_below(r, 3) + 1; k > 0; k--) {
-        uint32_t lumps = get32(p + 16);
+        uint32_t lumps = bytes_get32(p + 16);
         if (rng_below(r, 8) == 0 || lumps == 0) {
             spoil(p, size < 2000 ? size : 2000, r); /* header, directory, names */
             continue;
@@ -281,12 +281,12 @@ static void repair_demo(uint8_t *p, size_t n)
 {
     uint32_t crc = 0;
 
-    for (size_t at = 8; at <= n && n - at >= 12; at += 12 + get32(p + at + 4)) {
-        size_t size = get32(p + at + 4);
+    for (size_t at = 8; at <= n && n - at >= 12; at += 12 + bytes_get32(p + at + 4)) {
+        size_t size = bytes_get32(p + at + 4);
         if (size > n - at - 12)
             return;
-        crc = crc32_add(crc, p + at, 8 + size);
-        put32(p + at + 8 + size, crc);
+        crc = hash_crc32_add(crc, p + at, 8 + size);
+        bytes_put32(p + at + 8 + size, crc);
     }
 }
 

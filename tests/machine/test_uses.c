@@ -299,7 +299,7 @@ static void test_demo_holds(void **state)
         uint32_t differ = demo_differs(&d, f, hashes);
         if (differ)
             fail_msg("frame %u: part %s differs (CURTAIN_UPDATE=1 records the demo anew)", f,
-                     d.part[lowest_bit(differ)]);
+                     d.part[bits_lowest(differ)]);
         demo_pads(&d, f, pads);
         if (f < d.frames)
             rig_tick(&r, pads);

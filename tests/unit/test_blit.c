@@ -380,7 +380,7 @@ static void stamps_are_sprites(void **state)
             uint8_t bank = (uint8_t)rng_below(&b->r, 16);
             list[i] = STAMP_OTHER | (uint32_t)i;
             if (dx < c.wide && dy < c.high) {
-                list[i] = stamp_place(&b->fb, dx, dy, bank);
+                list[i] = stamp_dest(&b->fb, dx, dy, bank);
                 paint(b, x, y, bank, 0);
                 drawn++;
             }
@@ -408,7 +408,7 @@ static void random_solid(struct bed *b, int w, int h, bool holes)
 }
 
 /* Pixels that nothing was drawn on, of what a picture within [x0, x1) x [y0, y1) of (x, y) could show. */
-static bool may_be_seen(const struct layer *l, int x, int y, int x0, int y0, int x1, int y1)
+static bool may_be_seen(const struct stamp_layer *l, int x, int y, int x0, int y0, int x1, int y1)
 {
     for (int v = y + y0; v < y + y1; v++)
         for (int u = x + x0; u < x + x1; u++)
@@ -417,22 +417,22 @@ static bool may_be_seen(const struct layer *l, int x, int y, int x0, int y0, int
     return false;
 }
 
-static void check_cells(struct bed *b, const struct layer *l)
+static void check_cells(struct bed *b, const struct stamp_layer *l)
 {
     static uint8_t seen[1024];
-    struct layer_cells cells;
+    struct stamp_cells cells;
     int x0 = (int)rng_below(&b->r, 12) - 6, y0 = (int)rng_below(&b->r, 12) - 6;
     int x1 = x0 + 1 + (int)rng_below(&b->r, 16), y1 = y0 + 1 + (int)rng_below(&b->r, 16);
     fx x[64], y[64];
     uint32_t at[64];
 
-    assert_true(layer_cells_size(l->fb.w, l->fb.h) <= sizeof seen);
-    layer_find_cells(l, &cells, seen, x0, y0, x1, y1);
+    assert_true(stamp_cells_size(l->fb.w, l->fb.h) <= sizeof seen);
+    stamp_cells_find(l, &cells, seen, x0, y0, x1, y1);
     for (int i = 0; i < 64; i++) {
         x[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 160 << 16) - (40 << 16) : (fx)rng_next(&b->r);
         y[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 120 << 16) - (40 << 16) : (fx)rng_next(&b->r);
     }
-    layer_cells_at(&cells, x, y, at);
+    stamp_cells_at(&cells, x, y, at);
     for (int i = 0; i < 64; i++)
         if (!seen[at[i]])
             assert_false(may_be_seen(l, x[i] >> 16, y[i] >> 16, x0, y0, x1, y1));
@@ -449,7 +449,7 @@ static void layers_are_sprites(void **state)
         uint32_t place;
     } at[MOST];
     uint32_t list[MOST];
-    uint8_t *mem = malloc(layer_size(W, H));
+    uint8_t *mem = malloc(stamp_layer_size(W, H));
     long hidden = 0, shown = 0, covered = 0;
 
     assert_non_null(mem);
@@ -457,17 +457,17 @@ static void layers_are_sprites(void **state)
     for (int k = 0; k < 1200; k++) {
         int n = 1 + (int)rng_below(&b->r, k % 2 || k % 8 == 4 ? MOST : 60),
             w = k % 8 == 4 ? FB_GUARD : 1 + (int)rng_below(&b->r, FB_GUARD);
-        struct layer l;
+        struct stamp_layer l;
         bool one_by_one = k % 7 == 0;
         random_solid(b, w, k % 8 == 4 ? FB_GUARD : k % 3 ? 8 : 1 + (int)rng_below(&b->r, FB_GUARD), k % 4);
-        layer_init(&l, mem, W, H);
+        stamp_layer_init(&l, mem, W, H);
         struct stamp_corners c = stamp_corners(&l.fb, w, b->image.h);
         assert_true(stamp_make(&stamp, &b->image, 0xffff));
         for (int i = 0; i < n; i++) {
             uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
             at[i].x = (int)dx + c.x0;
             at[i].y = (int)dy + c.y0;
-            list[i] = at[i].place = stamp_place(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
+            list[i] = at[i].place = stamp_dest(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
         }
         noise(b);
         begin(b);
@@ -476,14 +476,14 @@ static void layers_are_sprites(void **state)
         size_t half = (size_t)n / 2, pixels = 1 + (size_t)rng_below(&b->r, 64);
         if (one_by_one)
             for (int i = n; i-- > 0;)
-                layer_sprite(&l, &b->image, list[i], pixels);
+                stamp_layer_sprite(&l, &b->image, list[i], pixels);
         else {
-            layer_stamp(&l, &stamp, list + half, (size_t)n - half, pixels);
-            layer_map(&l);
+            stamp_layer_draw(&l, &stamp, list + half, (size_t)n - half, pixels);
+            stamp_layer_map(&l);
             check_cells(b, &l);
-            layer_stamp(&l, &stamp, list, half, pixels);
+            stamp_layer_draw(&l, &stamp, list, half, pixels);
         }
-        layer_show(&l, &b->fb, 0, 0);
+        stamp_layer_show(&l, &b->fb, 0, 0);
         for (int y = 0; y < H; y++)
             assert_memory_equal(b->fb.pix + y * b->fb.pitch, b->want[y], W);
         hidden += (long)l.hidden;

@@ -409,7 +409,7 @@ static size_t record_at(int i)
     size_t at = 8;
 
     while (i-- > 0)
-        at += 12 + get32(file + at + 4);
+        at += 12 + bytes_get32(file + at + 4);
     return at;
 }
 
@@ -418,12 +418,12 @@ static void repair(size_t n)
 {
     uint32_t crc = 0;
 
-    for (size_t at = 8; n - at >= 12; at += 12 + get32(file + at + 4)) {
-        size_t size = get32(file + at + 4);
+    for (size_t at = 8; n - at >= 12; at += 12 + bytes_get32(file + at + 4)) {
+        size_t size = bytes_get32(file + at + 4);
         if (size > n - at - 12)
             return;
-        crc = crc32_add(crc, file + at, 8 + size);
-        put32(file + at + 8 + size, crc);
+        crc = hash_crc32_add(crc, file + at, 8 + size);
+        bytes_put32(file + at + 8 + size, crc);
     }
 }
 
@@ -517,10 +517,10 @@ static size_t find(const char *what)
 /* Makes the payload of record i longer by that many bytes, which stand at its end, or shorter; returns the file's size. */
 static size_t resize(int i, int by)
 {
-    size_t n = file_bytes(), at = record_at(i), size = get32(file + at + 4), end = at + 8 + size;
+    size_t n = file_bytes(), at = record_at(i), size = bytes_get32(file + at + 4), end = at + 8 + size;
 
     memmove(file + end + by, file + end, n - end);
-    put32(file + at + 4, (uint32_t)((int)size + by));
+    bytes_put32(file + at + 4, (uint32_t)((int)size + by));
     n = (size_t)((long)n + by);
     repair(n);
     return n;
@@ -825,7 +825,7 @@ static void test_nvram_lies(void **state)
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     assert_true(demo_end(&w, b));
     size_t n = file_bytes(), coded = record_at(1) - 4 - 16, size = coded - 4; /* 8 runs, 2 bytes each */
-    assert_int_equal(get32(file + size), 1000);
+    assert_int_equal(bytes_get32(file + size), 1000);
     refused_with(n, size, 0xe7, "damaged (nvram)");
     refused_with(n, size, 0xe9, "damaged (nvram)");
     refused_with(n, size + 2, 1, "damaged (nvram)");

@@ -109,7 +109,7 @@ static size_t png_chunk(uint8_t *p, const char *kind, const uint8_t *data, size_
     memcpy(p + 4, kind, 4);
     if (n > 0)
         memcpy(p + 8, data, n);
-    big32(p + 8 + n, crc32_of(p + 4, n + 4));
+    big32(p + 8 + n, hash_crc32(p + 4, n + 4));
     return n + 12;
 }
 
@@ -129,8 +129,8 @@ static void put_picture(const char *name, const uint32_t *argb, int w, int h)
             big32(p, *argb << 8 | *argb >> 24);
     }
     memcpy(raw, "\x78\x01\x01", 3);
-    put16(raw + 3, (uint16_t)n);
-    put16(raw + 5, (uint16_t)~n);
+    bytes_put16(raw + 3, (uint16_t)n);
+    bytes_put16(raw + 5, (uint16_t)~n);
     for (size_t i = 0; i < n; i++) {
         a = (a + raw[7 + i]) % 65521;
         b = (b + a) % 65521;

@@ -56,18 +56,18 @@ static uint8_t *entry(struct block b, uint32_t i)
 /* Makes the header's checksum good again. */
 static void repair(struct block b)
 {
-    put32(b.p + 12, crc32_of(b.p + 16, b.size - 16));
+    bytes_put32(b.p + 12, hash_crc32(b.p + 16, b.size - 16));
 }
 
 /* The checksums of the lumps, as far as they lie in the file, then the header's. */
 static void repair_all(struct block b)
 {
-    uint32_t count = get32(b.p + 16);
+    uint32_t count = bytes_get32(b.p + 16);
 
     for (uint32_t i = 0; i < count && i < (b.size - ROM_HEADER) / ROM_ENTRY; i++) {
-        size_t at = get32(entry(b, i) + 4), size = get32(entry(b, i) + 8);
+        size_t at = bytes_get32(entry(b, i) + 4), size = bytes_get32(entry(b, i) + 8);
         if (at <= b.size && size <= b.size - at)
-            put32(entry(b, i) + 12, crc32_of(b.p + at, size));
+            bytes_put32(entry(b, i) + 12, hash_crc32(b.p + at, size));
     }
     repair(b);
 }
@@ -100,7 +100,7 @@ static void test_round_trip(void **state)
     (void)state;
     opened(&rom, b);
     assert_int_equal(rom.count, 4);
-    assert_int_equal(rom.crc, get32(b.p + 12));
+    assert_int_equal(rom.crc, bytes_get32(b.p + 12));
     assert_int_equal(rom_find(&rom, "script/main.lua"), 2);
     assert_int_equal(rom_find(&rom, "script/main"), -1);
     assert_int_equal(rom_find(&rom, ""), -1);
@@ -182,7 +182,7 @@ static void test_cut_anywhere(void **state)
         assert_false(rom_open(&rom, cut, n, err, sizeof err));
         assert_string_not_equal(err, "");
         if (n >= ROM_HEADER) { /* also when only the end of the data is gone, and the header was told so */
-            put32(cut + 20, (uint32_t)n);
+            bytes_put32(cut + 20, (uint32_t)n);
             repair((struct block){ cut, n });
             assert_false(rom_open(&rom, cut, n, err, sizeof err));
         }
@@ -216,7 +216,7 @@ static void test_header(void **state)
         refused(b, "not a Curtain ROM");
     }
     b = make_small();
-    put32(b.p + 8, 2);
+    bytes_put32(b.p + 8, 2);
     refused(b, "ROM format 2 is not known (this program reads 1)");
     b = make_small();
     b.p[13] ^= 1;
@@ -231,7 +231,7 @@ static void test_header(void **state)
         refused(b, "reserved header bytes are not zero");
     }
     b = make_small();
-    put32(b.p + 16, 0xffffffff);
+    bytes_put32(b.p + 16, 0xffffffff);
     repair(b);
     refused(b, "the directory of 4294967295 lumps runs past the end");
 }
@@ -241,7 +241,7 @@ static struct block with(uint32_t i, int field, uint32_t v)
 {
     struct block b = make_small();
 
-    put32(entry(b, i) + field * 4, v);
+    bytes_put32(entry(b, i) + field * 4, v);
     repair(b);
     return b;
 }
@@ -249,7 +249,7 @@ static struct block with(uint32_t i, int field, uint32_t v)
 static void test_directory(void **state)
 {
     struct block b = make_small();
-    uint32_t size = (uint32_t)b.size, name2 = get32(entry(b, 2)), data0 = get32(entry(b, 0) + 4);
+    uint32_t size = (uint32_t)b.size, name2 = bytes_get32(entry(b, 2)), data0 = bytes_get32(entry(b, 0) + 4);
 
     (void)state;
     free(b.p);
@@ -323,15 +323,15 @@ static void full_init(struct full *f)
     manifest_pack(&f->m, f->manifest);
     f->palette[3] = 0xaa;
     f->font[64] = 15;
-    put16(g, 5); /* w h pitch ox oy frames every rotations bank */
-    put16(g + 2, 2);
-    put16(g + 4, 8);
-    put16(g + 6, 2);
-    put16(g + 8, (uint16_t)-1);
-    put16(g + 10, 2);
-    put16(g + 12, 6);
-    put16(g + 14, 1);
-    put16(g + 16, 3);
+    bytes_put16(g, 5); /* w h pitch ox oy frames every rotations bank */
+    bytes_put16(g + 2, 2);
+    bytes_put16(g + 4, 8);
+    bytes_put16(g + 6, 2);
+    bytes_put16(g + 8, (uint16_t)-1);
+    bytes_put16(g + 10, 2);
+    bytes_put16(g + 12, 6);
+    bytes_put16(g + 14, 1);
+    bytes_put16(g + 16, 3);
     g[24] = 0x31;
     g[24 + 4] = 0x3f;
     const struct lump lumps[FULL] = {
@@ -520,10 +520,10 @@ static void test_sprite_size(void **state)
     f.lumps[2].size = sizeof f.gfx - 1;
     full_refused(&f, -1, "lump \"gfx/a\": 55 bytes long, its header says 56");
     full_init(&f);
-    put16(f.gfx + 2, 1024); /* the largest header there is needs 64 bits */
-    put16(f.gfx + 4, 1024);
-    put16(f.gfx + 10, 256);
-    put16(f.gfx + 14, 256);
+    bytes_put16(f.gfx + 2, 1024); /* the largest header there is needs 64 bits */
+    bytes_put16(f.gfx + 4, 1024);
+    bytes_put16(f.gfx + 10, 256);
+    bytes_put16(f.gfx + 14, 256);
     full_refused(&f, -1, "lump \"gfx/a\": 56 bytes long, its header says 68719476760");
 }
 
@@ -540,7 +540,7 @@ static void test_sprite_header(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         full_init(&f);
-        put16(f.gfx + wrong[i].at, (uint16_t)wrong[i].v);
+        bytes_put16(f.gfx + wrong[i].at, (uint16_t)wrong[i].v);
         full_refused(&f, -1, "lump \"gfx/a\": its header is out of range");
     }
 }

@@ -175,11 +175,11 @@ static void draw_over(struct arena *a, struct size *s)
 
     for (int k = 0; k < 7; k++) {
         double from = bench_now();
-        video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_COATS);
+        video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_LAYERS);
         if (k > 0)
             samples_add(&s->over, bench_since(from));
     }
-    s->hidden = video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_COATS).hidden;
+    s->hidden = video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_OVERDRAW).hidden;
 }
 
 /* Runs a crowd of n; its times stay in sizes[]. */
@@ -314,7 +314,7 @@ static void counts_table(void)
         "When bullets would cover the field %d times over, the engine draws them front to back and skips what is "
         "hidden: of %s, %s in the last picture, which all the same count as drawn. Painted one over the other, "
         "as the references paint, that picture takes %s ns a bullet instead of %s.",
-        VIDEO_COATS, report_count(M1), report_count((int64_t)million->hidden), per_bullet(&million->over, M1),
+        VIDEO_OVERDRAW, report_count(M1), report_count((int64_t)million->hidden), per_bullet(&million->over, M1),
         per_bullet(&million->draw[0], M1));
 }
 

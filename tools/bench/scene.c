@@ -32,7 +32,7 @@ static uint8_t *large_picture(int side, uint32_t *size, struct rng *r)
     if (out && pix) {
         const int head[] = { side, side, pitch, side / 2, side / 2, 1, 1, ROTATIONS, 0 };
         for (int i = 0; i < (int)(sizeof head / sizeof *head); i++)
-            put16(out + 2 * i, (uint16_t)head[i]);
+            bytes_put16(out + 2 * i, (uint16_t)head[i]);
         for (int k = 0; k < ROTATIONS; k++) {
             for (int i = 0; i < n; i++)
                 pix[i] = (uint8_t)(i < opaque ? 1 + i % 15 : 0);

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/geom.h"
+#include "../../src/base/int.h"
 #include "engine.h"
 #include "lab.h"
 
@@ -167,16 +168,6 @@ static void radix_pass(const uint32_t *key, const uint32_t *order, uint32_t *key
     }
 }
 
-static fx least(fx a, fx b)
-{
-    return a < b ? a : b;
-}
-
-static fx most(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
 static void tree_build(void *data)
 {
     struct field *f = data;
@@ -193,14 +184,15 @@ static void tree_build(void *data)
         struct box box = nothing;
         for (uint32_t k = leaf * LEAF; k < leaf * LEAF + LEAF && k < f->n; k++) {
             uint32_t i = f->order[k];
-            box = (struct box){ least(box.x0, s->x[i]), least(box.y0, s->y[i]), most(box.x1, s->x[i]),
-                                most(box.y1, s->y[i]) };
+            box = (struct box){ fx_min(box.x0, s->x[i]), fx_min(box.y0, s->y[i]), fx_max(box.x1, s->x[i]),
+                                fx_max(box.y1, s->y[i]) };
         }
         f->nodes[f->leaves + leaf] = box;
     }
     for (uint32_t i = f->leaves - 1; i > 0; i--) {
         const struct box *a = &f->nodes[2 * i], *b = a + 1;
-        f->nodes[i] = (struct box){ least(a->x0, b->x0), least(a->y0, b->y0), most(a->x1, b->x1), most(a->y1, b->y1) };
+        f->nodes[i] =
+            (struct box){ fx_min(a->x0, b->x0), fx_min(a->y0, b->y0), fx_max(a->x1, b->x1), fx_max(a->y1, b->y1) };
     }
     lab_sink = f->nodes[1].x0;
 }
@@ -440,21 +432,16 @@ static void crowd_reject(void *data)
     lab_sink = c->first[0];
 }
 
-static int clamp(int v, int most_of)
-{
-    return v < 0 ? 0 : v > most_of ? most_of : v;
-}
-
 /* The cells an enemy can be hit in: by shots whose middle is there at the end of the frame. */
 static void cells_of(const struct crowd *c, uint32_t k, int *x0, int *x1, int *y0, int *y1)
 {
     const int grown = SHOT_HALF + (int)c->half + SHOT_SPEED + 1;
     int x = c->b->enemies.x[k] >> 16, y = c->b->enemies.y[k] >> 16;
 
-    *x0 = clamp((x - grown) / SHOT_CELL, SHOT_COLS - 1);
-    *x1 = clamp((x + grown) / SHOT_CELL, SHOT_COLS - 1);
-    *y0 = clamp((y - grown) / SHOT_CELL, SHOT_ROWS - 1);
-    *y1 = clamp((y + grown) / SHOT_CELL, SHOT_ROWS - 1);
+    *x0 = int_clamp((x - grown) / SHOT_CELL, 0, SHOT_COLS - 1);
+    *x1 = int_clamp((x + grown) / SHOT_CELL, 0, SHOT_COLS - 1);
+    *y0 = int_clamp((y - grown) / SHOT_CELL, 0, SHOT_ROWS - 1);
+    *y1 = int_clamp((y + grown) / SHOT_CELL, 0, SHOT_ROWS - 1);
 }
 
 static void crowd_grid(void *data)

@@ -100,16 +100,6 @@ uint16_t engine_motion(struct board *b, const struct motion_step *steps, uint32_
     return (uint16_t)(motion_define(&b->motions, &b->steps, steps, n, fine) + 1);
 }
 
-static fx larger(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
-static fx size(fx v)
-{
-    return v < 0 ? -v : v;
-}
-
 uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy)
 {
     const struct bullet_shape shape = { .x = x, .y = y, .kind = kind };
@@ -117,7 +107,7 @@ uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx v
 
     s->vx[i] = vx;
     s->vy[i] = vy;
-    s->fastest = larger(s->fastest, larger(size(vx), size(vy)));
+    s->fastest = fx_max(s->fastest, fx_max(fx_abs(vx), fx_abs(vy)));
     return i;
 }
 
@@ -158,11 +148,11 @@ uint32_t engine_board_frame(struct board *b, const struct box *keep)
 
 uint32_t engine_hits(struct board *b)
 {
-    struct watch watch[PADS];
+    struct bullets_query query[PADS];
 
     b->events.n = 0;
-    hit_watch(b, watch);
-    bullets_watch(&b->bullets, watch);
+    hit_queries(b, query);
+    bullets_find_near(&b->bullets, query);
     hit_run(b);
     return b->events.n;
 }

@@ -359,7 +359,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
 }
 
 /* What a motion step drives now, a script's write takes from it. */
-static void mute(struct bullets *s, uint32_t i, unsigned what)
+static void override(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->mute[i] & STEP_BEGUN)
         s->mute[i] |= (uint8_t)what;
@@ -391,16 +391,16 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         break;
     case P_DIR:
         s->dir[i] = v->a;
-        mute(s, i, MUTE_DIR);
+        override(s, i, OVERRIDE_DIR);
         bullets_steer(s, i);
         break;
     case P_SPEED:
-        mute(s, i, MUTE_SPEED);
+        override(s, i, OVERRIDE_SPEED);
         bullets_set_speed(s, i, units(fine, v));
         break;
     case P_VX:
     case P_VY:
-        mute(s, i, MUTE_DIR | MUTE_SPEED);
+        override(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
         set_part(s, i, p, units(fine, v));
         break;
     case P_KIND:
@@ -492,7 +492,7 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
         bullets_drop(s, i);
         return;
     }
-    mute(s, i, MUTE_DIR);
+    override(s, i, OVERRIDE_DIR);
     bullets_steer(s, i);
 }
 

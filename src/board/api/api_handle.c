@@ -95,7 +95,7 @@ static int get_property(lua_State *L)
         if (reg >= 0) {
             if (!alive)
                 return lua_pushnil(L), 1;
-            return lua_pushinteger(L, b->player.regs[handle_slot(h) * REGISTERS + (uint32_t)reg]), 1;
+            return lua_pushinteger(L, b->player.regs[handle_slot(h) * PLAYER_REGISTERS + (uint32_t)reg]), 1;
         }
     }
     if (!prop)
@@ -115,7 +115,7 @@ static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, c
 
     if (lua_type(L, 3) != LUA_TNUMBER || lua_tointegerx(L, 3, &whole) >= 0 || !whole)
         api_check(L, "player", &p, 3, &v);
-    b->player.regs[slot * REGISTERS + (uint32_t)reg] = (int32_t)v.i;
+    b->player.regs[slot * PLAYER_REGISTERS + (uint32_t)reg] = (int32_t)v.i;
     return 0;
 }
 

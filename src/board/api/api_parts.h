@@ -54,7 +54,7 @@ int player_register(lua_State *L, const struct board *b, uint32_t slot, const ch
 bool player_declares(lua_State *L, const char *name);
 
 /* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
-int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
+int player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
 
 /* Player i enters with that kind, and the kind's run starts. */
 int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);

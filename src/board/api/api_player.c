@@ -37,7 +37,7 @@ static void registry(lua_State *L)
 /* Registers get their numbers in byte order of their names, so that no table order decides. */
 static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
 {
-    const char *names[REGISTERS];
+    const char *names[PLAYER_REGISTERS];
     int n = 0;
 
     lua_pushnil(L);
@@ -52,8 +52,8 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
         lua_pop(L, 1);
         if (api_property(&player_thing, lua_tostring(L, -1)))
             api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
-        if (n == REGISTERS)
-            api_error(L, "player.def", "registers: at most %d", REGISTERS);
+        if (n == PLAYER_REGISTERS)
+            api_error(L, "player.def", "registers: at most %d", PLAYER_REGISTERS);
         int i = n++;
         for (; i > 0 && strcmp(names[i - 1], lua_tostring(L, -1)) > 0; i--)
             names[i] = names[i - 1];
@@ -63,7 +63,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_newtable(L);
     for (int i = 0; i < n; i++) {
         lua_getfield(L, at, names[i]);
-        k->start[kind * REGISTERS + i] = (int32_t)lua_tointeger(L, -1);
+        k->start[kind * PLAYER_REGISTERS + i] = (int32_t)lua_tointeger(L, -1);
         lua_pop(L, 1);
         lua_pushinteger(L, i);
         lua_setfield(L, -2, names[i]);
@@ -100,7 +100,7 @@ bool player_declares(lua_State *L, const char *name)
     return found;
 }
 
-int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS])
+int player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
 {
     int top = lua_gettop(L), n = 0;
 

@@ -113,7 +113,7 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *names[REGISTERS];
+    const char *names[PLAYER_REGISTERS];
     int32_t kind = (int32_t)v[0].i;
     int n = player_registers(L, kind, names);
 
@@ -122,7 +122,7 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     lua_setfield(L, -2, "lives");
     lua_createtable(L, n, 0);
     for (int i = 0; i < n; i++)
-        push_register(L, names[i], b->player_kinds.start[kind * REGISTERS + i], i + 1);
+        push_register(L, names[i], b->player_kinds.start[kind * PLAYER_REGISTERS + i], i + 1);
     lua_setfield(L, -2, "registers");
     return 1;
 }
@@ -157,7 +157,7 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
         slots_drop(&b->sprites.s, i);
-    pal_rest(&b->pal);
+    pal_stop(&b->pal);
     for (int i = 0; i < COLOURS; i++, p += 3)
         pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);

@@ -148,7 +148,7 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     struct host host;
 
     assert(h->fault.kind == FAULT_NONE);
-    host_aside(&host);
+    host_enter(&host);
     h->line = line;
     h->log_size = 0;
     vm_begin(b, EVAL_LIMIT);
@@ -161,6 +161,6 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     h->log_size = 0;
     h->out = was;
     h->out.log_size = 0;
-    host_back(&host);
+    host_leave(&host);
     return fine;
 }

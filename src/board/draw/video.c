@@ -105,10 +105,10 @@ static void draw_text(struct canvas *c)
                        f->bank[i]);
 }
 
-struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int coats)
+struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
 {
     const struct manifest *m = &b->cart.m;
-    struct canvas c = { b, fb, m->field_x, m->field_y, scratch, coats, 0, 0 };
+    struct canvas c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     fb_clip_all(fb);
@@ -133,5 +133,5 @@ size_t board_scratch(const struct board *b)
 
 uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
-    return video_draw(b, fb, rgb, scratch, VIDEO_COATS).drawn;
+    return video_draw(b, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
 }

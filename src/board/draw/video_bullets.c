@@ -1,10 +1,10 @@
 /*
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
- * A counting sort lists every kind's bullets in slot order, as places (stamp.h) of a picture they all show, which is
- * then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's edge.
- * When there are so many that they cover the field many times over, they are drawn front to back on a layer of the
- * field's size: first the topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
+ * A counting sort lists every kind's bullets in slot order: as destinations (stamp.h) of a picture they all show, which
+ * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's
+ * edge. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the topmost
+ * kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -13,9 +13,10 @@
 
 enum {
     BATCH_MIN = 8,    /* fewer are not worth a stamp */
-    MANY_BANKS = 512, /* so many are not asked for their banks */
-    TOP_COATS = 10,   /* the topmost kinds that would cover the field so many times are drawn without asking */
-    SPLIT = 4         /* counters a kind, so that bullets of one kind in a row do not wait for each other */
+    MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
+    TOP_OVERDRAW =
+        10,   /* the topmost kinds that would cover the field so many times are drawn without asking what is visible */
+    SPLIT = 4 /* counters a kind, so that bullets of one kind in a row do not wait for each other */
 };
 
 /* How a kind is drawn this frame. */
@@ -28,15 +29,15 @@ struct style {
     uint32_t list; /* index of its part of the list */
 };
 
-/* The part of it that every bullet asks for. */
-struct spot {
+/* The part of it that is read for every bullet. */
+struct cursor {
     uint32_t next; /* where in `list` the next one goes */
-    uint32_t from; /* from a bullet's pixel to the place of its picture */
+    uint32_t from; /* from a bullet's pixel to the destination of its picture */
 };
 
 struct lists {
     struct style style[MAX_KINDS];
-    struct spot spot[MAX_KINDS];
+    struct cursor cursor[MAX_KINDS];
     uint8_t open[MAX_KINDS];    /* 1: the kind's bullets are to be listed */
     uint8_t by_slot[MAX_KINDS]; /* 1: by slot */
     bool some_by_slot;
@@ -48,9 +49,9 @@ struct lists {
     uint8_t *layer, *cells;
 };
 
-/* What is listed for: a surface, with the field's corner on it, and the pixels of bullets that are places whichever kind
- * they are. */
-struct target {
+/* What bullets are listed for: a surface, with the field's corner on it, and the pixels at which a bullet of any kind
+ * needs no clipping, so that it is listed as a destination. */
+struct view {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
@@ -69,8 +70,8 @@ static size_t most_bullets(const struct board *b)
 size_t video_bullets_scratch(const struct board *b)
 {
     return aligned(sizeof(struct lists)) + aligned(most_bullets(b) * sizeof(uint32_t)) +
-           aligned(layer_size(b->cart.m.field_w, b->cart.m.field_h)) +
-           layer_cells_size(b->cart.m.field_w, b->cart.m.field_h) + 64;
+           aligned(stamp_layer_size(b->cart.m.field_w, b->cart.m.field_h)) +
+           stamp_cells_size(b->cart.m.field_w, b->cart.m.field_h) + 64;
 }
 
 static struct lists *open_lists(const struct canvas *c)
@@ -80,11 +81,11 @@ static struct lists *open_lists(const struct canvas *c)
 
     l->list = (uint32_t *)(at + aligned(sizeof *l));
     l->layer = (uint8_t *)l->list + aligned(most_bullets(c->b) * sizeof *l->list);
-    l->cells = l->layer + aligned(layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
+    l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
     return l;
 }
 
-/* ---- who is there ---- */
+/* ---- the kinds that have bullets ---- */
 
 static void count_block(uint32_t count[SPLIT][MAX_KINDS], const uint16_t kind[SLOTS_BLOCK])
 {
@@ -107,7 +108,7 @@ static void count_kinds(const struct bullets *s, uint32_t kinds, struct lists *l
             count_block(l->count, kind);
         else
             for (; used; used &= used - 1)
-                l->count[0][kind[lowest_bit(used)]]++;
+                l->count[0][kind[bits_lowest(used)]]++;
     }
 }
 
@@ -156,7 +157,7 @@ static void find_kinds(const struct canvas *c, const struct bullet_kinds *k, str
 }
 
 /* Where the picture of bullet i has its corner on the surface. */
-static void corner(const struct target *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
+static void corner(const struct view *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
 {
     const struct sprite *pic = l->style[s->kind[i]].pic;
 
@@ -172,7 +173,7 @@ static struct image image_of(const struct canvas *c, const struct lists *l, cons
 }
 
 /* Opens the lists of order[from .. to - 1]. */
-static struct target open_target(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y)
+static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y)
 {
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
 
@@ -185,7 +186,7 @@ static struct target open_target(struct lists *l, uint32_t from, uint32_t to, co
         l->open[l->order[o]] = 1;
         l->by_slot[l->order[o]] = !style->alike;
         l->some_by_slot |= !style->alike;
-        l->spot[l->order[o]] = (struct spot){ style->list, (uint32_t)dy * (uint32_t)fb->pitch + (uint32_t)dx };
+        l->cursor[l->order[o]] = (struct cursor){ style->list, (uint32_t)dy * (uint32_t)fb->pitch + (uint32_t)dx };
         if (!style->alike)
             continue;
         x0 = -dx > x0 ? -dx : x0;
@@ -194,21 +195,21 @@ static struct target open_target(struct lists *l, uint32_t from, uint32_t to, co
         y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
     }
     if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct target){ fb, x, y, 1, 1, 0, 0 };
-    return (struct target){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1 };
+        return (struct view){ fb, x, y, 1, 1, 0, 0 };
+    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1 };
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
 {
-    return l->spot[kind].next - l->style[kind].list;
+    return l->cursor[kind].next - l->style[kind].list;
 }
 
-/* How far each bullet's pixel is from the field's corner on the surface, and its bank. True: all are places whichever
- * kind they are. */
-static bool place_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
-                        const struct target *target)
+/* Each bullet's offset from the field's corner on the surface, and its bank. True: none needs clipping, whichever its
+ * kind. */
+static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
+                       const struct view *view)
 {
-    const struct target t = *target;
+    const struct view t = *view;
     const uint32_t pitch = (uint32_t)t.fb->pitch;
     const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
     int32_t others = 0;
@@ -221,68 +222,68 @@ static bool place_block(const fx *restrict x, const fx *restrict y, const uint8_
     return others >= 0;
 }
 
-static bool is_place(const struct target *t, fx x, fx y)
+static bool is_unclipped(const struct view *t, fx x, fx y)
 {
     int px = fx_floor(x), py = fx_floor(y);
 
     return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
-/* Lists bullet i, which is no place for every kind: as one for its own, or by its slot if something of it is inside the
- * clip. */
-static void list_other(struct lists *l, const struct bullets *s, const struct target *t, uint32_t i)
+/* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
+ * slot if part of it is inside the clip. */
+static void list_other(struct lists *l, const struct bullets *s, const struct view *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
     struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
-    struct spot *spot = &l->spot[s->kind[i]];
+    struct cursor *cursor = &l->cursor[s->kind[i]];
     int x, y;
 
     corner(t, l, s, i, &x, &y);
     if (style->alike && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
-        l->list[spot->next++] = stamp_place(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
+        l->list[cursor->next++] = stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
     else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
-        l->list[spot->next++] = STAMP_OTHER | i;
+        l->list[cursor->next++] = STAMP_OTHER | i;
 }
 
 /* Lists those bullets of a block that m names, one by one. */
-static void list_some(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block, uint64_t m)
+static void list_some(struct lists *l, const struct bullets *s, const struct view *t, uint32_t block, uint64_t m)
 {
     for (; m; m &= m - 1) {
-        uint32_t i = block * SLOTS_BLOCK + lowest_bit(m);
-        struct spot *spot = &l->spot[s->kind[i]];
-        if (!l->by_slot[s->kind[i]] && is_place(t, s->x[i], s->y[i]))
-            l->list[spot->next++] = ((uint32_t)s->bank[i] << 28) +
-                                    (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch + (uint32_t)fx_floor(s->x[i]) +
-                                    spot->from;
+        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        struct cursor *cursor = &l->cursor[s->kind[i]];
+        if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+            l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
+                                      (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
+                                      (uint32_t)fx_floor(s->x[i]) + cursor->from;
         else
             list_other(l, s, t, i);
     }
 }
 
-/* Lists a block whose slots are all live and all places, most often; else nothing. */
-static bool list_block(struct lists *l, const struct bullets *s, const struct target *t, uint32_t block)
+/* Lists a block whose slots are all live and need no clipping, the usual case. False: it listed nothing. */
+static bool list_block(struct lists *l, const struct bullets *s, const struct view *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
     const uint16_t *kinds = s->kind + first;
     uint32_t *list = l->list, at[SLOTS_BLOCK];
 
-    if (l->some_by_slot || ~s->s.used[block] || !place_block(s->x + first, s->y + first, s->bank + first, at, t))
+    if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
         return false;
     for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
-        struct spot *spot = &l->spot[kinds[k]];
-        list[spot->next++] = at[k] + spot->from;
+        struct cursor *cursor = &l->cursor[kinds[k]];
+        list[cursor->next++] = at[k] + cursor->from;
     }
     return true;
 }
 
-static void list_all(struct lists *l, const struct bullets *s, const struct target *t)
+static void list_all(struct lists *l, const struct bullets *s, const struct view *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         if (!list_block(l, s, t, block))
             list_some(l, s, t, block, s->s.used[block]);
 }
 
-/* Those of a block whose kinds are open. */
+/* The bullets of a block that are of open kinds. */
 static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
 {
     const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
@@ -293,7 +294,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
     return slots_gather(is) & s->s.used[block];
 }
 
-static void list_open(struct lists *l, const struct bullets *s, const struct target *t)
+static void list_open(struct lists *l, const struct bullets *s, const struct view *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         list_some(l, s, t, block, open_ones(l, s, block));
@@ -312,7 +313,7 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 
 /* ---- back to front ---- */
 
-static void draw_other(struct canvas *c, const struct bullets *s, const struct lists *l, const struct target *t,
+static void draw_other(struct canvas *c, const struct bullets *s, const struct lists *l, const struct view *t,
                        uint32_t i)
 {
     struct image image = image_of(c, l, s, i);
@@ -322,16 +323,16 @@ static void draw_other(struct canvas *c, const struct bullets *s, const struct l
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
-static void draw_place(struct canvas *c, const struct style *style, uint32_t place)
+static void draw_dest(struct canvas *c, const struct style *style, uint32_t dest)
 {
     struct image image = video_image(style->pic, 0, false, 0);
-    int at = (int)(place & (STAMP_OTHER - 1)), pitch = c->fb->pitch;
+    int at = (int)(dest & (STAMP_OTHER - 1)), pitch = c->fb->pitch;
     struct stamp_corners corners = stamp_corners(c->fb, image.w, image.h);
 
-    blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(place >> 28), 0);
+    blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
 }
 
-static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l, const struct target *t, uint16_t kind)
+static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l, const struct view *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
     const uint32_t *list = l->list + style->list;
@@ -346,13 +347,13 @@ static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l
         if (list[k] & STAMP_OTHER)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
         else
-            draw_place(c, style, list[k]);
+            draw_dest(c, style, list[k]);
     }
 }
 
 static void draw_over(struct canvas *c, const struct bullets *s, struct lists *l)
 {
-    struct target t = open_target(l, 0, l->kinds, c->fb, c->x, c->y);
+    struct view t = open_view(l, 0, l->kinds, c->fb, c->x, c->y);
 
     list_all(l, s, &t);
     for (uint32_t o = 0; o < l->kinds; o++)
@@ -361,9 +362,10 @@ static void draw_over(struct canvas *c, const struct bullets *s, struct lists *l
 
 /* ---- front to back ---- */
 
-/* The layer's band holds every picture that reaches into the field: a kind that is alike has nothing but places. */
-static void layer_kind(const struct canvas *c, struct layer *layer, const struct bullets *s, struct lists *l,
-                       const struct target *t, uint16_t kind)
+/* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
+ * as destinations. */
+static void layer_kind(const struct canvas *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
+                       const struct view *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
     struct stamp_corners corners = stamp_corners(&layer->fb, style->pic->w, style->pic->h);
@@ -374,22 +376,22 @@ static void layer_kind(const struct canvas *c, struct layer *layer, const struct
     if (style->alike) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
-        layer_stamp(layer, &l->stamp, list, n, style->pixels);
+        stamp_layer_draw(layer, &l->stamp, list, n, style->pixels);
         return;
     }
     while (n-- > 0) {
         uint32_t i = list[n] & (STAMP_OTHER - 1);
         struct image image = image_of(c, l, s, i);
         corner(t, l, s, i, &x, &y);
-        layer_sprite(layer, &image,
-                     stamp_place(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
-                     style->pixels);
+        stamp_layer_sprite(layer, &image,
+                           stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
+                           style->pixels);
     }
 }
 
 /* The kinds of order[from .. to - 1], topmost first. Returns how many bullets were listed. */
-static uint32_t layer_kinds(const struct canvas *c, struct layer *layer, const struct bullets *s, struct lists *l,
-                            const struct target *t, uint32_t from, uint32_t to)
+static uint32_t layer_kinds(const struct canvas *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
+                            const struct view *t, uint32_t from, uint32_t to)
 {
     uint32_t n = 0;
 
@@ -400,8 +402,8 @@ static uint32_t layer_kinds(const struct canvas *c, struct layer *layer, const s
     return n;
 }
 
-/* What may be seen of pictures, wherever in an 8 x 8 px cell of the layer their bullet is. */
-static void find_cells(const struct layer *layer, struct lists *l, uint32_t to, struct layer_cells *cells)
+/* The cells of the layer in which a bullet of order[0 .. to - 1] may be visible. */
+static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_t to, struct stamp_cells *cells)
 {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -412,22 +414,22 @@ static void find_cells(const struct layer *layer, struct lists *l, uint32_t to, 
         x1 = pic->w - pic->ox > x1 || o == 0 ? pic->w - pic->ox : x1;
         y1 = pic->h - pic->oy > y1 || o == 0 ? pic->h - pic->oy : y1;
     }
-    layer_find_cells(layer, cells, l->cells, x0, y0, x1, y1);
+    stamp_cells_find(layer, cells, l->cells, x0, y0, x1, y1);
 }
 
 /* Of a block's bullets, those in a cell where something may be seen. */
-static uint64_t seen_ones(const struct layer_cells *cells, const struct bullets *s, uint32_t block)
+static uint64_t seen_ones(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
 {
     uint32_t at[SLOTS_BLOCK];
     uint8_t is[SLOTS_BLOCK];
 
-    layer_cells_at(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
+    stamp_cells_at(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
     for (int i = 0; i < SLOTS_BLOCK; i++)
         is[i] = cells->seen[at[i]];
     return slots_gather(is) & s->s.used[block];
 }
 
-static void list_seen(struct lists *l, const struct bullets *s, const struct target *t, const struct layer_cells *cells)
+static void list_seen(struct lists *l, const struct bullets *s, const struct view *t, const struct stamp_cells *cells)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         uint64_t m = seen_ones(cells, s, block);
@@ -441,26 +443,26 @@ static void draw_layered(struct canvas *c, const struct bullets *s, struct lists
     const struct manifest *m = &c->b->cart.m;
     uint32_t top = l->kinds, drawn;
     uint64_t pixels = 0;
-    struct layer layer;
-    struct target t;
+    struct stamp_layer layer;
+    struct view t;
 
-    layer_init(&layer, l->layer, m->field_w, m->field_h);
-    while (top > 0 && pixels < TOP_COATS * (uint64_t)(m->field_w * m->field_h)) {
+    stamp_layer_init(&layer, l->layer, m->field_w, m->field_h);
+    while (top > 0 && pixels < TOP_OVERDRAW * (uint64_t)(m->field_w * m->field_h)) {
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
-    t = open_target(l, top, l->kinds, &layer.fb, 0, 0);
+    t = open_view(l, top, l->kinds, &layer.fb, 0, 0);
     list_open(l, s, &t);
     drawn = layer_kinds(c, &layer, s, l, &t, top, l->kinds);
-    layer_map(&layer);
+    stamp_layer_map(&layer);
     if (!layer.covered && top > 0) {
-        struct layer_cells cells;
+        struct stamp_cells cells;
         find_cells(&layer, l, top, &cells);
-        t = open_target(l, 0, top, &layer.fb, 0, 0);
+        t = open_view(l, 0, top, &layer.fb, 0, 0);
         list_seen(l, s, &t, &cells);
         drawn += layer_kinds(c, &layer, s, l, &t, 0, top);
     }
-    layer_show(&layer, c->fb, c->x, c->y);
+    stamp_layer_show(&layer, c->fb, c->x, c->y);
     c->hidden += s->s.live - drawn + layer.hidden;
 }
 
@@ -474,8 +476,8 @@ static size_t opaque_pixels(const struct image *image)
     return n;
 }
 
-/* Would all of them cover the field so many times? Not when a picture is too large for a layer's band, or needs what is
- * under it. Pixels are counted only where the pictures' sizes leave a doubt. */
+/* Is the overdraw of all of them high enough? No when a picture is too large for a layer's band, or is blended with
+ * what is under it. Pixels are counted only where the pictures' sizes leave a doubt. */
 static bool is_layered(struct lists *l, uint64_t enough)
 {
     uint64_t most = 0, sum = 0;
@@ -500,7 +502,7 @@ static bool is_layered(struct lists *l, uint64_t enough)
 void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k)
 {
     const struct manifest *m = &c->b->cart.m;
-    uint64_t enough = (uint64_t)c->coats * (uint64_t)(m->field_w * m->field_h);
+    uint64_t enough = (uint64_t)c->overdraw * (uint64_t)(m->field_w * m->field_h);
     struct lists *l = open_lists(c);
 
     if (!s->s.live)
@@ -508,7 +510,7 @@ void video_bullets(struct canvas *c, const struct bullets *s, const struct bulle
     count_kinds(s, k->s.live, l);
     find_kinds(c, k, l);
     c->drawn += s->s.live;
-    if (c->coats != VIDEO_NO_COATS && is_layered(l, enough))
+    if (c->overdraw != VIDEO_NO_LAYERS && is_layered(l, enough))
         draw_layered(c, s, l);
     else
         draw_over(c, s, l);

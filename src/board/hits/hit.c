@@ -2,72 +2,65 @@
  * hit.c - see hit.h.
  *
  * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
- * exact shape test (geom.h) looks at that whole way. A kind with swept = false is tested where it stands.
+ * exact shape test (geom.h) looks at that whole path. A kind with swept = false is tested where it stands.
  *
- * Bullets are tested while they move, block by block, because there their columns are at hand: bullets_move asks `judge`
- * of those it found near a player, who has moved before, and hit_run raises what came of it. `reach` covers the largest
- * radius, the graze ring and the player's movement. Shots against enemies are in hit_shots.c.
+ * Bullets are tested while they move, block by block, because their columns are in the cache then. The broad phase is
+ * in bullets_move: it finds the bullets near a player, who has moved before. For these it calls narrow_phase, and
+ * hit_run raises the events. `reach` covers the largest radius, the graze ring and the player's movement. Shots against
+ * enemies are in hit_shots.c.
  *
- * What leaves the field is asked too, for it may touch something on its way out: bullets_move holds the bullets that
- * touched, and all shots; hit_shots releases the shots that hit nobody, events_run the rest.
+ * What leaves the field is tested too, for it may touch something on its way out: bullets_move holds the bullets that
+ * touched, and all shots; hit_shots releases the shots that hit no enemy, events_run the others.
  */
+#include "../../base/int.h"
 #include "../hit.h"
 #include "hit_parts.h"
 
-static fx larger(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
-static fx size(fx v)
-{
-    return v < 0 ? -v : v;
-}
-
-/* How far from the player the end of a bullet's way can be that touches it, but for the bullet's own movement. */
+/* How far from the player a bullet that touches it can end its move, but for the bullet's own movement. */
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
     fx most = 0;
 
     for (uint32_t i = 0; i < k->s.live; i++)
-        most = larger(most, k->shape[i] == SHAPE_BOX ? larger(k->a[i], k->b[i]) : k->a[i]);
-    return (int64_t)most + larger(c->a, graze) + larger(size(c->mx), size(c->my));
+        most = fx_max(most, k->shape[i] == SHAPE_BOX ? fx_max(k->a[i], k->b[i]) : k->a[i]);
+    return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
-/* May the bullet's way of this frame come within reach of the player, on both axes? */
+/* May the bullet's path of this frame come within reach of the player, on both axes? */
 static bool within(const struct body *bullet, const struct body *c, int64_t reach)
 {
     int64_t dx = (int64_t)bullet->x - c->x, dy = (int64_t)bullet->y - c->y;
 
-    return (dx < 0 ? -dx : dx) <= reach + size(bullet->mx) && (dy < 0 ? -dy : dy) <= reach + size(bullet->my);
+    return int64_abs(dx) <= reach + fx_abs(bullet->mx) && int64_abs(dy) <= reach + fx_abs(bullet->my);
 }
 
 enum verdict { MISS, HIT, GRAZE };
 
-static enum verdict bullet_against(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
+static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
 {
-    struct body bullet = flying(&b->bullets, &b->bullet_kinds, i), ring = *c;
+    struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i), ring = *c;
     uint8_t flags = b->bullet_kinds.flags[b->bullets.kind[i]];
 
     if (!within(&bullet, c, reach))
         return MISS;
     b->counts.tested++;
-    if (touch(&bullet, c, flags & KIND_SWEPT))
+    if (hit_touches(&bullet, c, flags & KIND_SWEPT))
         return HIT;
     ring.a = b->player_kinds.graze[b->player.kind[p]];
-    if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) && touch(&bullet, &ring, flags & KIND_SWEPT))
+    if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
+        hit_touches(&bullet, &ring, flags & KIND_SWEPT))
         return GRAZE;
     return MISS;
 }
 
-static void bullets_against(struct board *b, uint32_t p)
+static void raise_bullet_hits(struct board *b, uint32_t p)
 {
     const struct bullets *s = &b->bullets;
 
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         for (uint64_t m = s->near[block * PADS + p]; m; m &= m - 1) {
-            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + lowest_bit(m)));
+            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + bits_lowest(m)));
             bool grazes = s->grazes[block * PADS + p] & m & -m;
             b->counts.hit += !grazes;
             b->counts.grazed += grazes;
@@ -75,23 +68,23 @@ static void bullets_against(struct board *b, uint32_t p)
         }
 }
 
-static void enemies_against(struct board *b, uint32_t p, const struct body *c)
+static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
 {
     const struct slots *s = &b->enemies.s;
 
     for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
         for (uint64_t m = s->used[word]; m; m &= m - 1) {
-            uint32_t i = word * SLOTS_BLOCK + lowest_bit(m);
+            uint32_t i = word * SLOTS_BLOCK + bits_lowest(m);
             uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
             if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
                 continue;
-            struct body e = enemy(b, i);
-            if (touch(&e, c, flags & ENEMY_SWEPT))
+            struct body e = hit_enemy_body(b, i);
+            if (hit_touches(&e, c, flags & ENEMY_SWEPT))
                 board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
         }
 }
 
-static struct body pilot(const struct board *b, uint32_t p)
+static struct body player_body(const struct board *b, uint32_t p)
 {
     const struct player *pl = &b->player;
 
@@ -104,30 +97,30 @@ static struct body pilot(const struct board *b, uint32_t p)
 }
 
 /* Those of a block's bullets that hit player p or graze. */
-static uint64_t judge(const struct watch *w, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
+static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
 {
-    struct board *b = w->context;
-    struct body c = pilot(b, p);
+    struct board *b = q->context;
+    struct body c = player_body(b, p);
     uint64_t found = 0;
 
     for (uint64_t m = near; m; m &= m - 1) {
-        enum verdict v = bullet_against(b, p, &c, w->reach, block * SLOTS_BLOCK + lowest_bit(m));
+        enum verdict v = test_bullet(b, p, &c, q->reach, block * SLOTS_BLOCK + bits_lowest(m));
         found |= v != MISS ? m & -m : 0;
         *grazes |= v == GRAZE ? m & -m : 0;
     }
     return found;
 }
 
-void hit_watch(struct board *b, struct watch watch[PADS])
+void hit_queries(struct board *b, struct bullets_query query[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        struct body c = pilot(b, p);
+        struct body c = player_body(b, p);
         fx graze = b->player_kinds.graze[b->player.kind[p]];
-        watch[p] = (struct watch){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, judge, b };
+        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, narrow_phase, b };
     }
 }
 
-/* Enemies that left, once all that touched them on the way has its event. */
+/* Raises the events of enemies that left, after those of all that touched them on their way out. */
 static void enemies_leave(struct board *b)
 {
     EACH_LIVE (i, &b->enemies.s)
@@ -138,11 +131,11 @@ static void enemies_leave(struct board *b)
 void hit_run(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        struct body c = pilot(b, p);
+        struct body c = player_body(b, p);
         if (!b->player.in[p])
             continue;
-        bullets_against(b, p);
-        enemies_against(b, p, &c);
+        raise_bullet_hits(b, p);
+        raise_enemy_hits(b, p, &c);
     }
     hit_shots(b);
     if (b->enemies.leaving)

@@ -1,6 +1,6 @@
 /*
  * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
- * floor: board    used by: board/ (hit.c, hit_shots.c)
+ * floor: board
  */
 #ifndef BOARD_HIT_PARTS_H
 #define BOARD_HIT_PARTS_H
@@ -15,8 +15,8 @@ struct body {
     fx x, y, mx, my;
 };
 
-/* Do they touch on their ways or, not swept, where they are now? Growing a circle is its caller's part. */
-static inline bool touch(const struct body *p, const struct body *q, bool swept)
+/* Do they touch on their paths of the frame or, not swept, where they are now? */
+static inline bool hit_touches(const struct body *p, const struct body *q, bool swept)
 {
     int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
     int64_t dx = (int64_t)p->x - q->x - wx, dy = (int64_t)p->y - q->y - wy;
@@ -32,14 +32,15 @@ static inline bool touch(const struct body *p, const struct body *q, bool swept)
     return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
 }
 
-static inline struct body flying(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+/* The body of bullet, shot or enemy i. */
+static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
     uint16_t kind = s->kind[i];
 
     return (struct body){ k->shape[kind], k->a[kind], k->b[kind], s->x[i], s->y[i], s->vx[i], s->vy[i] };
 }
 
-static inline struct body enemy(const struct board *b, uint32_t i)
+static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;

@@ -4,26 +4,27 @@
  * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
  * before their moves are sorted into the cells of a grid, and a shot searches it in rings around its own cell, until
  * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
- * the shot's way, grown by its extent and by the largest extent and move of an enemy.
+ * the shot's path, grown by its extent and by the largest extent and move of an enemy.
  *
- * How many enemies a few cells hold surprises the processor, and a branch that it foresees wrongly costs as much as
- * several enemies. So a row's list also holds the rows above and below: the nine cells around a shot are one run.
+ * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as several enemies.
+ * So a row's list also holds the rows above and below: the nine cells around a shot are one run.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There it is found first, among nine cells in whole runs of places, and only whether the shot touches it
- * is asked. The ring search takes what is left, so it alone says what is hit; the rest is speed.
+ * one of them. There the nearest is found first, among nine cells in whole runs of places, and only that one is tested.
+ * Invariant: the ring search decides all shots that this leaves open, and would find the same for the others.
  */
 #include "hit_parts.h"
 #include <assert.h>
 #include <string.h>
+#include "../../base/int.h"
 
 enum {
-    MANY = 4, /* fewer shots are not worth a sort */
-    PAYS = 4, /* enemies a shot at the most, for whom lists of three rows are worth their making */
-    RUN = 8,  /* places of a list looked at in one go: nearly always more than nine cells hold */
-    MOST_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
-    MOST_CELLS = 4 * (MOST_FILLED + 3),
-    NOBODY = MAX_ENEMIES
+    GRID_MIN = 4,                     /* with fewer shots, the grid is one cell */
+    SPREAD_MAX = 4,                   /* most enemies a shot for which lists of three rows pay */
+    RUN = 8,                          /* places of a list compared in one go: nearly always more than nine cells hold */
+    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
+    MAX_CELLS = 4 * (MAX_FILLED + 3),
+    NO_ENEMY = MAX_ENEMIES
 };
 
 /* Where an enemy was, seen from the grid's corner; the square of that, times 2^bits, with its slot in the low bits. */
@@ -33,30 +34,30 @@ struct place {
 };
 
 /* Enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
-struct crowd {
+struct grid {
     uint32_t n;
     int64_t left, top;        /* the grid's corner */
     int64_t wide, high;       /* of the grid */
     int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
-    int64_t core;             /* whoever was that near to an enemy touched it; negative: an enemy touches nothing */
+    int64_t core;             /* a point that was so near to an enemy touched it; negative: an enemy touches nothing */
     int64_t scale;            /* from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;    /* a row's list also holds the rows so many above and below it: 1, or 0 */
+    int64_t spread;    /* a row's list also holds so many rows above and below it: 1, or 0 */
     int bits;          /* of slots */
     uint32_t mask;     /* of those bits */
     int64_t minus_two; /* times 2^bits */
     bool dense;
     uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
     struct place place[MAX_ENEMIES + RUN];
-    uint16_t begin[MOST_CELLS + 1]; /* of each cell; the last: n */
-    int64_t sure[MAX_KINDS];        /* a shot of that kind touches what was less far, squared */
+    uint16_t begin[MAX_CELLS + 1]; /* of each cell; the last: n */
+    int64_t sure[MAX_KINDS];       /* sure hit: a shot of that kind touches any enemy that was less far, squared */
 };
 
 /* A shot that searches. */
 struct search {
     const struct board *b;
-    const struct crowd *c;
+    const struct grid *g;
     struct body shot;
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
@@ -65,48 +66,28 @@ struct search {
     uint32_t found;         /* its slot */
 };
 
-static inline int64_t least(int64_t a, int64_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline int64_t most(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-static inline int64_t size(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
-static inline int64_t clamp(int64_t v, int64_t lo, int64_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 static inline uint64_t squares(int64_t dx, int64_t dy)
 {
     return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
 }
 
-static inline uint32_t slot_of(const struct crowd *c, int64_t square)
+static inline uint32_t slot_of(const struct grid *g, int64_t square)
 {
-    return (uint32_t)square & c->mask;
+    return (uint32_t)square & g->mask;
 }
 
 /* ---- the grid ---- */
 
 /* The column or row of a place in the grid. */
-static inline int64_t cell_of(const struct crowd *c, int64_t v)
+static inline int64_t cell_of(const struct grid *g, int64_t v)
 {
-    return v * c->scale >> 32;
+    return v * g->scale >> 32;
 }
 
-/* How far what is so many 2^-32 of a cell away is at the least. */
-static inline int64_t length(const struct crowd *c, int64_t share)
+/* A share of a cell, in 2^-32, as a length: rounded down. */
+static inline int64_t length(const struct grid *g, int64_t share)
 {
-    return (share >> 16) * c->cell >> 16;
+    return (share >> 16) * g->cell >> 16;
 }
 
 /* Half the height of a kind's shape. */
@@ -115,8 +96,8 @@ static inline fx half_height(uint8_t shape, fx a, fx b)
     return shape == SHAPE_BOX ? b : a;
 }
 
-/* Lists those that can be hit, and measures them: the box they were in, and how far they extend. */
-static void gather(struct crowd *c, const struct board *b)
+/* Lists the enemies that can be hit, and measures them: the box they were in, and how far they extend. */
+static void gather(struct grid *g, const struct board *b)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -127,75 +108,75 @@ static void gather(struct crowd *c, const struct board *b)
     assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits);
+            uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
             fx x = e->was_x[i], y = e->was_y[i], a = k->a[kind];
             fx h = half_height(k->shape[kind], a, k->b[kind]);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
-            c->slot[n++] = (uint16_t)i;
+            g->slot[n++] = (uint16_t)i;
             left = x < left ? x : left;
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            core = least(core, a < h ? a : h);
-            reach_x = most(reach_x, a + size((int64_t)e->x[i] - x));
-            reach_y = most(reach_y, h + size((int64_t)e->y[i] - y));
+            core = int64_min(core, a < h ? a : h);
+            reach_x = int64_max(reach_x, a + int64_abs((int64_t)e->x[i] - x));
+            reach_y = int64_max(reach_y, h + int64_abs((int64_t)e->y[i] - y));
         }
-    c->n = n;
-    c->left = left;
-    c->top = top;
-    c->wide = (int64_t)right - left;
-    c->high = (int64_t)bottom - top;
-    c->reach_x = reach_x;
-    c->reach_y = reach_y;
-    c->core = core;
+    g->n = n;
+    g->left = left;
+    g->top = top;
+    g->wide = (int64_t)right - left;
+    g->high = (int64_t)bottom - top;
+    g->reach_x = reach_x;
+    g->reach_y = reach_y;
+    g->core = core;
 }
 
-/* Makes the cells as small as they can be when so many are to hold the box. */
-static void divide(struct crowd *c, uint32_t shots, uint32_t slots)
+/* Makes the cells as small as the number of them allows. */
+static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
 {
-    const uint32_t cells = shots < MANY ? 1 : c->n * 5 / 4;
+    const uint32_t cells = shots < GRID_MIN ? 1 : g->n * 5 / 4;
 
-    c->scale = 2;
+    g->scale = 2;
     for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
-        int64_t finer = c->scale | bit;
-        if (((c->wide * finer >> 32) + 1) * ((c->high * finer >> 32) + 1) <= cells)
-            c->scale = finer;
+        int64_t finer = g->scale | bit;
+        if (((g->wide * finer >> 32) + 1) * ((g->high * finer >> 32) + 1) <= cells)
+            g->scale = finer;
     }
-    c->cell = ((int64_t)1 << 32) / c->scale;
-    c->left -= c->cell + 1;
-    c->top -= c->cell + 1;
-    c->cols = cell_of(c, c->wide + c->cell + 1) + 2;
-    c->rows = cell_of(c, c->high + c->cell + 1) + 2;
-    c->wide = c->cols * (c->cell + 1);
-    c->high = c->rows * (c->cell + 1);
-    for (c->bits = 0; slots > (uint32_t)1 << c->bits; c->bits++)
+    g->cell = ((int64_t)1 << 32) / g->scale;
+    g->left -= g->cell + 1;
+    g->top -= g->cell + 1;
+    g->cols = cell_of(g, g->wide + g->cell + 1) + 2;
+    g->rows = cell_of(g, g->high + g->cell + 1) + 2;
+    g->wide = g->cols * (g->cell + 1);
+    g->high = g->rows * (g->cell + 1);
+    for (g->bits = 0; slots > (uint32_t)1 << g->bits; g->bits++)
         ;
-    c->mask = ((uint32_t)1 << c->bits) - 1;
-    c->minus_two = -2 * ((int64_t)1 << c->bits);
-    c->spread = c->n <= MAX_ENEMIES / 3 && c->n <= shots * PAYS;
-    c->dense = c->spread && most(c->wide, c->high) <= INT32_MAX &&
-               squares(c->wide, c->high) < (uint64_t)INT64_MAX >> c->bits && c->reach_x * 2 > c->cell &&
-               c->reach_y * 2 > c->cell;
+    g->mask = ((uint32_t)1 << g->bits) - 1;
+    g->minus_two = -2 * ((int64_t)1 << g->bits);
+    g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * SPREAD_MAX;
+    g->dense = g->spread && int64_max(g->wide, g->high) <= INT32_MAX &&
+               squares(g->wide, g->high) < (uint64_t)INT64_MAX >> g->bits && g->reach_x * 2 > g->cell &&
+               g->reach_y * 2 > g->cell;
 }
 
 /* A counting sort. */
-static void sort(struct crowd *c, const struct enemies *e)
+static void sort(struct grid *g, const struct enemies *e)
 {
-    uint16_t cell[MAX_ENEMIES], *begin = c->begin;
-    const size_t cells = (size_t)(c->cols * c->rows), n = c->n;
-    const int64_t left = c->left, top = c->top, cols = c->cols;
-    const int64_t scale = c->scale;
-    const int bits = c->bits;
+    uint16_t cell[MAX_ENEMIES], *begin = g->begin;
+    const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
+    const int64_t left = g->left, top = g->top, cols = g->cols;
+    const int64_t scale = g->scale;
+    const int bits = g->bits;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
     for (size_t i = 0; i < n; i++) {
-        uint32_t slot = c->slot[i];
+        uint32_t slot = g->slot[i];
         cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
         begin[cell[i]]++;
-        if (c->spread) {
+        if (g->spread) {
             begin[cell[i] - cols]++;
             begin[cell[i] + cols]++;
         }
@@ -205,38 +186,38 @@ static void sort(struct crowd *c, const struct enemies *e)
         begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
     }
     for (size_t i = n; i-- > 0;) {
-        uint32_t slot = c->slot[i];
+        uint32_t slot = g->slot[i];
         int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
         struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
-        c->place[--begin[cell[i]]] = p;
-        if (c->spread) {
-            c->place[--begin[cell[i] - cols]] = p;
-            c->place[--begin[cell[i] + cols]] = p;
+        g->place[--begin[cell[i]]] = p;
+        if (g->spread) {
+            g->place[--begin[cell[i] - cols]] = p;
+            g->place[--begin[cell[i] + cols]] = p;
         }
     }
-    /* runs may go on behind the last */
+    /* a run may read on behind the last place */
     for (size_t i = sum; i < sum + RUN; i++)
-        c->place[i] = (struct place){ 0, 0, INT64_MAX };
+        g->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
 /* ---- the search by rings ---- */
 
 /* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
-static void touched(struct search *s, int64_t row, int64_t from, int64_t to)
+static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
-    const uint16_t *begin = s->c->begin + row * s->c->cols;
+    const uint16_t *begin = s->g->begin + row * s->g->cols;
 
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
-        const struct place *p = &s->c->place[i];
+        const struct place *p = &s->g->place[i];
         const int64_t x = p->x, y = p->y;
-        uint32_t slot = slot_of(s->c, p->square);
+        uint32_t slot = slot_of(s->g, p->square);
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
         uint64_t d = squares(s->x - x, s->y - y);
         if (d > s->best || (d == s->best && slot > s->found))
             continue;
-        struct body e = enemy(s->b, slot);
-        if (touch(&s->shot, &e, s->swept)) {
+        struct body e = hit_enemy_body(s->b, slot);
+        if (hit_touches(&s->shot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
         }
@@ -244,19 +225,19 @@ static void touched(struct search *s, int64_t row, int64_t from, int64_t to)
 }
 
 /* Sets the box up; false: no enemy is in it. */
-static bool reach(struct search *s)
+static bool set_bounds(struct search *s)
 {
-    const struct crowd *c = s->c;
+    const struct grid *g = s->g;
     const struct body *p = &s->shot;
-    int64_t x = p->x - c->left, ex = p->a + c->reach_x;
-    int64_t y = p->y - c->top, ey = half_height(p->shape, p->a, p->b) + c->reach_y;
+    int64_t x = p->x - g->left, ex = p->a + g->reach_x;
+    int64_t y = p->y - g->top, ey = half_height(p->shape, p->a, p->b) + g->reach_y;
 
     s->x = x - p->mx;
     s->y = y - p->my;
-    s->x0 = most(least(x, s->x) - ex, 0);
-    s->x1 = least(most(x, s->x) + ex, c->wide - 1);
-    s->y0 = most(least(y, s->y) - ey, 0);
-    s->y1 = least(most(y, s->y) + ey, c->high - 1);
+    s->x0 = int64_max(int64_min(x, s->x) - ex, 0);
+    s->x1 = int64_min(int64_max(x, s->x) + ex, g->wide - 1);
+    s->y0 = int64_max(int64_min(y, s->y) - ey, 0);
+    s->y1 = int64_min(int64_max(y, s->y) + ey, g->high - 1);
     return s->x0 <= s->x1 && s->y0 <= s->y1;
 }
 
@@ -267,49 +248,49 @@ static bool reach(struct search *s)
  */
 static void search_rings(struct search *s)
 {
-    const struct crowd *c = s->c;
-    const int64_t left = most(cell_of(c, s->x0), 1), right = least(cell_of(c, s->x1), c->cols - 2);
-    const int64_t top = most(cell_of(c, s->y0), 1), bottom = least(cell_of(c, s->y1), c->rows - 2);
-    const int64_t x = clamp(cell_of(c, s->x), left, right), y = clamp(cell_of(c, s->y), top, bottom);
-    const int64_t w = c->spread, step = 2 * w + 1;
-    const int64_t in_x = s->x * c->scale, in_y = s->y * c->scale;
-    const int64_t gap_x = most(most(s->x0 - s->x, s->x - s->x1), 0);
-    const int64_t gap_y = most(most(s->y0 - s->y, s->y - s->y1), 0);
+    const struct grid *g = s->g;
+    const int64_t left = int64_max(cell_of(g, s->x0), 1), right = int64_min(cell_of(g, s->x1), g->cols - 2);
+    const int64_t top = int64_max(cell_of(g, s->y0), 1), bottom = int64_min(cell_of(g, s->y1), g->rows - 2);
+    const int64_t x = int64_clamp(cell_of(g, s->x), left, right), y = int64_clamp(cell_of(g, s->y), top, bottom);
+    const int64_t w = g->spread, step = 2 * w + 1;
+    const int64_t in_x = s->x * g->scale, in_y = s->y * g->scale;
+    const int64_t gap_x = int64_max(int64_max(s->x0 - s->x, s->x - s->x1), 0);
+    const int64_t gap_y = int64_max(int64_max(s->y0 - s->y, s->y - s->y1), 0);
     const int64_t far = INT64_MAX;
 
     if (left > right || top > bottom)
         return;
     for (int64_t r = 0;; r += step) {
         int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
-        int64_t from = most(x0, left), to = least(x1, right);
+        int64_t from = int64_max(x0, left), to = int64_min(x1, right);
         for (int64_t row = y - r; row <= y + r; row += step) {
             if (row + w < top || row - w > bottom)
                 continue;
             if (row == y - r || row == y + r) {
-                touched(s, row, from, to);
+                search_run(s, row, from, to);
                 continue;
             }
             if (x0 + 2 * w >= left)
-                touched(s, row, from, x0 + 2 * w);
+                search_run(s, row, from, x0 + 2 * w);
             if (x1 - 2 * w <= right)
-                touched(s, row, x1 - 2 * w, to);
+                search_run(s, row, x1 - 2 * w, to);
         }
-        int64_t dx = least(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
-        int64_t dy = least(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
-        if ((dx == far || s->best < squares(length(c, dx), gap_y)) &&
-            (dy == far || s->best < squares(length(c, dy), gap_x)))
+        int64_t dx = int64_min(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
+        int64_t dy = int64_min(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
+        if ((dx == far || s->best < squares(length(g, dx), gap_y)) &&
+            (dy == far || s->best < squares(length(g, dy), gap_x)))
             return;
     }
 }
 
-static uint32_t target_by_rings(const struct board *b, const struct crowd *c, uint32_t i)
+static uint32_t target_by_rings(const struct board *b, const struct grid *g, uint32_t i)
 {
-    struct search s = { .b = b, .c = c, .best = UINT64_MAX, .found = NOBODY };
+    struct search s = { .b = b, .g = g, .best = UINT64_MAX, .found = NO_ENEMY };
 
-    s.shot = flying(&b->shots, &b->shot_kinds, i);
+    s.shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
     s.swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
-    if (s.shot.shape == SHAPE_NONE || !reach(&s))
-        return NOBODY;
+    if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
+        return NO_ENEMY;
     search_rings(&s);
     return s.found;
 }
@@ -328,32 +309,32 @@ static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 /* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
 static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
 {
-    int64_t a = least(key(p, x, y), key(p + 1, x, y)), b = least(key(p + 2, x, y), key(p + 3, x, y));
+    int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
 
-    a = least(a, key(p + 4, x, y));
-    b = least(b, key(p + 5, x, y));
-    a = least(a, key(p + 6, x, y));
-    b = least(b, key(p + 7, x, y));
-    return least(a, b);
+    a = int64_min(a, key(p + 4, x, y));
+    b = int64_min(b, key(p + 5, x, y));
+    a = int64_min(a, key(p + 6, x, y));
+    b = int64_min(b, key(p + 7, x, y));
+    return int64_min(a, b);
 }
 
 /*
- * The lowest key from place i to before end, or best; maybe of what is behind that. Mostly there is one run: processors
- * foresee that, but not how many enemies are in some cells.
+ * The lowest key from place i to before end, or best; maybe of places behind that. Mostly there is one run, which
+ * branch prediction learns, unlike the number of enemies in some cells.
  */
-static inline int64_t lowest(const struct crowd *c, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
+static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
     for (; i < end; i += RUN)
-        best = least(best, lowest_run(&c->place[i], x, y));
+        best = int64_min(best, lowest_run(&g->place[i], x, y));
     return best;
 }
 
 /* Places of a block of shots before their moves, in a dense crowd's grid; far outside of it they are so modulo 2^32. */
-struct flight {
+struct starts {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
 
-static void locate(struct flight *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+static void locate(struct starts *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
 {
     const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
 
@@ -363,51 +344,52 @@ static void locate(struct flight *f, const struct bullets *s, uint32_t first, ui
     }
 }
 
-/* The slot of the enemy that the shot hits if that is the nearest of all, or NOBODY. */
-static inline uint32_t target_nearest(const struct board *b, const struct crowd *c, uint32_t i, int64_t x, int64_t y)
+/* The slot of the enemy that the shot hits if that is the nearest of all, or NO_ENEMY. */
+static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
 {
-    const int64_t in_x = x * c->scale, in_y = y * c->scale, one = (int64_t)1 << 32;
+    const int64_t in_x = x * g->scale, in_y = y * g->scale, one = (int64_t)1 << 32;
     const int64_t col = in_x >> 32, row = in_y >> 32;
 
-    if ((uint64_t)(col - 1) >= (uint64_t)(c->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(c->rows - 2))
-        return NOBODY;
-    const uint16_t *begin = c->begin + row * c->cols + col;
+    if ((uint64_t)(col - 1) >= (uint64_t)(g->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(g->rows - 2))
+        return NO_ENEMY;
+    const uint16_t *begin = g->begin + row * g->cols + col;
     const uint32_t from = begin[-1], to = begin[2];
-    const int64_t kx = x * c->minus_two, ky = y * c->minus_two;
+    const int64_t kx = x * g->minus_two, ky = y * g->minus_two;
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
-    const int64_t edge = length(c, least(least(off_x, one - off_x), least(off_y, one - off_y)) + one);
-    int64_t best = lowest(c, from + RUN, to, kx, ky, lowest_run(&c->place[from], kx, ky));
+    const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
+    int64_t best = lowest(g, from + RUN, to, kx, ky, lowest_run(&g->place[from], kx, ky));
     const int64_t here = x * x + y * y;
-    int64_t d = (best >> c->bits) + here; /* its square */
+    int64_t d = (best >> g->bits) + here; /* its square */
     if (d >= edge * edge) {
-        const int64_t a = most(-2, -col), z = least(3, c->cols - col), cols = c->cols;
-        best = lowest(c, begin[a - cols], begin[z - cols], kx, ky, best);
-        best = lowest(c, begin[a + cols], begin[z + cols], kx, ky, best);
-        d = (best >> c->bits) + here;
-        if (d >= (edge + c->cell) * (edge + c->cell))
-            return NOBODY;
+        const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
+        best = lowest(g, begin[a - cols], begin[z - cols], kx, ky, best);
+        best = lowest(g, begin[a + cols], begin[z + cols], kx, ky, best);
+        d = (best >> g->bits) + here;
+        if (d >= (edge + g->cell) * (edge + g->cell))
+            return NO_ENEMY;
     }
     const struct bullets *s = &b->shots;
-    const uint32_t slot = slot_of(c, best);
-    if (d < c->sure[s->kind[i]])
+    const uint32_t slot = slot_of(g, best);
+    if (d < g->sure[s->kind[i]])
         return slot;
-    struct body shot = flying(s, &b->shot_kinds, i), e = enemy(b, slot);
-    return touch(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NOBODY;
+    struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
+    return hit_touches(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
 }
 
-/* A circle fits into each shape; swept shots touch whom their circle touched before they moved. */
-static void judge(struct crowd *c, const struct bullet_kinds *k)
+/* Sure hits: a circle fits into each shape, and a swept shot touches every enemy that its circle touched before the
+ * move. */
+static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t core = least(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
-        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && c->core >= 0;
-        int64_t r = sure ? least(core + c->core, FX_MAX) : 0;
-        c->sure[i] = r * r;
+        int64_t core = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
+        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && g->core >= 0;
+        int64_t r = sure ? int64_min(core + g->core, FX_MAX) : 0;
+        g->sure[i] = r * r;
     }
 }
 
-/* Raises the event: board_event's way, without a call but where there is no room. */
-static inline void hit(struct board *b, uint32_t shot, uint32_t foe)
+/* Raises the event as board_event does, which it calls only when there is no room. */
+static inline void raise_shot(struct board *b, uint32_t shot, uint32_t foe)
 {
     struct events *e = &b->events;
     int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot), whom = handle_of(H_ENEMY, b->enemies.s.gen[foe], foe);
@@ -418,57 +400,57 @@ static inline void hit(struct board *b, uint32_t shot, uint32_t foe)
         board_event(b, EV_SHOT, who, whom);
 }
 
-/* The shots of a word that fly, or left the field in this frame's move. */
-static inline uint64_t flying_or_left(const struct slots *s, uint32_t word)
+/* The shots of a word that are live, or left the field in this frame's move. */
+static inline uint64_t live_or_held(const struct slots *s, uint32_t word)
 {
     return s->used[word] | (word * 64 < s->held_top ? s->held[word] : 0);
 }
 
-/* The slot of the enemy that the shot hits, or NOBODY; `at` is the shot's place in its block. */
-static inline uint32_t target(const struct board *b, const struct crowd *c, const struct flight *f, uint32_t i)
+/* The slot of the enemy that the shot hits, or NO_ENEMY; `at` is the shot's place in its block. */
+static inline uint32_t target(const struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
 {
-    uint32_t at = i % SLOTS_BLOCK, slot = c->dense ? target_nearest(b, c, i, f->x[at], f->y[at]) : NOBODY;
+    uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
-    return slot == NOBODY ? target_by_rings(b, c, i) : slot;
+    return slot == NO_ENEMY ? target_by_rings(b, g, i) : slot;
 }
 
-/* A shot that left the field and hit nobody on the way is gone. */
-static void aim_all(struct board *b, const struct crowd *c)
+/* Finds the enemy that each shot hits. A shot that left the field and hit none is released. */
+static void target_all(struct board *b, const struct grid *g)
 {
     const struct slots *s = &b->shots.s;
-    struct flight f;
+    struct starts f;
 
     for (uint32_t word = 0; word < s->top / 64; word++) {
         uint64_t missed = 0;
-        if (c->dense)
-            locate(&f, &b->shots, word * 64, (uint32_t)c->left, (uint32_t)c->top);
-        for (uint64_t bits = flying_or_left(s, word); bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + lowest_bit(bits), slot = target(b, c, &f, i);
-            if (slot != NOBODY)
-                hit(b, i, slot);
+        if (g->dense)
+            locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
+        for (uint64_t bits = live_or_held(s, word); bits; bits &= bits - 1) {
+            uint32_t i = word * 64 + bits_lowest(bits), slot = target(b, g, &f, i);
+            if (slot != NO_ENEMY)
+                raise_shot(b, i, slot);
             else
                 missed |= bits & -bits;
         }
         for (missed &= ~s->used[word]; missed; missed &= missed - 1)
-            bullets_release(&b->shots, word * 64 + lowest_bit(missed));
+            bullets_release(&b->shots, word * 64 + bits_lowest(missed));
     }
 }
 
 void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
-    struct crowd c;
+    struct grid g;
 
-    c.n = 0;
+    g.n = 0;
     if ((s->live || s->holding) && b->enemies.s.live)
-        gather(&c, b);
-    if (!c.n) {
+        gather(&g, b);
+    if (!g.n) {
         bullets_release_all(&b->shots);
         return;
     }
-    divide(&c, s->live + s->holding, b->enemies.s.top);
-    sort(&c, &b->enemies);
-    if (c.dense)
-        judge(&c, &b->shot_kinds);
-    aim_all(b, &c);
+    set_cells(&g, s->live + s->holding, b->enemies.s.top);
+    sort(&g, &b->enemies);
+    if (g.dense)
+        find_sure_radii(&g, &b->shot_kinds);
+    target_all(b, &g);
 }

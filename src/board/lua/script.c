@@ -281,9 +281,9 @@ bool script_compile(const char *text, size_t n, const char *chunk, void *work, s
         snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
         return false;
     }
-    host_aside(&host);
+    host_enter(&host);
     bool good = compile(text, n, chunk, work, work_size, err, err_size);
-    host_back(&host);
+    host_leave(&host);
     return good;
 }
 

@@ -116,15 +116,15 @@ static void read_sprite(const struct lump *l, struct sprite *s)
 {
     const uint8_t *p = l->data;
 
-    s->w = get16(p);
-    s->h = get16(p + 2);
-    s->pitch = get16(p + 4);
-    s->ox = (int16_t)get16(p + 6);
-    s->oy = (int16_t)get16(p + 8);
-    s->frames = get16(p + 10);
-    s->every = get16(p + 12);
-    s->rotations = get16(p + 14);
-    s->bank = get16(p + 16);
+    s->w = bytes_get16(p);
+    s->h = bytes_get16(p + 2);
+    s->pitch = bytes_get16(p + 4);
+    s->ox = (int16_t)bytes_get16(p + 6);
+    s->oy = (int16_t)bytes_get16(p + 8);
+    s->frames = bytes_get16(p + 10);
+    s->every = bytes_get16(p + 12);
+    s->rotations = bytes_get16(p + 14);
+    s->bank = bytes_get16(p + 16);
     s->pix = p + CART_GFX_HEADER;
 }
 
@@ -159,7 +159,7 @@ static bool check_sprite(const struct lump *l, char *err, size_t err_size)
     if (l->size < CART_GFX_HEADER)
         return fail(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
     read_sprite(l, &s);
-    if (!header_ok(&s) || get16(l->data + 18) != 0 || get32(l->data + 20) != 0)
+    if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
         return fail(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
     if (l->size != CART_GFX_HEADER + rows * s.pitch)

@@ -258,10 +258,10 @@ static void walk_text(struct walk *w, char *s, size_t n)
 static void walk_32(struct walk *w, int32_t *v)
 {
     if (w->out != NULL) {
-        put32(w->out, (uint32_t)*v);
+        bytes_put32(w->out, (uint32_t)*v);
         w->out += 4;
     } else {
-        *v = (int32_t)get32(w->in);
+        *v = (int32_t)bytes_get32(w->in);
         w->in += 4;
     }
 }
@@ -269,10 +269,10 @@ static void walk_32(struct walk *w, int32_t *v)
 static void walk_64(struct walk *w, int64_t *v)
 {
     if (w->out != NULL) {
-        put64(w->out, (uint64_t)*v);
+        bytes_put64(w->out, (uint64_t)*v);
         w->out += 8;
     } else {
-        *v = (int64_t)get64(w->in);
+        *v = (int64_t)bytes_get64(w->in);
         w->in += 8;
     }
 }

@@ -722,9 +722,9 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
         snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_TEXT);
         return false;
     }
-    host_aside(&host);
+    host_enter(&host);
     bool good = read_text(&r, work, err, err_size);
-    host_back(&host);
+    host_leave(&host);
     if (!good || manifest_check(m, why, sizeof why))
         return good;
     snprintf(err, err_size, "%s: %s", file, why);

@@ -59,17 +59,17 @@ static uint8_t take8(struct source *s)
 
 static uint16_t take16(struct source *s)
 {
-    return get16(take(s, 2));
+    return bytes_get16(take(s, 2));
 }
 
 static uint32_t take32(struct source *s)
 {
-    return get32(take(s, 4));
+    return bytes_get32(take(s, 4));
 }
 
 static uint64_t take64(struct source *s)
 {
-    return get64(take(s, 8));
+    return bytes_get64(take(s, 8));
 }
 
 /* A string of printable ASCII that fits out; anything else is bad. */
@@ -358,13 +358,13 @@ static bool read_records(struct parse *p, const uint8_t *data, size_t size)
 {
     while (size - p->at >= RECORD_HEAD && !p->d->complete) {
         const uint8_t *r = data + p->at;
-        uint32_t kind = get32(r), n = get32(r + 4);
+        uint32_t kind = bytes_get32(r), n = bytes_get32(r + 4);
         if (n > most_bytes(kind))
             return damaged(p, "kind or size");
         if (size - p->at < RECORD_OVER + (size_t)n)
             break;
-        p->crc = crc32_add(p->crc, r, RECORD_HEAD + n);
-        if (get32(r + RECORD_HEAD + n) != p->crc)
+        p->crc = hash_crc32_add(p->crc, r, RECORD_HEAD + n);
+        if (bytes_get32(r + RECORD_HEAD + n) != p->crc)
             return damaged(p, "CRC");
         if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEAD, .left = n }))
             return false;
@@ -382,7 +382,7 @@ bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size
     memset(d, 0, sizeof *d);
     if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
         return fail(&p, "not a demo");
-    d->format = get32(data + 4);
+    d->format = bytes_get32(data + 4);
     if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
         return fail(&p, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST, DEMO_FORMAT);
     if (size > DEMO_MAX_BYTES)

@@ -48,17 +48,17 @@ static void write8(struct sink *s, uint32_t v)
 
 static void write16(struct sink *s, uint32_t v)
 {
-    put16(put(s, 2), (uint16_t)v);
+    bytes_put16(put(s, 2), (uint16_t)v);
 }
 
 static void write32(struct sink *s, uint32_t v)
 {
-    put32(put(s, 4), v);
+    bytes_put32(put(s, 4), v);
 }
 
 static void write64(struct sink *s, uint64_t v)
 {
-    put64(put(s, 8), v);
+    bytes_put64(put(s, 8), v);
 }
 
 static void write_str(struct sink *s, const char *str)
@@ -80,8 +80,8 @@ static void close_record(struct sink *s, uint32_t *crc)
 {
     if (!s->bad) {
         size_t n = s->n - s->record;
-        put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
-        *crc = crc32_add(*crc, s->p + s->record, n);
+        bytes_put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
+        *crc = hash_crc32_add(*crc, s->p + s->record, n);
     }
     write32(s, *crc);
 }

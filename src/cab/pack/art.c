@@ -279,15 +279,15 @@ static struct box used_box(const struct stack *s)
 static void write_header(uint8_t *p, const struct art_sprite *sprite, struct box b, int pitch, int ox, int oy, int bank)
 {
     memset(p, 0, CART_GFX_HEADER);
-    put16(p, (uint16_t)(b.x1 - b.x0));
-    put16(p + 2, (uint16_t)(b.y1 - b.y0));
-    put16(p + 4, (uint16_t)pitch);
-    put16(p + 6, (uint16_t)(ox - b.x0));
-    put16(p + 8, (uint16_t)(oy - b.y0));
-    put16(p + 10, (uint16_t)sprite->frames);
-    put16(p + 12, (uint16_t)sprite->every);
-    put16(p + 14, (uint16_t)sprite->rotations);
-    put16(p + 16, (uint16_t)bank);
+    bytes_put16(p, (uint16_t)(b.x1 - b.x0));
+    bytes_put16(p + 2, (uint16_t)(b.y1 - b.y0));
+    bytes_put16(p + 4, (uint16_t)pitch);
+    bytes_put16(p + 6, (uint16_t)(ox - b.x0));
+    bytes_put16(p + 8, (uint16_t)(oy - b.y0));
+    bytes_put16(p + 10, (uint16_t)sprite->frames);
+    bytes_put16(p + 12, (uint16_t)sprite->every);
+    bytes_put16(p + 14, (uint16_t)sprite->rotations);
+    bytes_put16(p + 16, (uint16_t)bank);
 }
 
 /* The lump: the header, then the box of each picture, its rows padded to a multiple of 8. */

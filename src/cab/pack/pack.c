@@ -476,7 +476,7 @@ void pack_list(const struct rom *rom, void (*each)(void *user, const char *line)
         char line[ROM_NAME + 32];
         struct lump l;
         rom_lump(rom, (int)i, &l);
-        snprintf(line, sizeof line, "%s %" PRIu32 " %08" PRIx32, l.name, l.size, crc32_of(l.data, l.size));
+        snprintf(line, sizeof line, "%s %" PRIu32 " %08" PRIx32, l.name, l.size, hash_crc32(l.data, l.size));
         each(user, line);
     }
 }

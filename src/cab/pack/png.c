@@ -131,7 +131,7 @@ static uint8_t *chunk(uint8_t *p, const char type[4], const uint8_t *data, uint3
     memcpy(p + 4, type, 4);
     if (n)
         memcpy(p + 8, data, n);
-    put_be32(p + 8 + n, crc32_of(p + 4, n + 4));
+    put_be32(p + 8 + n, hash_crc32(p + 4, n + 4));
     return p + 12 + n;
 }
 
@@ -265,7 +265,7 @@ static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *e
         uint32_t len = get_be32(p);
         if (len > n - at - 12)
             break;
-        if (get_be32(p + 8 + len) != crc32_of(p + 4, (size_t)len + 4)) {
+        if (get_be32(p + 8 + len) != hash_crc32(p + 4, (size_t)len + 4)) {
             snprintf(err, err_size, "a damaged PNG: the chunk at byte %zu has a wrong CRC", at);
             return false;
         }

@@ -133,7 +133,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     if (!image || plat_load(name, image, (size_t)size) != size) {
         cab_say("curtain: %s: cannot be read; scores are not saved%s", name, "");
         cab.no_scores = true;
-    } else if (nvram_good(image, (size_t)size)) {
+    } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
         start->nvram_size = (size_t)size;
         return image;

@@ -1,10 +1,10 @@
 /*
- * sums.c - see sums.h.
+ * ieee.c - see ieee.h.
  *
- * Each sum stands in the form in which a flag lets the compiler compute another one, of operands it cannot know (they are
- * volatile), and is compared bit for bit, for constants may be what a flag changes.
+ * Each sum stands in the form in which a flag lets the compiler compute another one, of operands it cannot know (they
+ * are volatile), and is compared bit for bit, for constants may be what a flag changes.
  */
-#include "sums.h"
+#include "ieee.h"
 #include "fx.h"
 
 static bool is(double v, uint64_t bits)
@@ -87,7 +87,7 @@ static bool takes_roots(void)
 
 #define BUILT "built with flags that change results: "
 
-const char *sums_wrong(void)
+const char *ieee_fault(void)
 {
     if (!divides())
         return BUILT "it divides by reciprocals (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)";
