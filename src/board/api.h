@@ -127,18 +127,15 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
 
 /* Names: declare gives a name its index (an error when it is taken), find looks one up (NO_SLOT), name pushes it back.
  */
-void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index);
-int names_find(lua_State *L, enum api_names what, const char *name);
-void names_push(lua_State *L, enum api_names what, int index);
+void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index);
+int api_names_find(lua_State *L, enum api_names what, const char *name);
+void api_names_push(lua_State *L, enum api_names what, int index);
 
 /* The name of an index, the last of several; NULL: it has none. Good until the next tick. */
-const char *names_at(const struct board *b, enum api_names what, int index);
+const char *api_names_at(const struct board *b, enum api_names what, int index);
 
 /* Pushes the nearest of the declared names to a misspelt one, or nil. */
-void names_near(lua_State *L, enum api_names what, const char *name);
-
-/* How far apart two words are: letters to add, drop, change or swap; 99 when it is not worth a suggestion. */
-int words_apart(const char *a, const char *b);
+void api_names_suggest(lua_State *L, enum api_names what, const char *name);
 
 /* What is said of a name that is kept for what is not there yet. */
 #define NOT_YET "is not there yet; the name is kept for it"
@@ -182,8 +179,5 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
 
 /* Fills the rom table (api_board.c). */
 void api_rom_open(lua_State *L);
-
-/* Where a player enters and returns. */
-void player_start(const struct board *b, uint32_t p, fx *x, fx *y);
 
 #endif

@@ -32,7 +32,7 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
     {                                                                                                                  \
         &chip, offsetof(struct board, name), sizeof((struct board *)0)->name                                           \
     }
-const struct part parts[PARTS] = {
+const struct part machine_parts[PARTS] = {
     PART(script_chip, script),   PART(core_chip, core),
     PART(input_chip, input),     PART(tasks_chip, tasks),
     PART(bullets_chip, bullets), PART(bullet_kinds_chip, bullet_kinds),
@@ -52,7 +52,7 @@ enum { RAM_ALIGN = 64 };
 
 static void *chip_at(const struct board *b, int i)
 {
-    return (uint8_t *)(uintptr_t)b + parts[i].at;
+    return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
 }
 
 static uint64_t aligned(uint64_t n)
@@ -99,11 +99,11 @@ static uint64_t event_room(const struct manifest *m)
 static uint64_t ram_needed(const struct cart *cart)
 {
     uint32_t cap[PARTS];
-    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct hand));
+    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
 
     capacities(&cart->m, cap);
     for (int i = 0; i < PARTS; i++)
-        sum += slots_size(parts[i].chip, cap[i]);
+        sum += slots_size(machine_parts[i].chip, cap[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
     sum += aligned(event_room(&cart->m) * sizeof(struct event));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
@@ -165,13 +165,13 @@ static void lay_out(struct board *b)
     uint8_t *next = b->ram + aligned(sizeof *b);
     uint32_t cap[PARTS];
 
-    b->hand = (struct hand *)next;
-    next += aligned(sizeof *b->hand);
+    b->output = (struct output *)next;
+    next += aligned(sizeof *b->output);
     capacities(&b->cart.m, cap);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
-        slots_layout(parts[i].chip, chip_at(b, i), cap[i], &next);
-        if (parts[i].chip->list)
+        slots_layout(machine_parts[i].chip, chip_at(b, i), cap[i], &next);
+        if (machine_parts[i].chip->list)
             memset(first, 0, (size_t)(next - first));
     }
     b->pictures = (struct sprite *)next;
@@ -262,14 +262,14 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     if (!start_fits(&b->cart.m, start, err, err_size))
         return NULL;
     lay_out(b);
-    memset(b->hand, 0, sizeof *b->hand);
+    memset(b->output, 0, sizeof *b->output);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
     if (!boot(b)) {
         snprintf(err, err_size, "board.lua_kib = %d is too little to start Lua", b->cart.m.lua_kib);
         return NULL;
     }
-    b->hand->out.log = b->hand->log;
-    b->hand->out.log_size = b->hand->log_size;
+    b->output->out.log = b->output->log;
+    b->output->out.log_size = b->output->log_size;
     return b;
 }
 
@@ -305,16 +305,16 @@ static void reset(struct board *b)
     boot(b);
 }
 
-void board_watch(struct board *b, board_lap *lap, void *context)
+void board_on_phase(struct board *b, board_phase_done *done, void *context)
 {
-    b->hand->lap = lap;
-    b->hand->lap_context = context;
+    b->output->phase_done = done;
+    b->output->phase_context = context;
 }
 
-static void over(const struct board *b, enum board_phase phase)
+static void phase_done(const struct board *b, enum board_phase phase)
 {
-    if (b->hand->lap)
-        b->hand->lap(b->hand->lap_context, phase);
+    if (b->output->phase_done)
+        b->output->phase_done(b->output->phase_context, phase);
 }
 
 void board_move(struct board *b)
@@ -339,18 +339,18 @@ static int move_and_hit(lua_State *L)
 
     board_move(b);
     vm_charge(L, b->bullets.ran + b->shots.ran);
-    over(b, PHASE_MOTION);
+    phase_done(b, PHASE_MOTION);
     hit_run(b);
     return 0;
 }
 
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
-    struct hand *h = b->hand;
+    struct output *o = b->output;
 
-    assert(h->fault.kind == FAULT_NONE);
-    h->out = (struct board_out){ .log = h->log };
-    h->log_size = 0;
+    assert(o->fault.kind == FAULT_NONE);
+    o->out = (struct board_out){ .log = o->log };
+    o->log_size = 0;
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
@@ -360,12 +360,12 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         enemies_count(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);
-    over(b, PHASE_SCRIPTS);
+    phase_done(b, PHASE_SCRIPTS);
     if (!b->core.frozen)
         fine = fine && vm_call(b, move_and_hit);
-    over(b, PHASE_HITS);
+    phase_done(b, PHASE_HITS);
     fine = fine && vm_call(b, events_run);
-    over(b, PHASE_EVENTS);
+    phase_done(b, PHASE_EVENTS);
     if (fine) {
         if (!b->core.frozen)
             pal_step(&b->pal);
@@ -376,8 +376,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         else
             vm_call(b, vm_collect);
     }
-    over(b, PHASE_REST);
-    h->out.log_size = h->log_size;
+    phase_done(b, PHASE_REST);
+    o->out.log_size = o->log_size;
 }
 
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
@@ -387,12 +387,12 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     host_aside(&host);
     tick(b, pads);
     host_back(&host);
-    return &b->hand->out;
+    return &b->output->out;
 }
 
 const struct board_out *board_last(const struct board *b)
 {
-    return &b->hand->out;
+    return &b->output->out;
 }
 
 void board_screen(const struct board *b, int *w, int *h)
@@ -415,7 +415,7 @@ int board_parts(const struct board *b)
 const char *board_part(const struct board *b, int i)
 {
     (void)b;
-    return parts[i].chip->name;
+    return machine_parts[i].chip->name;
 }
 
 size_t board_snapshot_size(const struct board *b)
@@ -423,7 +423,7 @@ size_t board_snapshot_size(const struct board *b)
     size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
-        n += slots_save(parts[i].chip, chip_at(b, i), NULL);
+        n += slots_save(machine_parts[i].chip, chip_at(b, i), NULL);
     return n;
 }
 
@@ -435,7 +435,7 @@ void board_save(const struct board *b, void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_save(parts[i].chip, chip_at(b, i), p);
+        p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
 }
 
 /* Whatever stands in RAM now may be rubbish: only what has been copied back is read. */
@@ -447,10 +447,10 @@ void board_restore(struct board *b, const void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_restore(parts[i].chip, chip_at(b, i), p);
+        p += slots_restore(machine_parts[i].chip, chip_at(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)
         cart_sprite(&b->cart, i, &b->pictures[i]);
-    memset(b->hand, 0, sizeof *b->hand);
+    memset(b->output, 0, sizeof *b->output);
 }
 
 const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
@@ -462,12 +462,12 @@ const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
 static int part_named(const char *name)
 {
     for (int i = 0; i < PARTS; i++)
-        if (!strcmp(parts[i].chip->name, name))
+        if (!strcmp(machine_parts[i].chip->name, name))
             return i;
     return -1;
 }
 
-size_t board_lua_most(const struct board *b)
+size_t board_lua_peak(const struct board *b)
 {
     return heap_most(b->vm.heap);
 }
@@ -531,7 +531,7 @@ static void copy_plain(char *to, size_t size, const char *from)
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value)
 {
-    struct board_out *out = &b->hand->out;
+    struct board_out *out = &b->output->out;
 
     if (out->marks == MARKS)
         return;

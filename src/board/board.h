@@ -158,9 +158,9 @@ uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
 /* board_hashes, for one board frame after frame: about ten times as fast, for what did not change is not hashed again.
- * copies and hashes are as the last call left them; at first copies are board_copies(b) bytes of zeroes. */
-size_t board_copies(const struct board *b);
-void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS]);
+ * copies and hashes are as the last call left them; at first copies are board_hash_cache_size(b) bytes of zeroes. */
+size_t board_hash_cache_size(const struct board *b);
+void board_hashes_cached(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS]);
 
 /* The combined hash of those of the parts. */
 uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
@@ -193,7 +193,7 @@ int64_t board_refused(const struct board *b, const char *part);
 int64_t board_points(const struct board *b, int i);
 
 /* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
-size_t board_lua_most(const struct board *b);
+size_t board_lua_peak(const struct board *b);
 
 /* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
  * called when each phase is over, in this order (while the game is frozen, motion is left out), with the host's settings
@@ -206,8 +206,8 @@ enum board_phase {
     PHASE_REST,    /* palette, the Lua collector */
     PHASES
 };
-typedef void board_lap(void *context, enum board_phase over);
-void board_watch(struct board *b, board_lap *lap, void *context);
+typedef void board_phase_done(void *context, enum board_phase phase);
+void board_on_phase(struct board *b, board_phase_done *done, void *context);
 
 /* Work counters for benches: what the last frame moved, tested, hit and grazed. Derived, never hashed. */
 struct board_counts {

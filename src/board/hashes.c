@@ -11,12 +11,12 @@
 
 static const uint8_t *chip_at(const struct board *b, int i)
 {
-    return (const uint8_t *)b + parts[i].at;
+    return (const uint8_t *)b + machine_parts[i].at;
 }
 
 uint64_t board_part_hash(const struct board *b, int i)
 {
-    return slots_hash(parts[i].chip, chip_at(b, i));
+    return slots_hash(machine_parts[i].chip, chip_at(b, i));
 }
 
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
@@ -30,7 +30,7 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
-        if (!parts[i].chip->apart)
+        if (!machine_parts[i].chip->unhashed)
             h = hash_fold(h, hashes[i]);
     return h;
 }
@@ -45,7 +45,7 @@ uint64_t board_hash(const struct board *b)
 
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context)
 {
-    slots_values(parts[i].chip, chip_at(b, i), visit, context);
+    slots_values(machine_parts[i].chip, chip_at(b, i), visit, context);
 }
 
 /* Bytes of a list's copy: its struct, and its columns when it is full. */
@@ -53,10 +53,10 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return parts[i].chip->list ? parts[i].size + (size_t)slots_size(parts[i].chip, s->cap) : 0;
+    return machine_parts[i].chip->list ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap) : 0;
 }
 
-size_t board_copies(const struct board *b)
+size_t board_hash_cache_size(const struct board *b)
 {
     size_t sum = 0, most = 0;
 
@@ -71,24 +71,24 @@ size_t board_copies(const struct board *b)
 /* Are the list's bytes those of its copy? Afterwards they are. `room` is for as many. */
 static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
 {
-    size_t n = parts[i].size;
+    size_t n = machine_parts[i].size;
 
     memcpy(room, chip_at(b, i), n);
-    n += slots_save(parts[i].chip, chip_at(b, i), room + n);
+    n += slots_save(machine_parts[i].chip, chip_at(b, i), room + n);
     if (memcmp(room, copy, n) == 0)
         return true;
     memcpy(copy, room, n);
     return false;
 }
 
-void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS])
+void board_hashes_cached(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS])
 {
     uint8_t *copy = copies, *room = copy;
 
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
-        if (!parts[i].chip->list || !same(b, i, copy, room))
+        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

@@ -44,17 +44,17 @@ struct script {
 };
 
 /* What a tick hands out; outside the snapshot. */
-struct hand {
+struct output {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
     char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* room for what is said of full pools */
-    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;        /* it was of a text of so many bytes, which are too many; or 0 */
-    bool deep;               /* it was in many nested calls */
-    const char *line;        /* that board_eval runs */
-    board_lap *lap;          /* of board_watch; may be NULL */
-    void *lap_context;
+    char shortage[VM_PLACE];      /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;             /* it was of a text of so many bytes, which are too many; or 0 */
+    bool deep;                    /* it was in many nested calls */
+    const char *line;             /* that board_eval runs */
+    board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
+    void *phase_context;
 };
 
 /* What was declared under a name. */
@@ -74,13 +74,13 @@ struct board {
     bool reset;              /* board.reset was called this frame */
     struct box keep, area;   /* where things live; where players may go */
     struct sprite *pictures; /* of the ROM, by index */
-    struct hand *hand;
+    struct output *output;
     struct vm vm;
     struct name_list names[NAME_LISTS];
     struct events events;
     struct board_counts counts;
 
-    /* chips, in the order of parts[] */
+    /* chips, in the order of machine_parts[] */
     struct script script;
     struct core core;
     struct input input;
@@ -108,7 +108,7 @@ struct part {
     size_t at, size; /* of the chip's struct in the board */
 };
 enum { PARTS = 20 };
-extern const struct part parts[PARTS];
+extern const struct part machine_parts[PARTS];
 
 /* The same pools, as motion and aiming see them. */
 struct motion_world board_world(const struct board *b, bool shots);

@@ -312,7 +312,7 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
         return;
     b->vm.running = co;
     behalf_of(b, i);
-    vm_watch(b, co);
+    vm_set_hook(b, co);
     int status = lua_resetthread(co);
     b->vm.running = L;
     tasks_back(b, nobody);
@@ -332,7 +332,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->skipped = 0;
     behalf_of(b, i);
     b->vm.running = co;
-    vm_watch(b, co);
+    vm_set_hook(b, co);
     int status = lua_resume(co, L, n, &results);
     b->vm.running = L;
     tasks_back(b, nobody);

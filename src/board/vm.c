@@ -45,14 +45,14 @@ enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end t
  * collection is work too: at the brim of memory there would be one an allocation. */
 static void note_shortage(struct board *b)
 {
-    struct hand *h = b->hand;
+    struct output *o = b->output;
     lua_Debug ar;
 
     b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
-    vm_where(b->vm.running, h->shortage, sizeof h->shortage);
-    h->deep = lua_getstack(b->vm.running, DEEP, &ar);
+    vm_where(b->vm.running, o->shortage, sizeof o->shortage);
+    o->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
 /* True for a text that is too long, of which it takes note. */
@@ -60,7 +60,7 @@ static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
     if (size > b->vm.text_most)
-        b->hand->long_text = size - b->vm.text_most + TEXT_MOST;
+        b->output->long_text = size - b->vm.text_most + TEXT_MOST;
     return size > b->vm.text_most;
 }
 
@@ -146,13 +146,13 @@ static void copy_text(char *to, size_t size, const char *from)
 
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
-    if (b->hand->long_text) {
-        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->hand->shortage,
-                 b->hand->long_text, (int)TEXT_MOST);
+    if (b->output->long_text) {
+        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->output->shortage,
+                 b->output->long_text, (int)TEXT_MOST);
         return;
     }
-    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s", b->hand->shortage,
-             b->cart.m.lua_kib, b->hand->deep ? ", deep in calls: an endless recursion?" : "");
+    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s",
+             b->output->shortage, b->cart.m.lua_kib, b->output->deep ? ", deep in calls: an endless recursion?" : "");
 }
 
 /* Any other error value. */
@@ -177,7 +177,7 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
 
 void vm_report(struct board *b, lua_State *from, int status)
 {
-    struct board_fault *f = &b->hand->fault;
+    struct board_fault *f = &b->output->fault;
 
     if (f->kind != FAULT_NONE)
         return;
@@ -186,17 +186,17 @@ void vm_report(struct board *b, lua_State *from, int status)
         report_shortage(b, f);
     else
         report_error(b, from, status, f);
-    b->hand->out.fault = f;
+    b->output->out.fault = f;
 }
 
 void vm_trace(struct board *b, lua_State *L, lua_State *from)
 {
-    if (b->hand->fault.trace[0])
+    if (b->output->fault.trace[0])
         return;
     lualib_trace(L); /* of a fault that went through a pcall */
     if (!lua_isstring(L, -1))
         luaL_traceback(L, from, NULL, 0);
-    copy_text(b->hand->fault.trace, sizeof b->hand->fault.trace, lua_tostring(L, -1));
+    copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 
@@ -216,7 +216,7 @@ bool vm_call(struct board *b, lua_CFunction f)
     lua_State *L = b->vm.L;
 
     b->vm.running = L;
-    vm_watch(b, L);
+    vm_set_hook(b, L);
     lua_settop(L, 0);
     lua_pushcfunction(L, on_error);
     lua_pushcfunction(L, f);
@@ -293,13 +293,13 @@ static int l_require(lua_State *L)
 
 void vm_log(struct board *b, const char *s, size_t n)
 {
-    struct hand *h = b->hand;
-    size_t room = h->log_size < LOG_BYTES ? LOG_BYTES - h->log_size : 0;
+    struct output *o = b->output;
+    size_t room = o->log_size < LOG_BYTES ? LOG_BYTES - o->log_size : 0;
 
     if (n > room)
         n = room;
-    memcpy(h->log + h->log_size, s, n);
-    h->log_size += n;
+    memcpy(o->log + o->log_size, s, n);
+    o->log_size += n;
 }
 
 int vm_print(lua_State *L)

@@ -82,7 +82,7 @@ void vm_begin(struct board *b, uint64_t limit);
 void vm_charge(lua_State *L, uint64_t work);
 
 /* Puts the counting hook on a thread that gets its turn, when counting. */
-void vm_watch(struct board *b, lua_State *L);
+void vm_set_hook(struct board *b, lua_State *L);
 
 /* After each allocation: when much was allocated, the hook comes at the next instruction. */
 void vm_allocated(struct board *b);

@@ -248,10 +248,10 @@ void vm_begin(struct board *b, uint64_t limit)
     vm->heaviest = (struct vm_weight){ 0 };
     vm->phase = 1;
     vm->interrupted = 0;
-    b->hand->long_text = 0;
+    b->output->long_text = 0;
 }
 
-void vm_watch(struct board *b, lua_State *L)
+void vm_set_hook(struct board *b, lua_State *L)
 {
     if (b->vm.counting)
         look_later(&b->vm, L);
@@ -279,5 +279,5 @@ void board_interrupt(struct board *b)
 void board_count(struct board *b, bool on)
 {
     b->vm.counting = on;
-    vm_watch(b, b->vm.L);
+    vm_set_hook(b, b->vm.L);
 }

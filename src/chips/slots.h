@@ -94,7 +94,7 @@ struct chip {
     const struct column *columns;
     int count;
     bool list;
-    bool apart; /* hashed for reports, but outside the combined hash: no script can read it */
+    bool unhashed; /* hashed for reports, but outside the combined hash: no script can read it */
 };
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };

@@ -82,8 +82,8 @@ static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
 
 static int board_attract(lua_State *L, struct board *b, struct api_value *v)
 {
-    b->hand->out.request = REQUEST_ATTRACT;
-    strcpy(b->hand->out.attract, lua_tostring(L, v[0].at));
+    b->output->out.request = REQUEST_ATTRACT;
+    strcpy(b->output->out.attract, lua_tostring(L, v[0].at));
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include "../../base/trig.h"
 #include "../../base/geom.h"
 #include "../../chips/sparks.h"
+#include "../../base/edit.h"
 #include "api_parts.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
@@ -93,7 +94,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
 
     if (i == NO_SLOT)
         return api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
-    names_declare(L, what, entry, lua_tostring(L, v[0].at), i);
+    api_names_declare(L, what, entry, lua_tostring(L, v[0].at), i);
     k->sprite[i] = (uint16_t)v[1].i;
     k->shape[i] = shape;
     k->a[i] = a;
@@ -329,7 +330,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         bullets_velocity(s, i, &x, &y);
         return push_q32(L, p == P_VX ? x : y);
     case P_KIND:
-        return names_push(L, names, s->kind[i]);
+        return api_names_push(L, names, s->kind[i]);
     case P_BANK:
         return lua_pushinteger(L, s->bank[i]);
     case P_TAG:
@@ -574,16 +575,16 @@ static void step_error(lua_State *L, int step, const char *message)
 static void unknown_key(lua_State *L, int step, int at)
 {
     const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
     if (api_later("motion.def step", '{', name))
         api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
-        int apart = words_apart(name, step_keys[k].name);
-        if (apart < best)
-            best = apart, found = step_keys[k].name;
+        int distance = edit_distance(name, step_keys[k].name);
+        if (distance < best)
+            best = distance, found = step_keys[k].name;
     }
     if (found)
         api_error(L, DEF, "step %d: unknown argument \"%s\" (did you mean \"%s\"?)", step, name, found);
@@ -712,7 +713,7 @@ static void unknown_head(lua_State *L, const char *key, const struct api_param h
     for (int k = 0; k < M_KEYS; k++)
         step |= !strcmp(key, step_keys[k].name);
     for (int i = 0; i < 2 && !step; i++)
-        if (words_apart(key, head[i].name) < 3)
+        if (edit_distance(key, head[i].name) < 3)
             api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
     api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
 }
@@ -756,8 +757,8 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
         board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
-    if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
-        names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
+    if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
+        api_names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);
     lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
     return 1;

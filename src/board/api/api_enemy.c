@@ -37,7 +37,7 @@ static void keep_function(lua_State *L, const struct api_value *v, int32_t kind,
     if (!v->given)
         return;
     lua_pushvalue(L, v->at);
-    enemy_set_function(L, (uint16_t)kind, what);
+    events_set_function(L, (uint16_t)kind, what);
 }
 
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
@@ -52,7 +52,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "enemy.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
                          MAX_KINDS);
-    names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
+    api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->shape[i] = shape;
     k->a[i] = x;
@@ -151,10 +151,10 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         if (v[S_TAG].given)
             b->enemies.tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
         lua_pushvalue(L, v[S_ON_DEATH].at);
-        enemy_set_death(L, (uint32_t)i);
+        events_set_death(L, (uint32_t)i);
         if (v[S_RUN].given)
             lua_pushvalue(L, v[S_RUN].at);
-        if (v[S_RUN].given || enemy_push_function(L, kind, "run"))
+        if (v[S_RUN].given || events_push_function(L, kind, "run"))
             start_task(L, b, h, 0);
         if (v[S_PATH].given)
             follow(L, b, h, v);
@@ -219,7 +219,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     case P_SAFE:
         return lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
     case P_KIND:
-        return names_push(L, N_ENEMY, e->kind[i]);
+        return api_names_push(L, N_ENEMY, e->kind[i]);
     default:
         return lua_pushinteger(L, b->core.clock - e->born[i]);
     }
@@ -288,7 +288,7 @@ static uint32_t credit(const struct board *b, uint32_t i)
 static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
 {
     if (board_alive(b, v[0].i))
-        enemy_hurt(b, L, handle_slot(v[0].i), (int32_t)v[1].i, credit(b, handle_slot(v[0].i)));
+        events_enemy_hurt(b, L, handle_slot(v[0].i), (int32_t)v[1].i, credit(b, handle_slot(v[0].i)));
     return 0;
 }
 
@@ -297,7 +297,7 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
     uint32_t i = handle_slot(v[0].i);
 
     if (board_alive(b, v[0].i))
-        enemy_die(b, L, i, v[1].given ? (uint32_t)v[1].i : credit(b, i));
+        events_enemy_die(b, L, i, v[1].given ? (uint32_t)v[1].i : credit(b, i));
     return 0;
 }
 

@@ -19,8 +19,8 @@ const struct api_entry *api_find(const char *name);
 extern const char *const api_thing_names[HANDLES];
 
 /* Keeps the better of two suggestions for a misspelt word: the nearer, then the one that comes first in byte order. Start
- * with *best = 99, *found = NULL. */
-void words_consider(const char *word, const char *candidate, int *best, const char **found);
+ * with *best = EDIT_FAR, *found = NULL. */
+void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
 /* All parameters of an entry, those of bullet.fire that it takes included. */
 int api_param_count(const struct api_entry *e);
@@ -48,20 +48,20 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 bool api_property(const struct api_thing *t, const char *name);
 
 /* The number of a register of player `slot`'s kind, or -1. */
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
 /* Has any kind of player a register of that name? */
-bool player_declares(lua_State *L, const char *name);
+bool api_register_declared(lua_State *L, const char *name);
 
 /* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
-int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
+int api_player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS]);
 
 /* Player i enters with that kind, and the kind's run starts. */
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
 /* The running task, on its way to a mark, passes over a wait. One that would do so for ever is stopped while the pieces
  * of a game are listed, so that the others are told; else it is a fault. For any other task nothing happens. */
-int time_pass(lua_State *L, struct board *b);
+int api_pass_wait(lua_State *L, struct board *b);
 
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);

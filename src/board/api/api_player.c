@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../events_run.h"
 #include "api_parts.h"
 
 extern const struct api_thing player_thing;
@@ -72,7 +73,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_pop(L, 1);
 }
 
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
 {
     int i = -1;
 
@@ -86,7 +87,7 @@ int player_register(lua_State *L, const struct board *b, uint32_t slot, const ch
     return i;
 }
 
-bool player_declares(lua_State *L, const char *name)
+bool api_register_declared(lua_State *L, const char *name)
 {
     int top = lua_gettop(L);
     bool found = false;
@@ -100,7 +101,7 @@ bool player_declares(lua_State *L, const char *name)
     return found;
 }
 
-int player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS])
+int api_player_registers(lua_State *L, int32_t kind, const char *names[REGISTERS])
 {
     int top = lua_gettop(L), n = 0;
 
@@ -137,7 +138,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
-    names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
+    api_names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = r;
     k->graze[i] = v[D_GRAZE].f;
@@ -153,7 +154,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* sys.join: in C because it starts the kind's task. */
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
+int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
 
@@ -164,7 +165,7 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
                         GENERATIONS - 1);
     b->player.in[i] = 1;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
-        player_start(b, p, &x, &y);
+        events_player_start(b, p, &x, &y);
         if (b->player.in[p] && p != i)
             player_place(&b->player, p, x, y);
     }
@@ -248,7 +249,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     case P_INDEX:
         return lua_pushinteger(L, i + 1);
     default:
-        return names_push(L, N_PLAYER, s->kind[i]);
+        return api_names_push(L, N_PLAYER, s->kind[i]);
     }
 }
 

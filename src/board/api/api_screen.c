@@ -149,7 +149,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "spark.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
                          MAX_KINDS);
-    names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[0].at), i);
+    api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[0].at), i);
     k->sprite[i] = (uint16_t)v[1].i;
     k->life[i] = (uint16_t)v[2].i;
     k->gravity[i] = v[3].f;

@@ -2,6 +2,7 @@
  * api_sys.c - sys, which only the standard library (@std) sees.
  */
 #include <string.h>
+#include "../../base/edit.h"
 #include "api_parts.h"
 #include "../events_run.h"
 
@@ -32,7 +33,7 @@ static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    int best = 99;
+    int best = EDIT_FAR;
     lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[1].at);
 
     (void)b;
@@ -40,7 +41,7 @@ static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
         return lua_pushnil(L), 1;
     for (lua_Integer i = 1; i <= n; i++) {
         if (lua_rawgeti(L, v[1].at, i) == LUA_TSTRING) {
-            int d = words_apart(lua_tostring(L, v[0].at), lua_tostring(L, -1));
+            int d = edit_distance(lua_tostring(L, v[0].at), lua_tostring(L, -1));
             if (d < best)
                 best = d, found = i;
         }
@@ -115,7 +116,7 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *names[REGISTERS];
     int32_t kind = (int32_t)v[0].i;
-    int n = player_registers(L, kind, names);
+    int n = api_player_registers(L, kind, names);
 
     lua_createtable(L, 0, 2);
     lua_pushinteger(L, b->player_kinds.lives[kind]);
@@ -129,7 +130,7 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_join(lua_State *L, struct board *b, struct api_value *v)
 {
-    return v[0].i ? player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
+    return v[0].i ? api_player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
 }
 
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
@@ -220,7 +221,7 @@ static int sys_task(lua_State *L, struct board *b, struct api_value *v)
 static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    return time_pass(L, b);
+    return api_pass_wait(L, b);
 }
 
 static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
@@ -244,7 +245,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
             continue;
         lua_newtable(L);
         for (uint32_t i = 0; i < s[k]->live; i++) {
-            names_push(L, (enum api_names)k, (int)i);
+            api_names_push(L, (enum api_names)k, (int)i);
             lua_rawseti(L, -2, (lua_Integer)i + 1);
         }
         return 1;

@@ -6,7 +6,7 @@
 
 static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames", NULL } };
 
-int time_pass(lua_State *L, struct board *b)
+int api_pass_wait(lua_State *L, struct board *b)
 {
     bool skips = b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
 
@@ -29,7 +29,7 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
             L, "wait",
             "cannot wait inside a function that C calls (bullet.each and its like, a sort, a gsub, a <close>)");
     if (b->tasks.flags[b->tasks.current] & TASK_SKIPS)
-        return time_pass(L, b);
+        return api_pass_wait(L, b);
     if (!v[0].i)
         return 0;
     b->tasks.wait[b->tasks.current] = v[0].i;

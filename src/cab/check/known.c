@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/edit.h"
 #include "../../board/api.h"
 #include "../../board/lualib.h"
 #include "../pack/pack.h"
@@ -50,15 +51,15 @@ void known_add(struct known *k, const char *space, const char *name)
 
 const char *known_near(const struct known *k, const char *space, const char *name)
 {
-    int best = (int)strlen(name) < 3 ? 0 : 98;
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
     const char *found = NULL;
 
     for (int i = 0; i < k->n; i++) {
         const struct known_name *n = &k->list[i];
-        int apart = same(n->space, space) ? words_apart(name, n->name) : 99;
-        if (apart > best || (apart == best && (found == NULL || strcmp(n->name, found) >= 0)))
+        int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_FAR;
+        if (distance > best || (distance == best && (found == NULL || strcmp(n->name, found) >= 0)))
             continue;
-        best = apart;
+        best = distance;
         found = n->name;
     }
     return found;

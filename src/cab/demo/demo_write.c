@@ -386,11 +386,11 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     take_given_start(d, start);
     take_parts(d, b);
     d->flags = flags;
-    w->copies = calloc(1, board_copies(b));
+    w->copies = calloc(1, board_hash_cache_size(b));
     if (!w->copies)
         return out_of_memory(w);
     if (!board_last(b)->fault) {
-        board_hashes_again(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->copies, w->hashes);
         if (!add_row(w) || !take_moments(d, b))
             return out_of_memory(w);
     }
@@ -419,7 +419,7 @@ static void add_prints(struct demo_writer *w, const struct board *b)
 
     if (board_last(b)->fault)
         return;
-    board_hashes_again(b, w->copies, w->hashes);
+    board_hashes_cached(b, w->copies, w->hashes);
     for (int i = 0; i < d->parts; i++)
         prints[i] = (uint16_t)w->hashes[i];
     d->printed = d->frames;
@@ -498,7 +498,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     if (!w->on)
         return true;
     if (!fault)
-        board_hashes_again(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->copies, w->hashes);
     stop(w);
     if (!take_points(d, b))
         return out_of_memory(w);
