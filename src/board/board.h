@@ -195,6 +195,9 @@ int64_t board_points(const struct board *b, int i);
 /* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
 size_t board_lua_peak(const struct board *b);
 
+/* The release of Lua that scripts run in: "5.4.6". */
+const char *board_lua_release(void);
+
 /* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
  * called when each phase is over, in this order (while the game is frozen, motion is left out), with the host's settings
  * put aside. It must not touch the board. NULL: nobody asks, as after power-on and after a restore. */

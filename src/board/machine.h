@@ -17,7 +17,9 @@
 #include "../chips/player.h"
 #include "../chips/sparks.h"
 #include "../chips/sprites.h"
+#include "api_table.h"
 #include "board.h"
+#include "handle.h"
 #include "rom/cart.h"
 #include "tasks.h"
 #include "vm.h"
@@ -56,9 +58,6 @@ struct output {
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;
 };
-
-/* What was declared under a name. */
-enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
 
 /* Names by index, in the Lua heap: api_names.c. */
 struct name_list {
@@ -147,34 +146,6 @@ static inline void script_fold(struct board *b, uint64_t v)
 {
     b->script.digest = (b->script.digest ^ v) * 0x9e3779b97f4a7c15u;
     b->script.digest ^= b->script.digest >> 29;
-}
-
-/* Handles: bits 63..62 = 01, generation 30, chip 8, slot 24. */
-enum handle_kind { H_BULLET = 1, H_SHOT, H_ENEMY, H_PLAYER, H_SPRITE, H_TASK, H_MOTION, H_GROUP, HANDLES };
-
-static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
-{
-    return (int64_t)(1ull << 62 | (uint64_t)gen << 32 | (uint64_t)kind << 24 | slot);
-}
-
-static inline bool handle_is(int64_t h)
-{
-    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLES;
-}
-
-static inline enum handle_kind handle_kind(int64_t h)
-{
-    return (enum handle_kind)(h >> 24 & 255);
-}
-
-static inline uint32_t handle_gen(int64_t h)
-{
-    return (uint32_t)(h >> 32) & GENERATIONS;
-}
-
-static inline uint32_t handle_slot(int64_t h)
-{
-    return (uint32_t)h & 0xffffff;
 }
 
 /* The handle of a live slot of that kind, or a dead one for NO_SLOT. */

@@ -18,6 +18,11 @@ struct board *vm_board(lua_State *L)
     return *(struct board **)lua_getextraspace(L);
 }
 
+const char *board_lua_release(void)
+{
+    return &LUA_RELEASE[sizeof "Lua"];
+}
+
 /* Level 0 is a C function, or in a hook the function that was interrupted. A task of the library's own stands where the
  * author's line stood that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
@@ -422,7 +427,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
-    api_watch_fields(L);
+    api_later_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);

@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/sums.h"
-#include "../board/api.h"
+#include "../board/api_table.h"
 #include "../base/host.h"
 #include "args.h"
 #include "play/cab.h"
@@ -212,7 +212,7 @@ static int version(void)
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
-    puts(LUA_RELEASE);
+    printf("Lua %s\n", board_lua_release());
     return stdout_done(EXIT_DONE);
 }
 

@@ -77,7 +77,7 @@ static int missing_field(lua_State *L)
     return 1;
 }
 
-void api_watch_fields(lua_State *L)
+void api_later_install(lua_State *L)
 {
     int top = lua_gettop(L);
 

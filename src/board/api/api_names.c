@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../lualib.h"
 #include "api_parts.h"
 
 /* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
@@ -133,4 +134,9 @@ void api_push_tag(lua_State *L, uint16_t tag)
         api_names_push(L, N_TAG, tag);
     else
         lua_pushnil(L);
+}
+
+const char *api_library_names(const char *library)
+{
+    return lualib_names(library);
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../board/api.h"
+#include "../../board/api_table.h"
 #include "../../board/script.h"
 #include "../pack/pack.h"
 

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../board/api.h"
 
 enum {
     DEPTH = 220, /* statements and expressions inside each other; Lua allows 200 */

@@ -10,7 +10,6 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/hash.h"
-#include "../../board/api.h"
 #include "demo_parts.h"
 #include "../host/files.h"
 
@@ -338,7 +337,7 @@ static void take_identity(struct demo *d, const struct cart *cart)
     d->game_hash = rom_game_hash(cart->rom);
     d->rom_hash = rom_hash(cart->rom);
     snprintf(d->id, sizeof d->id, "%s", cart->m.id);
-    snprintf(d->lua, sizeof d->lua, "%s", &LUA_RELEASE[sizeof "Lua"]);
+    snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
 }
 
 /* The moments of the tick just over. */
