@@ -28,22 +28,37 @@ static const struct chip core_chip = { "board", core_columns, sizeof core_column
 static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
                                          false };
 
-#define PART(chip, name)                                                                                               \
-    {                                                                                                                  \
-        &chip, offsetof(struct board, name), sizeof((struct board *)0)->name                                           \
-    }
-const struct part machine_parts[PARTS] = {
-    PART(script_chip, script),   PART(core_chip, core),
-    PART(input_chip, input),     PART(tasks_chip, tasks),
-    PART(bullets_chip, bullets), PART(bullet_kinds_chip, bullet_kinds),
-    PART(shots_chip, shots),     PART(shot_kinds_chip, shot_kinds),
-    PART(enemies_chip, enemies), PART(enemy_kinds_chip, enemy_kinds),
-    PART(player_chip, player),   PART(player_kinds_chip, player_kinds),
-    PART(motions_chip, motions), PART(steps_chip, steps),
-    PART(sprites_chip, sprites), PART(fix_chip, fix),
-    PART(pal_chip, pal),         PART(nvram_chip, nvram),
-    PART(sparks_chip, sparks),   PART(spark_kinds_chip, spark_kinds),
-};
+enum { MAX_PLAYER_KINDS = 64 };
+
+/* The order of struct board, of RAM, of the hashes and of demos. Each line: the chip, its struct in the board, and for how
+ * many slots manifest m asks. */
+#define PART_LIST(PART)                                                                                                \
+    PART(script_chip, script, 0)                                                                                       \
+    PART(core_chip, core, 0)                                                                                           \
+    PART(input_chip, input, PADS)                                                                                      \
+    PART(tasks_chip, tasks, m->tasks)                                                                                  \
+    PART(bullets_chip, bullets, m->bullets)                                                                            \
+    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0)                                                  \
+    PART(shots_chip, shots, m->shots)                                                                                  \
+    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0)                                                        \
+    PART(enemies_chip, enemies, m->enemies)                                                                            \
+    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0)                                                    \
+    PART(player_chip, player, PADS)                                                                                    \
+    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS)                                                            \
+    PART(motions_chip, motions, m->motions)                                                                            \
+    PART(steps_chip, steps, MOTION_STEPS * m->motions)                                                                 \
+    PART(sprites_chip, sprites, m->sprites)                                                                            \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL))                                             \
+    PART(pal_chip, pal, COLOURS)                                                                                       \
+    PART(nvram_chip, nvram, NV_BYTES)                                                                                  \
+    PART(sparks_chip, sparks, m->sparks)                                                                               \
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0)
+
+#define AS_PART(chip, name, slots)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
+#define AS_CAPACITY(chip, name, slots) (uint32_t)(slots),
+#define AS_ONE(chip, name, slots)      +1
+const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
+_Static_assert(PART_LIST(AS_ONE) == PARTS, "a part a line");
 
 enum { RAM_ALIGN = 64 };
 #ifndef RAM_MOST /* tests lower it */
@@ -60,32 +75,10 @@ static uint64_t aligned(uint64_t n)
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
 }
 
-/* Entries each part has room for. */
+/* Slots each part has room for. */
 static void capacities(const struct manifest *m, uint32_t cap[PARTS])
 {
-    const uint32_t kinds = MAX_KINDS;
-    const uint32_t all[PARTS] = {
-        0,
-        0,
-        PADS,
-        (uint32_t)m->tasks,
-        (uint32_t)m->bullets,
-        m->bullets ? kinds : 0,
-        (uint32_t)m->shots,
-        m->shots ? kinds : 0,
-        (uint32_t)m->enemies,
-        m->enemies ? kinds : 0,
-        PADS,
-        64,
-        (uint32_t)m->motions,
-        (uint32_t)m->motions * MOTION_STEPS,
-        (uint32_t)m->sprites,
-        (uint32_t)(m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL)),
-        COLOURS,
-        NV_BYTES,
-        (uint32_t)m->sparks,
-        m->sparks ? kinds : 0,
-    };
+    const uint32_t all[PARTS] = { PART_LIST(AS_CAPACITY) };
 
     memcpy(cap, all, sizeof all);
 }
@@ -159,7 +152,20 @@ static void set_up(struct board *b)
     tasks_empty(&b->tasks);
 }
 
-/* Lays RAM out and clears what entries are read before they are written. */
+/* Lays RAM out and clears the columns of lists, whose entries are read before they are written.
+ *
+ * Memory map, from the beginning of RAM; each block is aligned to RAM_ALIGN bytes:
+ *
+ *   block                         bytes                              snapshot
+ *   struct board                  sizeof                             whole
+ *   struct output                 sizeof                             none; a restore clears it
+ *   columns of each part, in the  slots_size of its chip and slots   of pools, the slots below top and high; of lists,
+ *   order of PART_LIST                                               the live entries (slots.h)
+ *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
+ *                                 ROM's sprites
+ *   events                        event_room times struct event      none; there are no events between frames
+ *   Lua's heap                    board.lua_kib KiB                  what is in use
+ */
 static void lay_out(struct board *b)
 {
     uint8_t *next = b->ram + aligned(sizeof *b);

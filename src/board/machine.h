@@ -1,6 +1,13 @@
 /*
  * machine.h - the board's insides: every part, in the order of RAM and of the hash track.
- * floor: board    used by: board/ tests/
+ * floor: board
+ *
+ * Three words:
+ *   chip  a struct of columns with the code that works on them, in src/chips (tasks: here). struct chip describes its
+ *         columns (slots.h). A chip may be there twice: bullets and shots are both of struct bullets.
+ *   slot  a numbered row of a chip: the i-th value of each column. A handle names a slot and its generation.
+ *   part  what the board lists, hashes, saves and names: a chip, or a block of registers without slots (script, board).
+ *         machine_parts[] is all of them, PART_LIST in board.c their order.
  */
 #ifndef BOARD_MACHINE_H
 #define BOARD_MACHINE_H
@@ -79,7 +86,7 @@ struct board {
     struct events events;
     struct board_counts counts;
 
-    /* chips, in the order of machine_parts[] */
+    /* parts, in the order of machine_parts[] */
     struct script script;
     struct core core;
     struct input input;
@@ -102,14 +109,15 @@ struct board {
     struct spark_kinds spark_kinds;
 };
 
+/* A part: its chip's description, and where the chip's struct stands. */
 struct part {
     const struct chip *chip;
-    size_t at, size; /* of the chip's struct in the board */
+    size_t at, size; /* of the struct, in struct board */
 };
 enum { PARTS = 20 };
 extern const struct part machine_parts[PARTS];
 
-/* The same pools, as motion and aiming see them. */
+/* The pools as motion and aiming see them. shots: those that shots aim at. */
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
@@ -119,11 +127,11 @@ void board_move(struct board *b);
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Tells the cabinet of a moment. */
+/* Tells the cabinet of a moment: a line of board_out. */
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value);
 
-/* Is this board there to tell the list of its pieces? */
+/* Was this board started to tell what can be practised (PRACTICE_LIST)? */
 bool board_lists(const struct board *b);
 
 /* Whose presses are taken now: the game's, or those of the screen that freezes it. */
@@ -132,7 +140,7 @@ static inline enum press_side board_presses(const struct board *b)
     return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
 }
 
-/* sparks_burst; says it when there is no room. */
+/* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
 /* After a pool refused something: the first time in a run, the log says so. */
