@@ -57,7 +57,8 @@ void api_later_install(lua_State *L);
 uint16_t api_tag(lua_State *L, const char *entry, int at);
 void api_push_tag(lua_State *L, uint16_t tag);
 
-/* A place: x, y or from, moved by dx, dy. Indices are those of PLACE in the entry's params. False: from is dead. */
+/* A place: x, y or from, moved by dx, dy: the parameters PLACE, which stand in an entry in this order. */
+enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
 #define PLACE                                                                                                          \
     { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL }, { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },                      \
         { "from", A_THING, OPT, PLACES, 0, NULL, NULL }, { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },                \
@@ -68,7 +69,11 @@ enum {
     PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE,
     OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK,
 };
+
+/* Reads a place from the values of PLACE. False: from is dead. */
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
+
+enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 
 /* Fills the rom table (api_board.c). */
 void api_rom_open(lua_State *L);

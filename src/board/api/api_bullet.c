@@ -71,6 +71,9 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 
 /* ---- kinds ---- */
 
+/* Of both; in the fifth place stands graze or damage. */
+enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND };
+
 static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
@@ -89,18 +92,19 @@ static const struct api_param shot_def[] = {
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
     fx a, b;
-    uint8_t shape = api_hit(L, entry, v[2].at, &a, &b);
+    uint8_t shape = api_hit(L, entry, v[D_HIT].at, &a, &b);
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
         return api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
-    api_names_declare(L, what, entry, lua_tostring(L, v[0].at), i);
-    k->sprite[i] = (uint16_t)v[1].i;
+    api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->shape[i] = shape;
     k->a[i] = a;
     k->b[i] = b;
-    k->bank[i] = (uint8_t)v[3].i;
-    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0) | v[7].i * KIND_BLEND_ONE);
+    k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->flags[i] =
+        (uint8_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
     return i;
 }
 
@@ -108,7 +112,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
     int i = define(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
 
-    if (v[4].i)
+    if (v[D_GRAZE].i)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
     return 0;
 }
@@ -117,7 +121,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 {
     int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
 
-    b->shot_kinds.damage[i] = (int32_t)v[4].i;
+    b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
     return 0;
 }
 
@@ -131,7 +135,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
     }
 
-enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + 5, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
+enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + PLACE_PARAMS, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
 
 static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
@@ -177,7 +181,7 @@ static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + 2];
+    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + PLACE_FROM];
     uint8_t player = 0;
 
     if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
@@ -186,6 +190,8 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* ---- groups ---- */
+
+enum { EACH_TAG, EACH_F };
 
 static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
@@ -200,7 +206,7 @@ static bool in_group(const struct bullets *s, uint32_t i, uint32_t tag)
 static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushinteger(L, handle_of(H_GROUP, 1, v[0].given ? api_tag(L, "bullet.group", v[0].at) : 0));
+    lua_pushinteger(L, handle_of(H_GROUP, 1, v[EACH_TAG].given ? api_tag(L, "bullet.group", v[EACH_TAG].at) : 0));
     return 1;
 }
 
@@ -230,10 +236,12 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "bullet.each", v[0].at) : 0;
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "bullet.each", v[EACH_TAG].at) : 0;
 
-    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[1].at);
+    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
 }
+
+enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK };
 
 static const struct api_param bullet_clear[] = {
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },          { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
@@ -241,36 +249,41 @@ static const struct api_param bullet_clear[] = {
     { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
 };
 
+static bool in_circle(const struct api_value *v, fx x, fx y)
+{
+    return geom_circles(x, y, v[C_X].f, v[C_Y].f, v[C_RADIUS].f);
+}
+
 /* Bullets of a tag (0: all) that left the field in this frame go at once: what they touched is spared. circle NULL:
- * wherever they are; else x, y, radius. */
+ * wherever they are; else the arguments of bullet.clear. */
 static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
 {
     const struct bullets *s = &b->bullets;
 
     EACH_HELD (i, &s->s)
-        if (in_group(s, i, tag) && (!circle || geom_circles(s->x[i], s->y[i], circle[0].f, circle[1].f, circle[2].f)))
+        if (in_group(s, i, tag) && (!circle || in_circle(circle, s->x[i], s->y[i])))
             bullets_release(&b->bullets, i);
 }
 
 static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "bullet.clear", v[0].at) : 0;
-    bool circle = v[1].given || v[2].given || v[3].given;
+    uint32_t tag = v[C_TAG].given ? api_tag(L, "bullet.clear", v[C_TAG].at) : 0;
+    bool circle = v[C_X].given || v[C_Y].given || v[C_RADIUS].given;
     lua_Integer n = 0;
 
     vm_charge(L, b->bullets.s.live);
-    if (circle && !(v[1].given && v[2].given && v[3].given))
+    if (circle && !(v[C_X].given && v[C_Y].given && v[C_RADIUS].given))
         return api_error(L, "bullet.clear", "x, y and radius go together");
     EACH_LIVE (i, &b->bullets.s) {
         fx x = b->bullets.x[i], y = b->bullets.y[i];
-        if (!in_group(&b->bullets, i, tag) || (circle && !geom_circles(x, y, v[1].f, v[2].f, v[3].f)))
+        if (!in_group(&b->bullets, i, tag) || (circle && !in_circle(v, x, y)))
             continue;
-        if (v[4].given)
-            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
+        if (v[C_SPARK].given)
+            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[C_SPARK].i, .n = 1 });
         bullets_drop(&b->bullets, i);
         n++;
     }
-    release_group(b, tag, circle ? v + 1 : NULL); /* not counted */
+    release_group(b, tag, circle ? v : NULL); /* not counted */
     lua_pushinteger(L, n);
     return 1;
 }
@@ -465,6 +478,7 @@ const struct api_thing group_thing = { "group", group_props, P_LAST + 1, get_gro
 /* ---- verbs of bullets, shots and groups ---- */
 
 enum verb { V_AIM, V_TURN, V_REMOVE };
+enum { ARG_SELF, ARG_BY /* or add */ };
 
 static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
 {
@@ -488,7 +502,7 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
 
 static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb, ang by)
 {
-    int64_t h = v[0].i;
+    int64_t h = v[ARG_SELF].i;
 
     if (handle_kind(h) != H_GROUP) {
         if (board_alive(b, h))
@@ -508,12 +522,12 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
 
 static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_AIM, v[1].a);
+    return verb(L, b, v, V_AIM, v[ARG_BY].a);
 }
 
 static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_TURN, v[1].a);
+    return verb(L, b, v, V_TURN, v[ARG_BY].a);
 }
 
 static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
@@ -718,27 +732,29 @@ static void unknown_head(lua_State *L, const char *key, const struct api_param h
     api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
 }
 
+enum { HEAD_NAME, HEAD_FINE, HEADS };
+
 /* What stands beside the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
     static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                              { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
-    struct api_value v[2] = { { 0 } };
+    struct api_value v[HEADS] = { { 0 } };
 
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        if (key && strcmp(key, head[0].name) && strcmp(key, head[1].name))
+        if (key && strcmp(key, head[HEAD_NAME].name) && strcmp(key, head[HEAD_FINE].name))
             unknown_head(L, key, head);
         lua_pop(L, 1);
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < HEADS; i++) {
         lua_getfield(L, 1, head[i].name);
         api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
-    r->fine = v[1].i;
-    return v[0].given ? lua_tostring(L, v[0].at) : NULL;
+    r->fine = v[HEAD_FINE].i;
+    return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }
 
 static int motion_def(lua_State *L, struct board *b, struct api_value *v)

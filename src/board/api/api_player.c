@@ -180,6 +180,8 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     return 0;
 }
 
+enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
+
 static const struct api_param index_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
 static const struct api_param xy[] = { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
                                        { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
@@ -187,7 +189,7 @@ static const struct api_param f_only[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL 
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)v[0].i - 1));
+    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)v[ARG_PLAYER].i - 1));
     return 1;
 }
 
@@ -195,7 +197,7 @@ static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 {
     struct targets t = board_players(b);
 
-    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[0].f, v[1].f)));
+    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
     return 1;
 }
 
@@ -204,7 +206,7 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     for (int32_t i = 0; i < PADS; i++) {
         if (!b->player.in[i])
             continue;
-        lua_pushvalue(L, v[0].at);
+        lua_pushvalue(L, v[ARG_F].at);
         lua_pushinteger(L, board_handle(b, H_PLAYER, i));
         lua_call(L, 1, 0);
     }
@@ -277,8 +279,12 @@ const struct api_thing player_thing = { "player", props, PROPS, get, set };
 
 /* ---- pad ---- */
 
+enum { BUTTON_NAME, BUTTON_PLAYER };
+
 static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
                                            { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
+enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
 static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
                                          { "n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL },
@@ -286,7 +292,7 @@ static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, 
 
 static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
 {
-    lua_pushboolean(L, v[1].i && pads[v[1].i - 1] >> v[0].i & 1);
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && pads[v[BUTTON_PLAYER].i - 1] >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
@@ -302,8 +308,9 @@ static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
 
 static int pad_take(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(
-        L, v[2].i && input_take(&b->input, (uint32_t)v[2].i - 1, (uint32_t)v[0].i, (uint32_t)v[1].i, board_presses(b)));
+    lua_pushboolean(L, v[TAKE_PLAYER].i &&
+                           input_take(&b->input, (uint32_t)v[TAKE_PLAYER].i - 1, (uint32_t)v[TAKE_BUTTON].i,
+                                      (uint32_t)v[TAKE_AGE].i, board_presses(b)));
     return 1;
 }
 
@@ -319,9 +326,17 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- score ---- */
 
+enum { ADD_POINTS, ADD_PLAYER };
+
 static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
+enum { ARG_TABLE };
+
 static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+
+enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE };
+
 static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
                                           { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
                                           { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
@@ -329,8 +344,8 @@ static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NU
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[1].i && b->player.in[v[1].i - 1])
-        board_score(b, (uint32_t)v[1].i - 1, v[0].i);
+    if (v[ADD_PLAYER].i && b->player.in[v[ADD_PLAYER].i - 1])
+        board_score(b, (uint32_t)v[ADD_PLAYER].i - 1, v[ADD_POINTS].i);
     return 0;
 }
 
@@ -340,7 +355,7 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
     int64_t score;
 
     lua_newtable(L);
-    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[0].at), r, name, &score); r++) {
+    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
         lua_createtable(L, 0, 2);
         lua_pushstring(L, name);
         lua_setfield(L, -2, "name");
@@ -353,7 +368,8 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
-    int r = nvram_enter(&b->nvram, lua_tostring(L, v[0].at), lua_tostring(L, v[1].at), v[2].i);
+    int r =
+        nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
 
     if (r == -2)
         return api_error(L, "score.enter", "all %d score tables are taken", NV_TABLES);
