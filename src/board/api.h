@@ -38,8 +38,8 @@ int api_error(lua_State *L, const char *entry, const char *format, ...);
 /* Checks the value at `at` against p and fills v; raises the standard error. */
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
-/* Declared names: declare gives one its index (an error when it is taken), find returns the index or NO_SLOT, push pushes
- * the name of an index. */
+/* Declared names: declare gives one its index (an error when it is taken), find returns the index or NO_SLOT, push
+ * pushes the name of an index. */
 void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index);
 int api_names_find(lua_State *L, enum api_names what, const char *name);
 void api_names_push(lua_State *L, enum api_names what, int index);
@@ -50,8 +50,8 @@ const char *api_names_at(const struct board *b, enum api_names what, int index);
 /* Pushes the nearest of the declared names to a misspelt one, or nil. */
 void api_names_suggest(lua_State *L, enum api_names what, const char *name);
 
-/* A read of a field that is kept for later (api_later) is a fault from now on; all tables must be there. */
-void api_later_install(lua_State *L);
+/* From now on a read of a reserved field is a fault; all tables must be there. */
+void api_reserved_install(lua_State *L);
 
 /* The tag's number, made when new; raises when 4,095 are used up. */
 uint16_t api_tag(lua_State *L, const char *entry, int at);

@@ -1,5 +1,5 @@
 /*
- * api_table.h - the Lua API as data: names, arguments, units, help. Without Lua's headers, so that the cabinet can read it.
+ * api_table.h - the Lua API as data: names, arguments, units, help. Without Lua's headers: the cabinet includes it.
  * floor: board
  */
 #ifndef BOARD_API_TABLE_H
@@ -36,7 +36,7 @@ enum api_type {
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_BUTTON,
-    A_PAD, /* a player: 1, 2 or a player's handle; 0: the handle of nobody, as player.nearest may return */
+    A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
     A_EASE,
     A_LAYER,
     A_ALIGN,
@@ -105,7 +105,7 @@ extern const struct api_thing *const api_things[HANDLES];
 extern const struct api_module *const api_modules[];
 extern const int api_module_count;
 
-/* "curtain help lua": every entry, or those whose name begins so; a line a call. False: none. */
+/* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 
 /* The number of entries, and the i-th one. */
@@ -115,15 +115,15 @@ const struct api_entry *api_entry(int i);
 /* An argument's default as a number. */
 double api_default(const struct api_param *p);
 
-/* What is said of a name that is kept for what is not there yet. */
+/* The message for a reserved name: one that is kept for a later feature. */
 #define NOT_YET "is not there yet; the name is kept for it"
 
-/* Is it such a name? of: a table of the API ("board"; "": the globals) with how '.', a function ("bullet.fire") with '{'
- * for an argument, a thing ("bullet") with ':' for a property or a verb. */
-bool api_later(const char *of, char how, const char *name);
+/* Is the name reserved? how '.': as a field of the table `of` ("board"; "": the globals); '{': as an argument of the
+ * function `of` ("bullet.fire"); ':': as a property or a verb of the thing `of` ("bullet"). */
+bool api_reserved(const char *of, char how, const char *name);
 
-/* The i-th row of the list of such names, words with a blank between; NULL: there are no more. */
-const char *api_later_row(int i, const char **of, char *how);
+/* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. */
+const char *api_reserved_row(int i, const char **of, char *how);
 
 /* The names scripts see of a library of Lua's ("math"; "": the globals), with blanks between; NULL: there is no such
  * library. */

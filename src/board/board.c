@@ -30,8 +30,8 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
 
 enum { MAX_PLAYER_KINDS = 64 };
 
-/* The order of struct board, of RAM, of the hashes and of demos. Each line: the chip, its struct in the board, and for how
- * many slots manifest m asks. */
+/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
+ * board, and the number of slots by manifest m. */
 #define PART_LIST(PART)                                                                                                \
     PART(script_chip, script, 0)                                                                                       \
     PART(core_chip, core, 0)                                                                                           \
@@ -58,11 +58,11 @@ enum { MAX_PLAYER_KINDS = 64 };
 #define AS_CAPACITY(chip, name, slots) (uint32_t)(slots),
 #define AS_ONE(chip, name, slots)      +1
 const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
-_Static_assert(PART_LIST(AS_ONE) == PARTS, "a part a line");
+_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST has PARTS lines");
 
 enum { RAM_ALIGN = 64 };
-#ifndef RAM_MOST /* tests lower it */
-#define RAM_MOST (1ull << 30)
+#ifndef MAX_RAM /* tests lower it */
+#define MAX_RAM (1ull << 30)
 #endif
 
 static void *chip_at(const struct board *b, int i)
@@ -109,9 +109,9 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     if (!cart_open(&cart, rom, err, err_size))
         return false;
     uint64_t sum = ram_needed(&cart);
-    if (sum > RAM_MOST) {
+    if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
-                 (unsigned long long)(sum + 0xfffff) >> 20, RAM_MOST >> 20);
+                 (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
         return false;
     }
     *size = (size_t)sum;
@@ -196,7 +196,7 @@ static bool boot(struct board *b)
     b->vm.loading = true;
     bool fine = vm_call(b, vm_boot);
     b->vm.loading = false;
-    if (fine) /* what happened while loading is told at once: between frames no event waits */
+    if (fine) /* invariant: between frames there are no events */
         vm_call(b, events_run);
     return true;
 }
@@ -234,7 +234,7 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
     return practice_fits(&start->practice, err, err_size);
 }
 
-/* Texts of a start may come without an end. */
+/* The caller's texts may have no NUL. */
 static void end_texts(struct practice *p)
 {
     p->mark[sizeof p->mark - 1] = 0;
@@ -297,8 +297,7 @@ static void reset(struct board *b)
     uint64_t digest = b->script.digest;
     uint8_t *image = b->nvram.bytes;
 
-    /* RAM is laid out alike each time, so nvram's bytes would be cleared in place: they wait in the Lua heap's block.
-     */
+    /* lay_out puts nvram where it was and clears it, so its bytes are kept in the Lua heap's block meanwhile. */
     memcpy(b->vm.heap, image, NV_BYTES);
     struct heap *keep = b->vm.heap;
     lay_out(b);
@@ -444,7 +443,7 @@ void board_save(const struct board *b, void *buf)
         p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
 }
 
-/* Whatever stands in RAM now may be rubbish: only what has been copied back is read. */
+/* RAM may hold anything by now: only what has been copied back is read. */
 void board_restore(struct board *b, const void *buf)
 {
     const uint8_t *p = buf;
@@ -518,14 +517,14 @@ struct motion_world board_world(const struct board *b, bool shots)
     return w;
 }
 
-/* Only scripts can raise more than the list was laid out for, so only a script's turn can end here. */
+/* The list holds all that a frame raises by itself (event_room); only scripts can raise more, which is their fault. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
 }
 
-/* Demos and the cabinet's font have plain letters only. */
+/* Demos and the cabinet's font have printable ASCII only. */
 static void copy_plain(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from);

@@ -1,8 +1,8 @@
 /*
  * eval.c - see eval.h.
  *
- * The line is compiled behind "return " first, which makes an expression's values results; what does not compile so is
- * statements, whose errors are then the ones to tell.
+ * The line is compiled behind "return " first, so that the values of an expression are results. If that is a syntax
+ * error, the line is compiled as statements, and their error is reported.
  */
 #include "eval.h"
 #include <assert.h>
@@ -38,7 +38,7 @@ static void compile(lua_State *L, const char *line)
 
 /* ---- values as words ---- */
 
-/* Pushes "bullet 12", or "no bullet" for what is gone. */
+/* Pushes "bullet 12", or "no bullet" for a dead handle. */
 static void push_thing(lua_State *L, int64_t h)
 {
     const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
@@ -134,7 +134,7 @@ static int run_line(lua_State *L)
     return n ? vm_print(L) : 0;
 }
 
-/* A line's own place says nothing. */
+/* The message without "console:1: ", which is every line's place. */
 static const char *without_place(const char *message)
 {
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;

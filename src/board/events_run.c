@@ -1,9 +1,9 @@
 /*
  * events_run.c - see events_run.h.
  *
- * Handlers live in the Lua registry: a list of functions an event, and a table of functions by enemy kind ("on_hit 3")
- * or single enemy (its slot + 1; set at every spawn, so that nothing is left of those that just go). A handler may raise further events; they are applied in the same frame, after those
- * before.
+ * Handlers are in the Lua registry: a list of functions for each event, and a table of functions by enemy kind ("on_hit
+ * 3") or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant). A handler may raise
+ * further events; they are applied in the same frame, after those raised before.
  */
 #include "events_run.h"
 #include <string.h>
@@ -199,7 +199,7 @@ bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     return true;
 }
 
-/* Does an event that names it still have its effect? It does unless something removed or killed it since. */
+/* Does an event that names h still have its effect? Not if h was removed or killed since. */
 static bool counts(const struct board *b, int64_t h)
 {
     if (!board_there(b, h))
@@ -264,7 +264,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (b->start.practice.invincible) /* all that it means is here; safe stays what the script makes of it */
+    if (b->start.practice.invincible) /* the one place that asks; `safe` stays the script's */
         return;
     if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
         return;
@@ -279,7 +279,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     b->player.lives[p]--;
 }
 
-/* The handlers of on.death see the player where it died; then it starts anew or is out. */
+/* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
 static void apply_death(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
@@ -298,7 +298,8 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can read the enemy; then it is gone. One killed on its way out did not leave. */
+/* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
+ * not leave. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
     if (e->kind == EV_LEAVE && !counts(b, e->a))
@@ -362,7 +363,7 @@ int events_run(lua_State *L)
         apply(b, L, &e);
     }
     b->events.n = 0;
-    bullets_release_all(&b->bullets); /* nothing is held between frames */
+    bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */
     bullets_release_all(&b->shots);
     return 0;
 }

@@ -1,7 +1,7 @@
 /*
- * full.c - what is said of a pool that is full. Nothing is wrong then: what finds no room is not made, and is counted.
- * But an author who did not mean it searches long for the cause, so the first refusal of a run is a line of the log. That
- * it was said follows from `refused`, so a run that goes on from a snapshot says it where the other did.
+ * full.c - the log line of a pool that is full. A full pool is no error: a new thing is not made, and `refused` counts
+ * up. As its cause is hard to find for an author who did not mean it, a run's first refusal is a line of the log.
+ * Whether it was logged follows from `refused`, so a run that goes on from a snapshot logs it in the same frame.
  */
 #include <stdio.h>
 #include <string.h>
@@ -37,7 +37,7 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     return NULL;
 }
 
-/* There is room for FULLS of these lines, however much was printed. What was printed ends a line, or was cut. */
+/* The log has room for FULLS of these lines behind LOG_BYTES of print. A print that was cut gets a line's end. */
 static void add_line(struct output *o, const char *line)
 {
     size_t n = strlen(line), room = sizeof o->log - o->log_size;

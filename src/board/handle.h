@@ -1,6 +1,6 @@
 /*
- * handle.h - handles: how scripts name a thing. A whole number: bits 63..62 are 01, then 30 bits generation, 8 bits kind,
- * 24 bits slot. A handle whose generation is not the slot's names something that is gone.
+ * handle.h - handles: whole numbers by which scripts name things. Bits 63..62 are 01, then come 30 bits generation, 8
+ * bits kind, 24 bits slot. A handle is dead when its generation is not the slot's.
  * floor: board
  */
 #ifndef BOARD_HANDLE_H

@@ -2,8 +2,8 @@
  * hashes.c - state hashes: of a part, of all, and of all frame after frame.
  *
  * A hash goes through a part value by value. Most of a board's values stand in lists that seldom change (nvram, kinds,
- * motions, text, colours), so who wants hashes every frame keeps a copy of the lists' bytes, and a list whose bytes are
- * those of the copy has the hash it had. Padding may differ where values do not: then a hash is made for nothing.
+ * motions, text, colours). For hashes every frame there is a cache: a copy of the lists' bytes. A list that equals its
+ * copy has the hash it had. Padding may differ where values do not; then the list is hashed without need.
  */
 #include <string.h>
 #include "../base/hash.h"
@@ -68,7 +68,7 @@ size_t board_hash_cache_size(const struct board *b)
     return sum + most;
 }
 
-/* Are the list's bytes those of its copy? Afterwards they are. `room` is for as many. */
+/* Are the list's bytes those of its copy? Makes them equal. room: scratch for as many bytes. */
 static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
 {
     size_t n = machine_parts[i].size;
@@ -81,9 +81,9 @@ static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
     return false;
 }
 
-void board_hashes_cached(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS])
+void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX_PARTS])
 {
-    uint8_t *copy = copies, *room = copy;
+    uint8_t *copy = cache, *room = copy;
 
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);

@@ -144,7 +144,7 @@ uint64_t inspect_drawn(const struct board *b)
 
 /* ---- tasks ---- */
 
-/* Where its thread waits; a task whose first turn is to come is nowhere yet. */
+/* The line its thread waits in; "" before its first turn. */
 static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 {
     at[0] = 0;

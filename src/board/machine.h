@@ -41,11 +41,12 @@ struct core {
     int64_t frozen;          /* scope whose tasks alone get turns, 0: none */
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
-    uint32_t over;           /* 1: game over was told */
+    uint32_t over;           /* 1: EV_GAME_OVER was raised */
     uint64_t drawn;          /* numbers taken from the stream since it began */
 };
 
-/* What scripts do, as a running digest: two runs whose scripts act differently differ here in that frame. */
+/* A running digest of what scripts do: it differs from the frame on in which the scripts of two runs act differently.
+ */
 struct script {
     struct slots s;
     uint64_t digest;
@@ -57,10 +58,10 @@ struct output {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
-    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* room for what is said of full pools */
+    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
     char shortage[VM_PLACE];      /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;             /* it was of a text of so many bytes, which are too many; or 0 */
-    bool deep;                    /* it was in many nested calls */
+    size_t long_text;             /* bytes of a text that was too long, 0: none */
+    bool deep;                    /* that allocation was in many nested calls */
     const char *line;             /* that board_eval runs */
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;
@@ -127,14 +128,14 @@ void board_move(struct board *b);
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Tells the cabinet of a moment: a line of board_out. */
+/* Adds a moment to the marks of board_out. */
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value);
 
 /* Was this board started to tell what can be practised (PRACTICE_LIST)? */
 bool board_lists(const struct board *b);
 
-/* Whose presses are taken now: the game's, or those of the screen that freezes it. */
+/* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */
 static inline enum press_side board_presses(const struct board *b)
 {
     return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
@@ -143,7 +144,7 @@ static inline enum press_side board_presses(const struct board *b)
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
-/* After a pool refused something: the first time in a run, the log says so. */
+/* To be called after a pool refused something; a run's first refusal is logged. */
 void board_full(struct board *b, const struct slots *s);
 
 /* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */

@@ -44,10 +44,10 @@ void vm_where(lua_State *L, char *place, size_t size)
         snprintf(place, size, "%s", from);
 }
 
-enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
+enum { DEEP = 3000 /* nested calls; with as many when memory runs out, an endless recursion is likely */ };
 
-/* An allocation failed, and Lua collects. When that does not help, the error that follows has lost its stack. The
- * collection is work too: at the brim of memory there would be one an allocation. */
+/* After a failed allocation, before Lua collects and tries again: notes the place, because the error that may follow
+ * has lost its stack. The collection counts as work: with memory nearly full there is one an allocation. */
 static void note_shortage(struct board *b)
 {
     struct output *o = b->output;
@@ -60,13 +60,13 @@ static void note_shortage(struct board *b)
     o->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
-/* True for a text that is too long, of which it takes note. */
+/* True for a text that is too long; its size is noted for the message. */
 static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
-    if (size > b->vm.text_most)
-        b->output->long_text = size - b->vm.text_most + TEXT_MOST;
-    return size > b->vm.text_most;
+    if (size > b->vm.text_max)
+        b->output->long_text = size - b->vm.text_max + MAX_TEXT;
+    return size > b->vm.text_max;
 }
 
 static void *allocate(void *ud, void *p, size_t old, size_t size)
@@ -153,7 +153,7 @@ static void report_shortage(const struct board *b, struct board_fault *f)
 {
     if (b->output->long_text) {
         snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->output->shortage,
-                 b->output->long_text, (int)TEXT_MOST);
+                 b->output->long_text, (int)MAX_TEXT);
         return;
     }
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s",
@@ -163,17 +163,17 @@ static void report_shortage(const struct board *b, struct board_fault *f)
 /* Any other error value. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
-    char place[VM_PLACE] = "", odd[48];
+    char place[VM_PLACE] = "", other[48];
     bool raised = lualib_raised(from, -1);
 
     if (raised)
         lualib_unwrap(from, -1);
     int type = lua_type(from, -1);
-    const char *message = odd;
+    const char *message = other;
     if (type == LUA_TSTRING || type == LUA_TNUMBER)
         message = lua_tostring(from, -1);
     else
-        snprintf(odd, sizeof odd, "error: the value raised is a %s, not text", lua_typename(from, type));
+        snprintf(other, sizeof other, "error: the value raised is a %s, not text", lua_typename(from, type));
     missing_place(from, message, place, sizeof place);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
     snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
@@ -232,7 +232,7 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* Scripts that allocated nothing since the last step made nothing that will be missed. */
+/* No step when nothing was allocated since the last one: there is nothing new to collect. */
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
@@ -329,7 +329,7 @@ static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
-    if (api_later("", '.', name))
+    if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
@@ -384,14 +384,14 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_pop(L, 2);
 }
 
-/* Lua's block for a text is the text and a head, whose size differs between hosts. */
+/* Lua's block for a text is a header and the text; the header's size differs between hosts. */
 static void limit_texts(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
     char text[VM_PLACE] = "";
 
     lua_pushlstring(L, text, sizeof text);
-    vm->text_most = vm->text_block - sizeof text + TEXT_MOST;
+    vm->text_max = vm->text_block - sizeof text + MAX_TEXT;
     lua_pop(L, 1);
 }
 
@@ -427,7 +427,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
-    api_later_install(L);
+    api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
@@ -441,7 +441,7 @@ int vm_boot(lua_State *L)
 
 static int panic(lua_State *L)
 {
-    /* Cannot come: every script runs inside vm_call. */
+    /* Unreachable: every script runs inside vm_call. */
     (void)L;
     return 0;
 }
@@ -449,7 +449,7 @@ static int panic(lua_State *L)
 bool vm_open(struct board *b, void *block, size_t size)
 {
     b->vm.heap = heap_init(block, size);
-    b->vm.text_most = SIZE_MAX;
+    b->vm.text_max = SIZE_MAX;
     vm_begin(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);
     if (!b->vm.L)

@@ -8,8 +8,8 @@
  * allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
  * takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
  *
- * The number of instructions between two looks is drawn from a generator, so that no loop can hide behind them; the
- * generator starts alike in every tick.
+ * The number of instructions between two looks is drawn from a generator, so that no loop can keep its costly
+ * instructions between looks; the generator starts alike in every tick.
  */
 #include <float.h>
 #include <math.h>
@@ -257,7 +257,7 @@ void vm_set_hook(struct board *b, lua_State *L)
         look_later(&b->vm, L);
     else if (lua_gethook(L))
         lua_sethook(L, NULL, 0, 0);
-    if (b->vm.interrupted) /* last: it may come at any moment */
+    if (b->vm.interrupted) /* asked last: a signal handler may set it at any moment */
         lua_sethook(L, on_interrupt, EVERYTHING, 1);
 }
 

@@ -71,7 +71,7 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 
 /* ---- kinds ---- */
 
-/* Of both; in the fifth place stands graze or damage. */
+/* Places of bullet_def and of shot_def. */
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND };
 
 static const struct api_param bullet_def[] = {
@@ -88,7 +88,7 @@ static const struct api_param shot_def[] = {
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
-/* Declares a kind of bullets or shots; extra is graze or damage. */
+/* Declares a kind of bullets or shots but for graze and damage; returns its index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
     fx a, b;
@@ -254,8 +254,8 @@ static bool in_circle(const struct api_value *v, fx x, fx y)
     return geom_circles(x, y, v[C_X].f, v[C_Y].f, v[C_RADIUS].f);
 }
 
-/* Bullets of a tag (0: all) that left the field in this frame go at once: what they touched is spared. circle NULL:
- * wherever they are; else the arguments of bullet.clear. */
+/* Releases held bullets of a tag (0: all), which left the field in this frame: what they touched is spared. circle: the
+ * arguments of bullet.clear, or NULL for bullets anywhere. */
 static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
 {
     const struct bullets *s = &b->bullets;
@@ -361,14 +361,14 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
     }
 }
 
-/* What a motion step drives now, a script's write takes from it. */
+/* A script's write to dir or speed ends the running motion step's drive of it. */
 static void mute(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->mute[i] & STEP_BEGUN)
         s->mute[i] |= (uint8_t)what;
 }
 
-/* Place or velocity, of which a script writes one part. */
+/* Sets x, y, vx or vy and leaves the other of the pair as it is. */
 static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 {
     int64_t x, y;
@@ -471,9 +471,9 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
             set_bullet(L, b, i, p, v);
 }
 
-const struct api_thing bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
-const struct api_thing shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
-const struct api_thing group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
+const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
+const struct api_thing api_group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
@@ -561,11 +561,11 @@ static const struct api_param step_keys[M_KEYS] = {
     { "loop", A_COUNT, OPT, 0, 65534, "rounds", NULL },
 };
 
-enum { MOST_STEPS = 1024, MOST_ROUNDS = 4096 };
+enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 
 /* A program being read. */
 struct reader {
-    struct motion_step steps[MOST_STEPS];
+    struct motion_step steps[MAX_STEPS];
     uint32_t n;
     bool fine;
 };
@@ -574,8 +574,8 @@ static const char DEF[] = "motion.def";
 
 static struct motion_step *add_step(lua_State *L, struct reader *r)
 {
-    if (r->n == MOST_STEPS)
-        api_error(L, DEF, "more than %d steps", MOST_STEPS);
+    if (r->n == MAX_STEPS)
+        api_error(L, DEF, "more than %d steps", MAX_STEPS);
     r->steps[r->n] = (struct motion_step){ 0 };
     return &r->steps[r->n++];
 }
@@ -585,7 +585,7 @@ static void step_error(lua_State *L, int step, const char *message)
     api_error(L, DEF, "step %d: %s", step, message);
 }
 
-/* A step has a key that is none: offers the nearest. */
+/* The error for an unknown key of a step, with the nearest one. */
 static void unknown_key(lua_State *L, int step, int at)
 {
     const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
@@ -593,7 +593,7 @@ static void unknown_key(lua_State *L, int step, int at)
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
-    if (api_later("motion.def step", '{', name))
+    if (api_reserved("motion.def step", '{', name))
         api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
         int distance = edit_distance(name, step_keys[k].name);
@@ -662,14 +662,14 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->accel = units(fine, &v[M_ACCEL]);
 }
 
-/* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */
+/* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
 static uint64_t loop_work(lua_State *L, bool timed, uint64_t inside, int64_t count, int step)
 {
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
         step_error(L, step, "loop = forever without a frame of time inside never ends");
-    if (rounds > MOST_ROUNDS || inside * rounds > MOST_ROUNDS)
+    if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
         step_error(L, step, "this loop has no frame of time inside and too many steps to run at once");
     return inside * rounds;
 }
@@ -719,7 +719,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
-/* Beside the steps stands what is neither name nor fine: a step's key, perhaps, or one of them misspelt. */
+/* The error for a key beside the steps that is neither name nor fine: a step's key, or one of the two misspelt. */
 static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
 {
     bool step = false;
@@ -767,9 +767,9 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     const char *name = read_head(L, &r);
     if (!lua_rawlen(L, 1) && !r.fine)
         api_error(L, DEF, "a motion has at least one step");
-    if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
+    if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
-    uint32_t long_ones = b->steps.s.refused; /* that found a motion's place but no steps */
+    uint32_t long_ones = b->steps.s.refused; /* programs with a slot in motions but no room in steps */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
         board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
@@ -786,7 +786,7 @@ static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing motion_thing = { "motion", NULL, 0, no_get, NULL };
+const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
 static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
 

@@ -359,7 +359,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const char *name)
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    if (api_later(e->name, '{', name) || (e->flags & API_FIRE && api_later(api_fire->name, '{', name)))
+    if (api_reserved(e->name, '{', name) || (e->flags & API_FIRE && api_reserved(api_fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
     for (int i = e->plain; i < api_param_count(e); i++)
         api_suggest_nearer(name, api_param_at(e, i)->name, &best, &found);

@@ -254,7 +254,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing enemy_thing = { "enemy", props, PROPS, get, set };
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
 
 enum { ARG_SELF, MOVE_X, MOVE_Y, MOVE_OVER, MOVE_EASE, HURT_HP = 1, KILL_PLAYER = 1 };
 
@@ -282,7 +282,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The player a script's kill counts for: the nearest who lives. */
+/* The player a script's kill counts for: the nearest living one, 1 or 2; 0: none. */
 static uint32_t credit(const struct board *b, uint32_t i)
 {
     struct targets t = board_players(b);

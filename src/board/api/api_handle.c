@@ -40,7 +40,7 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    if (api_later(t->name, ':', name) && !(kind == H_PLAYER && api_register_declared(L, name)))
+    if (api_reserved(t->name, ':', name) && !(kind == H_PLAYER && api_register_declared(L, name)))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, NOT_YET);
     for (int i = 0; i < t->n; i++)
         api_suggest_nearer(name, t->props[i].value.name, &best, &found);

@@ -6,7 +6,7 @@
 #include "../events_run.h"
 #include "api_parts.h"
 
-extern const struct api_thing player_thing;
+extern const struct api_thing api_player_thing;
 
 static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
@@ -51,7 +51,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
         snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
         api_check(L, "player.def", &p, lua_gettop(L), &v);
         lua_pop(L, 1);
-        if (api_property(&player_thing, lua_tostring(L, -1)))
+        if (api_property(&api_player_thing, lua_tostring(L, -1)))
             api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
         if (n == REGISTERS)
             api_error(L, "player.def", "registers: at most %d", REGISTERS);
@@ -275,7 +275,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing player_thing = { "player", props, PROPS, get, set };
+const struct api_thing api_player_thing = { "player", props, PROPS, get, set };
 
 /* ---- pad ---- */
 

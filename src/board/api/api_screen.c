@@ -129,7 +129,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing sprite_thing = { "sprite", props, PROPS, get, set };
+const struct api_thing api_sprite_thing = { "sprite", props, PROPS, get, set };
 
 enum { ARG_SELF };
 

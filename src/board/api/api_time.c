@@ -14,12 +14,12 @@ int api_pass_wait(lua_State *L, struct board *b)
 {
     bool skips = b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
 
-    if (!skips || ++b->tasks.skipped <= SKIPS_MOST)
+    if (!skips || ++b->tasks.skipped <= MAX_SKIPS)
         return 0;
     if (!board_lists(b) || !lua_isyieldable(L))
         return api_error(L, "wait",
                          "more than %d waits on the way to a mark: does it wait for what is passed over there?",
-                         SKIPS_MOST);
+                         MAX_SKIPS);
     tasks_stop(b, (uint32_t)b->tasks.current);
     return lua_yield(L, 0);
 }
@@ -98,7 +98,7 @@ static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing task_thing = { "task", NULL, 0, get_none, NULL };
+const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
 
 static const struct api_param handler[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 

@@ -186,7 +186,7 @@ static void unknown_global(struct check *c, const char *path, const struct fact_
         return;
     }
     hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
-    if (api_later("", '.', g->name) && g->use != USE_WRITE)
+    if (api_reserved("", '.', g->name) && g->use != USE_WRITE)
         findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
                      g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
@@ -204,7 +204,7 @@ static void unknown_field(struct check *c, const char *path, const struct fact_g
     hint(meant, g->field, known_near(&c->known, g->name, g->field), NULL);
     if (instead != NULL)
         findings_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
-    else if (api_later(g->name, '.', g->field))
+    else if (api_reserved(g->name, '.', g->field))
         findings_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
     else
         findings_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
