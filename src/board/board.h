@@ -98,7 +98,7 @@ struct board_mark {
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
-/* A pool had no room, for the first time in this run. line: what the log says, after "FILE:LINE: " of the script. */
+/* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
 enum { FULLS = 8 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */

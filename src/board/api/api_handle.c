@@ -29,7 +29,7 @@ bool api_property(const struct api_thing *t, const char *name)
     return prop_named(t, name, &unused) != NULL;
 }
 
-/* Groups and motions are no things that come and go. */
+/* Groups and motions are always alive. */
 static bool may_die(enum handle_kind kind)
 {
     return kind != H_GROUP && kind != H_MOTION;
@@ -58,7 +58,7 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
 }
 
-/* A write to what there is and cannot be written: a property, a verb, alive. */
+/* The error for a write to what can only be read or called: a property, a verb, alive. */
 static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     api_push_methods(L, kind);

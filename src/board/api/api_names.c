@@ -1,5 +1,5 @@
 /*
- * api_names.c - the names scripts declare, tags, and which name was meant when one is misspelt.
+ * api_names.c - the names scripts declare, tags, and suggestions for misspelt names.
  */
 #include <string.h>
 #include "../../base/edit.h"

@@ -172,7 +172,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     b->core.extended[i] = 0;
     b->core.over = 0;
-    input_forget(&b->input, i, PRESS_GAME); /* what was pressed before is not for its ship */
+    input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);

@@ -1,5 +1,5 @@
 /*
- * api_query.c - query; and how every fire, spawn and burst is told its place.
+ * api_query.c - query; and api_place, which reads the place of every fire, spawn and burst.
  */
 #include <string.h>
 #include "../../base/geom.h"

@@ -79,7 +79,7 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* No change of RAM: only the cabinet hears of it. */
+/* Changes no RAM: marks are for the cabinet. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
@@ -186,7 +186,7 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* For what has to outlast the task that makes it. */
+/* A scope owned by the board: it outlasts the task that makes it. */
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
