@@ -167,7 +167,7 @@ SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"
-	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -DRAM_MOST="(64ull << 20)" -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -DMAX_RAM="(64ull << 20)" -MMD -MP -c $< -o $@
 
 $(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHORT:%=$(OUT)/short/%.o) \
 		$(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o

@@ -28,31 +28,46 @@ static const struct chip core_chip = { "board", core_columns, sizeof core_column
 static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
                                          false };
 
-#define PART(chip, name)                                                                                               \
-    {                                                                                                                  \
-        &chip, offsetof(struct board, name), sizeof((struct board *)0)->name                                           \
-    }
-const struct part parts[PARTS] = {
-    PART(script_chip, script),   PART(core_chip, core),
-    PART(input_chip, input),     PART(tasks_chip, tasks),
-    PART(bullets_chip, bullets), PART(bullet_kinds_chip, bullet_kinds),
-    PART(shots_chip, shots),     PART(shot_kinds_chip, shot_kinds),
-    PART(enemies_chip, enemies), PART(enemy_kinds_chip, enemy_kinds),
-    PART(player_chip, player),   PART(player_kinds_chip, player_kinds),
-    PART(motions_chip, motions), PART(steps_chip, steps),
-    PART(sprites_chip, sprites), PART(fix_chip, fix),
-    PART(pal_chip, pal),         PART(nvram_chip, nvram),
-    PART(sparks_chip, sparks),   PART(spark_kinds_chip, spark_kinds),
-};
+enum { MAX_PLAYER_KINDS = 64 };
+
+/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
+ * board, and the number of slots by manifest m. */
+#define PART_LIST(PART)                                                                                                \
+    PART(script_chip, script, 0)                                                                                       \
+    PART(core_chip, core, 0)                                                                                           \
+    PART(input_chip, input, PADS)                                                                                      \
+    PART(tasks_chip, tasks, m->tasks)                                                                                  \
+    PART(bullets_chip, bullets, m->bullets)                                                                            \
+    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0)                                                  \
+    PART(shots_chip, shots, m->shots)                                                                                  \
+    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0)                                                        \
+    PART(enemies_chip, enemies, m->enemies)                                                                            \
+    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0)                                                    \
+    PART(player_chip, player, PADS)                                                                                    \
+    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS)                                                            \
+    PART(motions_chip, motions, m->motions)                                                                            \
+    PART(steps_chip, steps, MOTION_STEPS * m->motions)                                                                 \
+    PART(sprites_chip, sprites, m->sprites)                                                                            \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL))                                             \
+    PART(pal_chip, pal, COLOURS)                                                                                       \
+    PART(nvram_chip, nvram, NV_BYTES)                                                                                  \
+    PART(sparks_chip, sparks, m->sparks)                                                                               \
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0)
+
+#define AS_PART(chip, name, slots)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
+#define AS_CAPACITY(chip, name, slots) (uint32_t)(slots),
+#define AS_ONE(chip, name, slots)      +1
+const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
+_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST has PARTS lines");
 
 enum { RAM_ALIGN = 64 };
-#ifndef RAM_MOST /* tests lower it */
-#define RAM_MOST (1ull << 30)
+#ifndef MAX_RAM /* tests lower it */
+#define MAX_RAM (1ull << 30)
 #endif
 
 static void *chip_at(const struct board *b, int i)
 {
-    return (uint8_t *)(uintptr_t)b + parts[i].at;
+    return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
 }
 
 static uint64_t aligned(uint64_t n)
@@ -60,32 +75,10 @@ static uint64_t aligned(uint64_t n)
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
 }
 
-/* Entries each part has room for. */
+/* Slots each part has room for. */
 static void capacities(const struct manifest *m, uint32_t cap[PARTS])
 {
-    const uint32_t kinds = MAX_KINDS;
-    const uint32_t all[PARTS] = {
-        0,
-        0,
-        PADS,
-        (uint32_t)m->tasks,
-        (uint32_t)m->bullets,
-        m->bullets ? kinds : 0,
-        (uint32_t)m->shots,
-        m->shots ? kinds : 0,
-        (uint32_t)m->enemies,
-        m->enemies ? kinds : 0,
-        PADS,
-        64,
-        (uint32_t)m->motions,
-        (uint32_t)m->motions * MOTION_STEPS,
-        (uint32_t)m->sprites,
-        (uint32_t)(m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL)),
-        COLOURS,
-        NV_BYTES,
-        (uint32_t)m->sparks,
-        m->sparks ? kinds : 0,
-    };
+    const uint32_t all[PARTS] = { PART_LIST(AS_CAPACITY) };
 
     memcpy(cap, all, sizeof all);
 }
@@ -99,11 +92,11 @@ static uint64_t event_room(const struct manifest *m)
 static uint64_t ram_needed(const struct cart *cart)
 {
     uint32_t cap[PARTS];
-    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct hand));
+    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
 
     capacities(&cart->m, cap);
     for (int i = 0; i < PARTS; i++)
-        sum += slots_size(parts[i].chip, cap[i]);
+        sum += slots_size(machine_parts[i].chip, cap[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
     sum += aligned(event_room(&cart->m) * sizeof(struct event));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
@@ -116,9 +109,9 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     if (!cart_open(&cart, rom, err, err_size))
         return false;
     uint64_t sum = ram_needed(&cart);
-    if (sum > RAM_MOST) {
+    if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
-                 (unsigned long long)(sum + 0xfffff) >> 20, RAM_MOST >> 20);
+                 (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
         return false;
     }
     *size = (size_t)sum;
@@ -159,19 +152,32 @@ static void set_up(struct board *b)
     tasks_empty(&b->tasks);
 }
 
-/* Lays RAM out and clears what entries are read before they are written. */
+/* Lays RAM out and clears the columns of lists, whose entries are read before they are written.
+ *
+ * Memory map, from the beginning of RAM; each block is aligned to RAM_ALIGN bytes:
+ *
+ *   block                         bytes                              snapshot
+ *   struct board                  sizeof                             whole
+ *   struct output                 sizeof                             none; a restore clears it
+ *   columns of each part, in the  slots_size of its chip and slots   of pools, the slots below top and high; of lists,
+ *   order of PART_LIST                                               the live entries (slots.h)
+ *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
+ *                                 ROM's sprites
+ *   events                        event_room times struct event      none; there are no events between frames
+ *   Lua's heap                    board.lua_kib KiB                  what is in use
+ */
 static void lay_out(struct board *b)
 {
     uint8_t *next = b->ram + aligned(sizeof *b);
     uint32_t cap[PARTS];
 
-    b->hand = (struct hand *)next;
-    next += aligned(sizeof *b->hand);
+    b->output = (struct output *)next;
+    next += aligned(sizeof *b->output);
     capacities(&b->cart.m, cap);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
-        slots_layout(parts[i].chip, chip_at(b, i), cap[i], &next);
-        if (parts[i].chip->list)
+        slots_layout(machine_parts[i].chip, chip_at(b, i), cap[i], &next);
+        if (machine_parts[i].chip->list)
             memset(first, 0, (size_t)(next - first));
     }
     b->pictures = (struct sprite *)next;
@@ -190,7 +196,7 @@ static bool boot(struct board *b)
     b->vm.loading = true;
     bool fine = vm_call(b, vm_boot);
     b->vm.loading = false;
-    if (fine) /* what happened while loading is told at once: between frames no event waits */
+    if (fine) /* invariant: between frames there are no events */
         vm_call(b, events_run);
     return true;
 }
@@ -228,7 +234,7 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
     return practice_fits(&start->practice, err, err_size);
 }
 
-/* Texts of a start may come without an end. */
+/* The caller's texts may have no NUL. */
 static void end_texts(struct practice *p)
 {
     p->mark[sizeof p->mark - 1] = 0;
@@ -262,14 +268,14 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     if (!start_fits(&b->cart.m, start, err, err_size))
         return NULL;
     lay_out(b);
-    memset(b->hand, 0, sizeof *b->hand);
+    memset(b->output, 0, sizeof *b->output);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
     if (!boot(b)) {
         snprintf(err, err_size, "board.lua_kib = %d is too little to start Lua", b->cart.m.lua_kib);
         return NULL;
     }
-    b->hand->out.log = b->hand->log;
-    b->hand->out.log_size = b->hand->log_size;
+    b->output->out.log = b->output->log;
+    b->output->out.log_size = b->output->log_size;
     return b;
 }
 
@@ -291,8 +297,7 @@ static void reset(struct board *b)
     uint64_t digest = b->script.digest;
     uint8_t *image = b->nvram.bytes;
 
-    /* RAM is laid out alike each time, so nvram's bytes would be cleared in place: they wait in the Lua heap's block.
-     */
+    /* lay_out puts nvram where it was and clears it, so its bytes are kept in the Lua heap's block meanwhile. */
     memcpy(b->vm.heap, image, NV_BYTES);
     struct heap *keep = b->vm.heap;
     lay_out(b);
@@ -305,16 +310,16 @@ static void reset(struct board *b)
     boot(b);
 }
 
-void board_watch(struct board *b, board_lap *lap, void *context)
+void board_on_phase(struct board *b, board_phase_done *done, void *context)
 {
-    b->hand->lap = lap;
-    b->hand->lap_context = context;
+    b->output->phase_done = done;
+    b->output->phase_context = context;
 }
 
-static void over(const struct board *b, enum board_phase phase)
+static void phase_done(const struct board *b, enum board_phase phase)
 {
-    if (b->hand->lap)
-        b->hand->lap(b->hand->lap_context, phase);
+    if (b->output->phase_done)
+        b->output->phase_done(b->output->phase_context, phase);
 }
 
 void board_move(struct board *b)
@@ -339,18 +344,18 @@ static int move_and_hit(lua_State *L)
 
     board_move(b);
     vm_charge(L, b->bullets.ran + b->shots.ran);
-    over(b, PHASE_MOTION);
+    phase_done(b, PHASE_MOTION);
     hit_run(b);
     return 0;
 }
 
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
-    struct hand *h = b->hand;
+    struct output *o = b->output;
 
-    assert(h->fault.kind == FAULT_NONE);
-    h->out = (struct board_out){ .log = h->log };
-    h->log_size = 0;
+    assert(o->fault.kind == FAULT_NONE);
+    o->out = (struct board_out){ .log = o->log };
+    o->log_size = 0;
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
@@ -360,12 +365,12 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         enemies_count(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);
-    over(b, PHASE_SCRIPTS);
+    phase_done(b, PHASE_SCRIPTS);
     if (!b->core.frozen)
         fine = fine && vm_call(b, move_and_hit);
-    over(b, PHASE_HITS);
+    phase_done(b, PHASE_HITS);
     fine = fine && vm_call(b, events_run);
-    over(b, PHASE_EVENTS);
+    phase_done(b, PHASE_EVENTS);
     if (fine) {
         if (!b->core.frozen)
             pal_step(&b->pal);
@@ -376,8 +381,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         else
             vm_call(b, vm_collect);
     }
-    over(b, PHASE_REST);
-    h->out.log_size = h->log_size;
+    phase_done(b, PHASE_REST);
+    o->out.log_size = o->log_size;
 }
 
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
@@ -387,12 +392,12 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     host_enter(&host);
     tick(b, pads);
     host_leave(&host);
-    return &b->hand->out;
+    return &b->output->out;
 }
 
 const struct board_out *board_last(const struct board *b)
 {
-    return &b->hand->out;
+    return &b->output->out;
 }
 
 void board_screen(const struct board *b, int *w, int *h)
@@ -415,7 +420,7 @@ int board_parts(const struct board *b)
 const char *board_part(const struct board *b, int i)
 {
     (void)b;
-    return parts[i].chip->name;
+    return machine_parts[i].chip->name;
 }
 
 size_t board_snapshot_size(const struct board *b)
@@ -423,7 +428,7 @@ size_t board_snapshot_size(const struct board *b)
     size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
-        n += slots_save(parts[i].chip, chip_at(b, i), NULL);
+        n += slots_save(machine_parts[i].chip, chip_at(b, i), NULL);
     return n;
 }
 
@@ -435,10 +440,10 @@ void board_save(const struct board *b, void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_save(parts[i].chip, chip_at(b, i), p);
+        p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
 }
 
-/* Whatever stands in RAM now may be rubbish: only what has been copied back is read. */
+/* RAM may hold anything by now: only what has been copied back is read. */
 void board_restore(struct board *b, const void *buf)
 {
     const uint8_t *p = buf;
@@ -447,10 +452,10 @@ void board_restore(struct board *b, const void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_restore(parts[i].chip, chip_at(b, i), p);
+        p += slots_restore(machine_parts[i].chip, chip_at(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)
         cart_sprite(&b->cart, i, &b->pictures[i]);
-    memset(b->hand, 0, sizeof *b->hand);
+    memset(b->output, 0, sizeof *b->output);
 }
 
 const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
@@ -462,12 +467,12 @@ const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
 static int part_named(const char *name)
 {
     for (int i = 0; i < PARTS; i++)
-        if (!strcmp(parts[i].chip->name, name))
+        if (!strcmp(machine_parts[i].chip->name, name))
             return i;
     return -1;
 }
 
-size_t board_lua_most(const struct board *b)
+size_t board_lua_peak(const struct board *b)
 {
     return heap_most(b->vm.heap);
 }
@@ -512,14 +517,14 @@ struct motion_world board_world(const struct board *b, bool shots)
     return w;
 }
 
-/* Only scripts can raise more than the list was laid out for, so only a script's turn can end here. */
+/* The list holds all that a frame raises by itself (event_room); only scripts can raise more, which is their fault. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
 }
 
-/* Demos and the cabinet's font have plain letters only. */
+/* Demos and the cabinet's font have printable ASCII only. */
 static void copy_plain(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from);
@@ -531,7 +536,7 @@ static void copy_plain(char *to, size_t size, const char *from)
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value)
 {
-    struct board_out *out = &b->hand->out;
+    struct board_out *out = &b->output->out;
 
     if (out->marks == MARKS)
         return;

@@ -1,13 +1,13 @@
 /*
  * board.h - the machine: RAM x ROM x pads -> RAM, and RAM x ROM -> picture.
- * floor: board    used by: cab/ tests/
+ * floor: board
  *
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
  * and runs the game's entry script. From then on a frame is one board_tick; the picture is board_draw, which takes
  * const RAM. RAM points into itself and into the ROM, so a snapshot is good only in the same process and place.
  *
- * What the host has set (locale, rounding, flushing, traps) changes no run: board_power, board_tick and board_eval put it
- * aside and leave it as it was (host.h).
+ * What the host has set (locale, rounding, flushing, traps) changes no run: board_power, board_tick and board_eval put
+ * it aside and leave it as it was (host.h).
  */
 #ifndef BOARD_BOARD_H
 #define BOARD_BOARD_H
@@ -24,7 +24,7 @@ enum {
     CORE_VERSION = 4,    /* raised whenever the same ROM and demo could give another hash */
     MAX_PARTS = 32,      /* state hashes in a track: one a part */
     NVRAM_BYTES = 32768, /* score tables and saves */
-    TEXT_MOST = 65536    /* bytes of a text in a script; a longer one is FAULT_MEMORY */
+    MAX_TEXT = 65536     /* bytes of a text in a script; a longer one is FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -71,7 +71,7 @@ struct board_start {
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
 
-/* Moments of a run by which a player finds their way in it; and what PRACTICE_LIST tells. Telling one changes no RAM. */
+/* Moments of a run, as marks for the player; and what PRACTICE_LIST tells. Telling one changes no RAM. */
 enum board_mark_kind {
     MARK_STAGE, /* a stage starts; its name */
     MARK_POINT, /* stage.mark; its name, of the stage */
@@ -98,7 +98,7 @@ struct board_mark {
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
-/* A pool had no room, for the first time in this run: what the log says of it, "FILE:LINE: ..." of the script that asked. */
+/* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
 enum { FULLS = 8 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
@@ -110,8 +110,8 @@ struct board_out {
     enum board_request request;
     char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
     const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
-    const char *log;      /* what print wrote this tick, and what was full; lines ending in \n. What is printed is cut
-                             after LOG_BYTES; there is room for all that was full. */
+    const char *log;      /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
+                             lines end in \n */
     size_t log_size;
     struct board_mark mark[MARKS];
     int marks;
@@ -157,10 +157,11 @@ const char *board_part(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
-/* board_hashes, for one board frame after frame: about ten times as fast, for what did not change is not hashed again.
- * copies and hashes are as the last call left them; at first copies are board_copies(b) bytes of zeroes. */
-size_t board_copies(const struct board *b);
-void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS]);
+/* board_hashes, for one board frame after frame: about ten times as fast, because a part that did not change is not
+ * hashed again. cache: board_hash_cache_size(b) bytes, zeroes before the first call; cache and hashes stay as the last
+ * call left them. */
+size_t board_hash_cache_size(const struct board *b);
+void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX_PARTS]);
 
 /* The combined hash of those of the parts. */
 uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
@@ -185,29 +186,32 @@ void board_interrupt(struct board *b);
  */
 void board_count(struct board *b, bool on);
 
-/* Live things of a part by name ("bullets"), and those refused for want of room; -1: no such part. */
+/* Live things of a part by name ("bullets"), and how often it had no room for one; -1: no such part. */
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
 /* Points of player i (0 or 1): those of its game, and after it those of the last one. */
 int64_t board_points(const struct board *b, int i);
 
-/* Bytes of Lua RAM in use at most at one time since power-on; the capacity is board.lua_kib of rom.lua. */
-size_t board_lua_most(const struct board *b);
+/* The most bytes of Lua RAM in use at one time since power-on; the capacity is board.lua_kib of rom.lua. */
+size_t board_lua_peak(const struct board *b);
 
-/* What a tick consists of, for those who want to know where its time goes: the board cannot read a clock. `lap` is
- * called when each phase is over, in this order (while the game is frozen, motion is left out), with the host's settings
- * put aside. It must not touch the board. NULL: nobody asks, as after power-on and after a restore. */
+/* The release of Lua that scripts run in: "5.4.6". */
+const char *board_lua_release(void);
+
+/* The phases of a tick, so that the host can measure them: the board cannot read a clock. `done` is called at the end
+ * of each phase, in this order (while the game is frozen, without motion), with the host's settings put aside. It must
+ * not touch the board. NULL, as after power-on and after a restore: nothing is called. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
-    PHASE_MOTION,  /* everything moves, and bullets are tested against players; what left the keep box is gone */
+    PHASE_MOTION,  /* everything moves, and bullets are tested against players; what leaves the keep box is dropped */
     PHASE_HITS,    /* all other collisions, and the events of all */
-    PHASE_EVENTS,  /* what they led to, and the scripts' handlers */
+    PHASE_EVENTS,  /* the effects of the events, and the scripts' handlers */
     PHASE_REST,    /* palette, the Lua collector */
     PHASES
 };
-typedef void board_lap(void *context, enum board_phase over);
-void board_watch(struct board *b, board_lap *lap, void *context);
+typedef void board_phase_done(void *context, enum board_phase phase);
+void board_on_phase(struct board *b, board_phase_done *done, void *context);
 
 /* Work counters for benches: what the last frame moved, tested, hit and grazed. Derived, never hashed. */
 struct board_counts {

@@ -1,18 +1,18 @@
 /*
  * events_run.c - see events_run.h.
  *
- * Handlers live in the Lua registry: a list of functions an event, and a table of functions by enemy kind ("on_hit 3")
- * or single enemy (its slot + 1; set at every spawn, so that nothing is left of those that just go). A handler may raise further events; they are applied in the same frame, after those
- * before.
+ * Handlers are in the Lua registry: a list of functions for each event, and a table of functions by enemy kind ("on_hit
+ * 3") or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant). A handler may raise
+ * further events; they are applied in the same frame, after those raised before.
  */
 #include "events_run.h"
 #include <string.h>
 #include "../chips/sparks.h"
 
-const char *const event_names[] = { "graze", "hit",   NULL,     "death", "game_over",
-                                    "kill",  "leave", "extend", "phase", "stage" };
+const char *const events_names[] = { "graze", "hit",   NULL,     "death", "game_over",
+                                     "kill",  "leave", "extend", "phase", "stage" };
 
-enum { EVENT_NAMES = sizeof event_names / sizeof *event_names };
+enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
 
 static const char handlers_key = 0, functions_key = 0, emitted_key = 0;
 
@@ -46,7 +46,7 @@ void events_on(lua_State *L, int kind)
 static int kind_named(const char *name)
 {
     for (int k = 0; k < EVENT_NAMES; k++)
-        if (event_names[k] && !strcmp(event_names[k], name))
+        if (events_names[k] && !strcmp(events_names[k], name))
             return k;
     return -1;
 }
@@ -103,7 +103,7 @@ static void tell(lua_State *L, const struct event *e)
     call_handlers(L, (int)e->kind, 2);
 }
 
-void enemy_set_function(lua_State *L, uint16_t kind, const char *what)
+void events_set_function(lua_State *L, uint16_t kind, const char *what)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_pushfstring(L, "%s %d", what, (int)kind);
@@ -112,7 +112,7 @@ void enemy_set_function(lua_State *L, uint16_t kind, const char *what)
     lua_pop(L, 2);
 }
 
-void enemy_set_death(lua_State *L, uint32_t slot)
+void events_set_death(lua_State *L, uint32_t slot)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_insert(L, -2);
@@ -120,7 +120,7 @@ void enemy_set_death(lua_State *L, uint32_t slot)
     lua_pop(L, 1);
 }
 
-bool enemy_push_function(lua_State *L, uint16_t kind, const char *what)
+bool events_push_function(lua_State *L, uint16_t kind, const char *what)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_pushfstring(L, "%s %d", what, (int)kind);
@@ -141,7 +141,7 @@ static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
     if (lua_isfunction(L, -1))
         return true;
     lua_pop(L, 1);
-    return enemy_push_function(L, kind, "on_death");
+    return events_push_function(L, kind, "on_death");
 }
 
 static void enemy_sparks(struct board *b, uint32_t i)
@@ -166,7 +166,7 @@ static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
     tasks_back(b, was);
 }
 
-void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
+void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
 {
     uint16_t kind = b->enemies.kind[i];
     int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
@@ -186,7 +186,7 @@ void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
     }
 }
 
-bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     struct enemies *e = &b->enemies;
 
@@ -195,11 +195,11 @@ bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t p
     e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
     if (e->hp[i] || e->flags[i] & ENEMY_HELD)
         return false;
-    enemy_die(b, L, i, player);
+    events_enemy_die(b, L, i, player);
     return true;
 }
 
-/* Does an event that names it still have its effect? It does unless something removed or killed it since. */
+/* Does an event that names h still have its effect? Not if h was removed or killed since. */
 static bool counts(const struct board *b, int64_t h)
 {
     if (!board_there(b, h))
@@ -219,7 +219,7 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
         bullets_drop(&b->shots, shot);
     else
         bullets_release(&b->shots, shot);
-    if (!enemy_hurt(b, L, i, damage, player) && enemy_push_function(L, b->enemies.kind[i], "on_hit")) {
+    if (!events_enemy_hurt(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
         lua_pushinteger(L, damage);
@@ -251,7 +251,7 @@ static void game_over(struct board *b)
     board_event(b, EV_GAME_OVER, 0, 0);
 }
 
-void player_start(const struct board *b, uint32_t p, fx *x, fx *y)
+void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y)
 {
     const struct manifest *m = &b->cart.m;
     bool two = b->player.in[0] && b->player.in[1];
@@ -264,7 +264,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (b->start.practice.invincible) /* all that it means is here; safe stays what the script makes of it */
+    if (b->start.practice.invincible) /* the one place that asks; `safe` stays the script's */
         return;
     if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
         return;
@@ -279,7 +279,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     b->player.lives[p]--;
 }
 
-/* The handlers of on.death see the player where it died; then it starts anew or is out. */
+/* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
 static void apply_death(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
@@ -289,7 +289,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     if (!board_alive(b, e->a))
         return;
     if (b->player.lives[p] >= 0) {
-        player_start(b, p, &x, &y);
+        events_player_start(b, p, &x, &y);
         player_place(&b->player, p, x, y);
         return;
     }
@@ -298,7 +298,8 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can read the enemy; then it is gone. One killed on its way out did not leave. */
+/* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
+ * not leave. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
     if (e->kind == EV_LEAVE && !counts(b, e->a))
@@ -362,7 +363,7 @@ int events_run(lua_State *L)
         apply(b, L, &e);
     }
     b->events.n = 0;
-    bullets_release_all(&b->bullets); /* nothing is held between frames */
+    bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */
     bullets_release_all(&b->shots);
     return 0;
 }

@@ -1,6 +1,7 @@
 /*
- * events_run.h - step 5 of a tick: what the hits of this frame do, then the script's handlers, in the order of the
- * events. floor: board    used by: board/
+ * events_run.h - step 5 of a tick: the effects of this frame's events and the scripts' handlers, in the order of the
+ * events.
+ * floor: board
  */
 #ifndef BOARD_EVENTS_RUN_H
 #define BOARD_EVENTS_RUN_H
@@ -8,31 +9,36 @@
 #include "machine.h"
 
 /* The names of on.NAME, in the order of enum event_kind (EV_SHOT has no handlers); NULL at the end. */
-extern const char *const event_names[];
+extern const char *const events_names[];
 
 /* Applies all events, those raised meanwhile too. For vm_call. */
 int events_run(lua_State *L);
 
 /* Enemy i dies: score for player (1, 2; 0: nobody), sparks, EV_KILL. */
-void enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player);
+void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player);
 
 /* Takes n from enemy i unless it is safe; true when that killed it. */
-bool enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
+bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
 
-/* Registers f (on top of the stack, popped) for event `name` at handler list; and the functions of enemy kinds. */
+/* Where player p enters and returns. */
+void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y);
+
+/* Makes the empty tables of handlers. */
 void events_open(lua_State *L);
+
+/* Adds the function on top of the stack (popped) to the handlers of on.NAME, NAME = events_names[kind]. */
 void events_on(lua_State *L, int kind);
 
 /* Queues the n values on top of L's stack (popped) for the handlers of `name`. False: no such event. */
 bool events_emit(struct board *b, lua_State *L, const char *name, int n);
 
-/* Pops a kind's run, on_hit or on_death. */
-void enemy_set_function(lua_State *L, uint16_t kind, const char *what);
+/* Sets an enemy kind's run, on_hit or on_death to the function on top of the stack (popped). */
+void events_set_function(lua_State *L, uint16_t kind, const char *what);
 
-/* Pops the on_death, or nil, of the enemy just spawned in that slot. */
-void enemy_set_death(lua_State *L, uint32_t slot);
+/* The same of the on_death, or nil, of the enemy just spawned in that slot. */
+void events_set_death(lua_State *L, uint32_t slot);
 
-/* Pushes a kind's run, on_hit or on_death; false (nothing pushed): it has none. */
-bool enemy_push_function(lua_State *L, uint16_t kind, const char *what);
+/* Pushes an enemy kind's run, on_hit or on_death; false (nothing pushed): it has none. */
+bool events_push_function(lua_State *L, uint16_t kind, const char *what);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * full.c - what is said of a pool that is full. Nothing is wrong then: what finds no room is not made, and is counted.
- * But an author who did not mean it searches long for the cause, so the first refusal of a run is a line of the log. That
- * it was said follows from `refused`, so a run that goes on from a snapshot says it where the other did.
+ * full.c - the log line of a pool that is full. A full pool is no error: a new thing is not made, and `refused` counts
+ * up. As its cause is hard to find for an author who did not mean it, a run's first refusal is a line of the log.
+ * Whether it was logged follows from `refused`, so a run that goes on from a snapshot logs it in the same frame.
  */
 #include <stdio.h>
 #include <string.h>
@@ -31,29 +31,30 @@ static const struct wording *wording_of(const struct board *b, const struct slot
 {
     for (size_t i = 0; i < sizeof wordings / sizeof *wordings; i++)
         for (int k = 0; k < PARTS; k++)
-            if (parts[k].chip == wordings[i].chip && (const uint8_t *)s == (const uint8_t *)b + parts[k].at)
+            if (machine_parts[k].chip == wordings[i].chip &&
+                (const uint8_t *)s == (const uint8_t *)b + machine_parts[k].at)
                 return &wordings[i];
     return NULL;
 }
 
-/* There is room for FULLS of these lines, however much was printed. What was printed ends a line, or was cut. */
-static void add_line(struct hand *h, const char *line)
+/* The log has room for FULLS of these lines behind LOG_BYTES of print. A print that was cut gets a line's end. */
+static void add_line(struct output *o, const char *line)
 {
-    size_t n = strlen(line), room = sizeof h->log - h->log_size;
+    size_t n = strlen(line), room = sizeof o->log - o->log_size;
 
-    if (h->log_size == LOG_BYTES && h->log[LOG_BYTES - 1] != '\n')
-        h->log[LOG_BYTES - 1] = '\n';
+    if (o->log_size == LOG_BYTES && o->log[LOG_BYTES - 1] != '\n')
+        o->log[LOG_BYTES - 1] = '\n';
     if (n + 1 > room)
         return;
-    memcpy(h->log + h->log_size, line, n);
-    h->log[h->log_size + n] = '\n';
-    h->log_size += n + 1;
+    memcpy(o->log + o->log_size, line, n);
+    o->log[o->log_size + n] = '\n';
+    o->log_size += n + 1;
 }
 
 void board_full(struct board *b, const struct slots *s)
 {
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
-    struct hand *h = b->hand;
+    struct output *o = b->output;
     struct board_full *f, unheard;
     char place[VM_PLACE] = "";
 
@@ -61,11 +62,11 @@ void board_full(struct board *b, const struct slots *s)
         return;
     if (b->vm.running)
         vm_where(b->vm.running, place, sizeof place);
-    f = h->out.fulls < FULLS ? &h->out.full[h->out.fulls++] : &unheard;
+    f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;
     snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap,
              w->set_by, w->instead);
-    add_line(h, f->line);
+    add_line(o, f->line);
 }
 
 void board_sparks(struct board *b, const struct spark_burst *burst)

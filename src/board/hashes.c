@@ -2,8 +2,8 @@
  * hashes.c - state hashes: of a part, of all, and of all frame after frame.
  *
  * A hash goes through a part value by value. Most of a board's values stand in lists that seldom change (nvram, kinds,
- * motions, text, colours), so who wants hashes every frame keeps a copy of the lists' bytes, and a list whose bytes are
- * those of the copy has the hash it had. Padding may differ where values do not: then a hash is made for nothing.
+ * motions, text, colours). For hashes every frame there is a cache: a copy of the lists' bytes. A list that equals its
+ * copy has the hash it had. Padding may differ where values do not; then the list is hashed without need.
  */
 #include <string.h>
 #include "../base/hash.h"
@@ -11,12 +11,12 @@
 
 static const uint8_t *chip_at(const struct board *b, int i)
 {
-    return (const uint8_t *)b + parts[i].at;
+    return (const uint8_t *)b + machine_parts[i].at;
 }
 
 uint64_t board_part_hash(const struct board *b, int i)
 {
-    return slots_hash(parts[i].chip, chip_at(b, i));
+    return slots_hash(machine_parts[i].chip, chip_at(b, i));
 }
 
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
@@ -30,7 +30,7 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
-        if (!parts[i].chip->cosmetic)
+        if (!machine_parts[i].chip->unhashed)
             h = hash_fold(h, hashes[i]);
     return h;
 }
@@ -45,7 +45,7 @@ uint64_t board_hash(const struct board *b)
 
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context)
 {
-    slots_values(parts[i].chip, chip_at(b, i), visit, context);
+    slots_values(machine_parts[i].chip, chip_at(b, i), visit, context);
 }
 
 /* Bytes of a list's copy: its struct, and its columns when it is full. */
@@ -53,10 +53,10 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return parts[i].chip->list ? parts[i].size + (size_t)slots_size(parts[i].chip, s->cap) : 0;
+    return machine_parts[i].chip->list ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap) : 0;
 }
 
-size_t board_copies(const struct board *b)
+size_t board_hash_cache_size(const struct board *b)
 {
     size_t sum = 0, most = 0;
 
@@ -68,27 +68,27 @@ size_t board_copies(const struct board *b)
     return sum + most;
 }
 
-/* Are the list's bytes those of its copy? Afterwards they are. `room` is for as many. */
+/* Are the list's bytes those of its copy? Makes them equal. room: scratch for as many bytes. */
 static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
 {
-    size_t n = parts[i].size;
+    size_t n = machine_parts[i].size;
 
     memcpy(room, chip_at(b, i), n);
-    n += slots_save(parts[i].chip, chip_at(b, i), room + n);
+    n += slots_save(machine_parts[i].chip, chip_at(b, i), room + n);
     if (memcmp(room, copy, n) == 0)
         return true;
     memcpy(copy, room, n);
     return false;
 }
 
-void board_hashes_again(const struct board *b, void *copies, uint64_t hashes[MAX_PARTS])
+void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX_PARTS])
 {
-    uint8_t *copy = copies, *room = copy;
+    uint8_t *copy = cache, *room = copy;
 
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
-        if (!parts[i].chip->list || !same(b, i, copy, room))
+        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

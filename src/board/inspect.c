@@ -109,7 +109,7 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
 
 static const struct slots *part_slots(const struct board *b, int i)
 {
-    return (const struct slots *)((const char *)b + parts[i].at);
+    return (const struct slots *)((const char *)b + machine_parts[i].at);
 }
 
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS])
@@ -119,10 +119,13 @@ int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS])
     for (int i = 0; i < PARTS; i++) {
         const struct slots *s = part_slots(b, i);
         bool list = !s->used;
-        out[i] = (struct inspect_gauge){
-            parts[i].chip->name, s->live,    list ? s->live : s->top, list ? s->live : s->high, s->cap,
-            s->refused,          s->cap == 0
-        };
+        out[i] = (struct inspect_gauge){ machine_parts[i].chip->name,
+                                         s->live,
+                                         list ? s->live : s->top,
+                                         list ? s->live : s->high,
+                                         s->cap,
+                                         s->refused,
+                                         s->cap == 0 };
         for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
             out[i].fixed |= fixed[k] == (const void *)s;
     }
@@ -142,7 +145,7 @@ uint64_t inspect_drawn(const struct board *b)
 
 /* ---- tasks ---- */
 
-/* Where its thread waits; a task whose first turn is to come is nowhere yet. */
+/* The line its thread waits in; "" before its first turn. */
 static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 {
     at[0] = 0;
@@ -257,7 +260,7 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
     if (!out->moves)
         return;
     out->program = s->motion[i] - 1u;
-    out->motion = names_at(b, N_MOTION, (int)out->program);
+    out->motion = api_names_at(b, N_MOTION, (int)out->program);
     out->step = s->pc[i] + 1u;
     out->steps = b->motions.length[out->program];
     if (s->mute[i] & STEP_BEGUN)
@@ -270,8 +273,8 @@ static void describe_flying(const struct board *b, struct inspect_thing *out)
     const struct bullets *s = bullet ? &b->bullets : &b->shots;
     uint32_t i = out->body.slot;
 
-    out->name = names_at(b, bullet ? N_BULLET : N_SHOT, s->kind[i]);
-    out->tag = s->tag[i] ? names_at(b, N_TAG, s->tag[i]) : NULL;
+    out->name = api_names_at(b, bullet ? N_BULLET : N_SHOT, s->kind[i]);
+    out->tag = s->tag[i] ? api_names_at(b, N_TAG, s->tag[i]) : NULL;
     out->age = b->core.clock - s->born[i];
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
@@ -285,8 +288,8 @@ static void describe_enemy(const struct board *b, struct inspect_thing *out)
     const struct enemies *e = &b->enemies;
     uint32_t i = out->body.slot;
 
-    out->name = names_at(b, N_ENEMY, e->kind[i]);
-    out->tag = e->tag[i] ? names_at(b, N_TAG, e->tag[i]) : NULL;
+    out->name = api_names_at(b, N_ENEMY, e->kind[i]);
+    out->tag = e->tag[i] ? api_names_at(b, N_TAG, e->tag[i]) : NULL;
     out->age = b->core.clock - e->born[i];
     out->by = e->by[i];
     out->hp = e->hp[i];
@@ -298,7 +301,7 @@ static void describe_player(const struct board *b, struct inspect_thing *out)
     const struct player *p = &b->player;
     uint32_t i = out->body.slot;
 
-    out->name = names_at(b, N_PLAYER, p->kind[i]);
+    out->name = api_names_at(b, N_PLAYER, p->kind[i]);
     out->lives = p->lives[i];
     out->safe = p->safe[i] > INT32_MAX ? -1 : (int32_t)p->safe[i];
 }

@@ -1,7 +1,6 @@
 /*
- * inspect.h - what goes on in a board, for those who look over its shoulder: hit shapes, gauges, tasks, and what is
- * under a point.
- * floor: board    used by: cab/ tests/
+ * inspect.h - a board's state for the overlay and the console: hit shapes, gauges, tasks, and the thing under a point.
+ * floor: board
  *
  * Only between frames. Nothing here changes a byte of RAM: no Lua function that pushes anything is called. Texts that
  * are handed out as pointers are good until the next tick or restore. Places on the screen are Q15.16 px, the field's
@@ -41,7 +40,7 @@ struct inspect_gauge {
     const char *name;
     uint32_t live, top, high, cap; /* top: every live slot is below; high: slots ever used */
     uint32_t refused;
-    bool fixed; /* always full, or nothing of many: not worth a look */
+    bool fixed; /* always full, or without slots: not worth a gauge */
 };
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
 

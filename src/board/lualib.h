@@ -1,6 +1,6 @@
 /*
  * lualib.h - the library scripts see: stock Lua 5.4 without what is unbounded or differs between hosts.
- * floor: board    used by: board/ cab/
+ * floor: board
  *
  * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
  * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys and what is
@@ -10,7 +10,7 @@
  * acos atan go through trig.h: good to about 1e-9, or to x / 2^52 where x is large. A malformed pattern is an error
  * even where matching would not have reached the flaw. load takes text only, what script.h forbids is an error as of
  * syntax, and an error in its reader is passed on. setmetatable refuses __gc, __mode, and a __call that is no
- * function. A text has TEXT_MOST bytes at most. pcall catches what error and assert raised and nothing else. Work in
+ * function. A text has MAX_TEXT bytes at most. pcall catches what error and assert raised and nothing else. Work in
  * C is charged with vm_charge. tests/unit/test_lua_reference.c compares the two.
  */
 #ifndef BOARD_LUALIB_H

@@ -1,6 +1,13 @@
 /*
  * machine.h - the board's insides: every part, in the order of RAM and of the hash track.
- * floor: board    used by: board/ tests/
+ * floor: board
+ *
+ * Three words:
+ *   chip  a struct of columns with the code that works on them, in src/chips (tasks: here). struct chip describes its
+ *         columns (slots.h). A chip may be there twice: bullets and shots are both of struct bullets.
+ *   slot  a numbered row of a chip: the i-th value of each column. A handle names a slot and its generation.
+ *   part  what the board lists, hashes, saves and names: a chip, or a block of registers without slots (script, board).
+ *         machine_parts[] is all of them, PART_LIST in board.c their order.
  */
 #ifndef BOARD_MACHINE_H
 #define BOARD_MACHINE_H
@@ -17,7 +24,9 @@
 #include "../chips/player.h"
 #include "../chips/sparks.h"
 #include "../chips/sprites.h"
+#include "api_table.h"
 #include "board.h"
+#include "handle.h"
 #include "rom/cart.h"
 #include "tasks.h"
 #include "vm.h"
@@ -32,11 +41,12 @@ struct core {
     int64_t frozen;          /* scope whose tasks alone get turns, 0: none */
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
-    uint32_t over;           /* 1: game over was told */
+    uint32_t over;           /* 1: EV_GAME_OVER was raised */
     uint64_t drawn;          /* numbers taken from the stream since it began */
 };
 
-/* What scripts do, as a running digest: two runs whose scripts act differently differ here in that frame. */
+/* A running digest of what scripts do: it differs from the frame on in which the scripts of two runs act differently.
+ */
 struct script {
     struct slots s;
     uint64_t digest;
@@ -44,21 +54,18 @@ struct script {
 };
 
 /* What a tick hands out; outside the snapshot. */
-struct hand {
+struct output {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
-    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* room for what is said of full pools */
-    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;        /* it was of a text of so many bytes, which are too many; or 0 */
-    bool deep;               /* it was in many nested calls */
-    const char *line;        /* that board_eval runs */
-    board_lap *lap;          /* of board_watch; may be NULL */
-    void *lap_context;
+    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
+    char shortage[VM_PLACE];      /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;             /* bytes of a text that was too long, 0: none */
+    bool deep;                    /* that allocation was in many nested calls */
+    const char *line;             /* that board_eval runs */
+    board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
+    void *phase_context;
 };
-
-/* What was declared under a name. */
-enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
 
 /* Names by index, in the Lua heap: api_names.c. */
 struct name_list {
@@ -74,13 +81,13 @@ struct board {
     bool reset;              /* board.reset was called this frame */
     struct box keep, area;   /* where things live; where players may go */
     struct sprite *pictures; /* of the ROM, by index */
-    struct hand *hand;
+    struct output *output;
     struct vm vm;
     struct name_list names[NAME_LISTS];
     struct events events;
     struct board_counts counts;
 
-    /* chips, in the order of parts[] */
+    /* parts, in the order of machine_parts[] */
     struct script script;
     struct core core;
     struct input input;
@@ -103,14 +110,15 @@ struct board {
     struct spark_kinds spark_kinds;
 };
 
+/* A part: its chip's description, and where the chip's struct stands. */
 struct part {
     const struct chip *chip;
-    size_t at, size; /* of the chip's struct in the board */
+    size_t at, size; /* of the struct, in struct board */
 };
 enum { PARTS = 20 };
-extern const struct part parts[PARTS];
+extern const struct part machine_parts[PARTS];
 
-/* The same pools, as motion and aiming see them. */
+/* The pools as motion and aiming see them. shots: those that shots aim at. */
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
@@ -120,23 +128,23 @@ void board_move(struct board *b);
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Tells the cabinet of a moment. */
+/* Adds a moment to the marks of board_out. */
 void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
                 int32_t value);
 
-/* Is this board there to tell the list of its pieces? */
+/* Was this board started to tell what can be practised (PRACTICE_LIST)? */
 bool board_lists(const struct board *b);
 
-/* Whose presses are taken now: the game's, or those of the screen that freezes it. */
+/* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */
 static inline enum press_side board_presses(const struct board *b)
 {
     return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
 }
 
-/* sparks_burst; says it when there is no room. */
+/* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
-/* After a pool refused something: the first time in a run, the log says so. */
+/* To be called after a pool refused something; a run's first refusal is logged. */
 void board_full(struct board *b, const struct slots *s);
 
 /* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
@@ -147,34 +155,6 @@ static inline void script_fold(struct board *b, uint64_t v)
 {
     b->script.digest = (b->script.digest ^ v) * 0x9e3779b97f4a7c15u;
     b->script.digest ^= b->script.digest >> 29;
-}
-
-/* Handles: bits 63..62 = 01, generation 30, chip 8, slot 24. */
-enum handle_kind { H_BULLET = 1, H_SHOT, H_ENEMY, H_PLAYER, H_SPRITE, H_TASK, H_MOTION, H_GROUP, HANDLES };
-
-static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
-{
-    return (int64_t)(1ull << 62 | (uint64_t)gen << 32 | (uint64_t)kind << 24 | slot);
-}
-
-static inline bool handle_is(int64_t h)
-{
-    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLES;
-}
-
-static inline enum handle_kind handle_kind(int64_t h)
-{
-    return (enum handle_kind)(h >> 24 & 255);
-}
-
-static inline uint32_t handle_gen(int64_t h)
-{
-    return (uint32_t)(h >> 32) & GENERATIONS;
-}
-
-static inline uint32_t handle_slot(int64_t h)
-{
-    return (uint32_t)h & 0xffffff;
 }
 
 /* The handle of a live slot of that kind, or a dead one for NO_SLOT. */

@@ -1,6 +1,6 @@
 /*
- * script.h - what a script may not say, found in its text before it runs.
- * floor: board    used by: board/ cab/
+ * script.h - what a script must not contain, found in its text before it runs.
+ * floor: board
  */
 #ifndef BOARD_SCRIPT_H
 #define BOARD_SCRIPT_H
@@ -25,7 +25,7 @@ bool script_compile(const char *text, size_t n, const char *chunk, void *work, s
                     size_t err_size);
 
 /* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; work is work_size bytes
- * to think in, 16-byte aligned, at least HEAP_MIN; too few are said to be. err gets "stages/one.lua:42: what". */
+ * of scratch, 16-byte aligned, at least HEAP_MIN; too few are an error. err gets "stages/one.lua:42: what". */
 bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                   size_t err_size);
 

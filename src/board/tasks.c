@@ -72,7 +72,7 @@ void tasks_empty(struct tasks *t)
     t->current = NO_SLOT;
 }
 
-/* Every turn asks all owners, so a chain of them has an end. */
+/* Every turn asks all owners, so a chain of them is at most MAX_OWNER_DEPTH long. */
 static void check_depth(struct board *b, int64_t owner)
 {
     int depth = 0;
@@ -80,12 +80,13 @@ static void check_depth(struct board *b, int64_t owner)
     for (int64_t h = owner; h && handle_kind(h) == H_TASK; h = b->tasks.owner[handle_slot(h)]) {
         if (!slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
             return;
-        if (++depth > OWNERS_DEEP)
-            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes own each other more than %d deep", OWNERS_DEEP);
+        if (++depth > MAX_OWNER_DEPTH)
+            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes own each other more than %d deep", MAX_OWNER_DEPTH);
     }
 }
 
-/* The scene that what this owner owns runs in. Bullets and shots have none: whoever gives them a task does. */
+/* The scene of a task with this owner. Bullets and shots have none: it is then that of the script that starts the task.
+ */
 static int64_t scene_in(const struct board *b, int64_t owner)
 {
     uint32_t i = handle_slot(owner);
@@ -146,7 +147,8 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
     slots_drop(&b->tasks.s, i);
 }
 
-/* Of a function of @std's, at `at`, keeps the author's line that starts it as task i: the table of threads is on top. */
+/* If the function at `at` is @std's, keeps the author's line that starts it as task i. The table of threads is on top.
+ */
 static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
 {
     char place[VM_PLACE];
@@ -171,7 +173,7 @@ const char *tasks_from(const struct board *b, lua_State *L)
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 {
-    vm_charge(L, WORK_STEP); /* looks at a thread begin anew with its turn: a chain of tasks must end too */
+    vm_charge(L, WORK_STEP); /* counting begins anew with a thread's turn: a chain of short tasks must end too */
     int32_t i = take(b, owner, TASK_RUNS);
     if (i == NO_SLOT) {
         lua_pop(L, n + 1);
@@ -244,7 +246,7 @@ struct tasks_now tasks_behalf(struct board *b, int64_t scene)
 {
     struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
 
-    /* what comes of an enemy without a scene must not end with the scene of whatever killed it */
+    /* what an enemy without a scene brings must not end with the scene of what killed it */
     tasks_back(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }
@@ -261,12 +263,12 @@ static void behalf_of(struct board *b, uint32_t i)
     tasks_back(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
 }
 
-static const struct tasks_now nobody = { 0, 0 };
+static const struct tasks_now of_board = { 0, 0 };
 
 void tasks_back_to_turn(struct board *b)
 {
     if (b->tasks.current == NO_SLOT)
-        tasks_back(b, nobody);
+        tasks_back(b, of_board);
     else
         behalf_of(b, (uint32_t)b->tasks.current);
 }
@@ -312,10 +314,10 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
         return;
     b->vm.running = co;
     behalf_of(b, i);
-    vm_watch(b, co);
+    vm_set_hook(b, co);
     int status = lua_resetthread(co);
     b->vm.running = L;
-    tasks_back(b, nobody);
+    tasks_back(b, of_board);
     if (status != LUA_OK)
         fail(b, L, co, status);
 }
@@ -332,12 +334,12 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->skipped = 0;
     behalf_of(b, i);
     b->vm.running = co;
-    vm_watch(b, co);
+    vm_set_hook(b, co);
     int status = lua_resume(co, L, n, &results);
     b->vm.running = L;
-    tasks_back(b, nobody);
+    tasks_back(b, of_board);
     if (status != LUA_OK && status != LUA_YIELD)
-        fail(b, L, co, status); /* which asks whose turn it was */
+        fail(b, L, co, status); /* reads tasks.current */
     t->current = NO_SLOT;
     if (status == LUA_OK)
         return true;
@@ -364,7 +366,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         return false;
     if (resume(b, L, i))
         return true;
-    if (t->flags[i] & TASK_STOP) /* it stopped itself, and has nothing to wait for */
+    if (t->flags[i] & TASK_STOP) /* it stopped itself: it is closed now */
         close_task(b, L, i);
     return t->flags[i] & TASK_STOP;
 }

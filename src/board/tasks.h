@@ -1,13 +1,13 @@
 /*
  * tasks.h - coroutines with owners: what scripts do over time.
- * floor: board    used by: board/
+ * floor: board
  *
- * Tasks get their turns in the order they were started. A task's thread is kept alive by the Lua registry; what the board
- * needs to know of it are columns here. A scope is a task without a body: it only owns others.
+ * Tasks get their turns in the order they were started. The Lua registry keeps a task's thread alive; all else is
+ * columns here. A scope is a task without a body: it only owns others.
  *
- * A scene is a scope that also owns the enemies spawned and the sprites put by all that runs in it: by its tasks, by those
- * of enemies, sprites, bullets and shots that came from it, and by its enemies' own handlers. They go when it ends, and
- * what would come into one that has ended does not come.
+ * A scene is a scope that also owns the enemies and sprites that come from all that runs in it: its tasks, the tasks of
+ * its enemies, sprites, bullets and shots, and its enemies' own handlers. When it ends, they are removed. Afterwards no
+ * new ones come into it.
  */
 #ifndef BOARD_TASKS_H
 #define BOARD_TASKS_H
@@ -29,8 +29,8 @@ enum {
 };
 
 enum {
-    OWNERS_DEEP = 64,
-    SKIPS_MOST = 100000 /* waits a task may pass over in one turn */
+    MAX_OWNER_DEPTH = 64,
+    MAX_SKIPS = 100000 /* waits a task may pass over in one turn */
 };
 
 struct tasks {
@@ -45,13 +45,14 @@ struct tasks {
     const char **from;  /* "FILE:LINE: " of the author's line that started a task of @std's; NULL: of a script's own */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
-    uint32_t serials;             /* given out so far */
-    int32_t current;              /* slot that has its turn, NO_SLOT: none */
-    uint32_t skipped;             /* waits it has passed over in this turn */
-    int64_t now_owner, now_scene; /* of what the running script starts, and of what it spawns and puts */
+    uint32_t serials; /* given out so far */
+    int32_t current;  /* slot that has its turn, NO_SLOT: none */
+    uint32_t skipped; /* waits it has passed over in this turn */
+    int64_t now_owner,
+        now_scene; /* the owner of tasks the running script starts; the scene of what it spawns and puts */
 };
 
-/* On whose behalf a script runs. */
+/* The owner and scene a script acts for. */
 struct tasks_now {
     int64_t owner, scene;
 };
@@ -76,7 +77,7 @@ void tasks_stop(struct board *b, uint32_t slot);
 bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
-/* Does it get no turn, because the game is paused and it is not of the pause? */
+/* Does it get no turn, because the game is paused and the task is not of the pause? */
 bool tasks_frozen(const struct board *b, uint32_t slot);
 
 /* The owner for things the running script starts. */
@@ -90,7 +91,7 @@ bool tasks_brings(const struct board *b, bool stay, int64_t *owner);
 struct tasks_now tasks_behalf(struct board *b, int64_t scene);
 void tasks_back(struct board *b, struct tasks_now was);
 
-/* What it is in a task itself: for an error that a task caught on its way out of an enemy's handler. */
+/* Back to the running task's own owner and scene: for an error out of an enemy's handler that a task caught. */
 void tasks_back_to_turn(struct board *b);
 
 /* Where the author's line stands that led to the task of @std's that has its turn in L; NULL: no such task. */

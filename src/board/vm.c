@@ -18,6 +18,11 @@ struct board *vm_board(lua_State *L)
     return *(struct board **)lua_getextraspace(L);
 }
 
+const char *board_lua_release(void)
+{
+    return &LUA_RELEASE[sizeof "Lua"];
+}
+
 /* Level 0 is a C function, or in a hook the function that was interrupted. A task of the library's own stands where the
  * author's line stood that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
@@ -39,29 +44,29 @@ void vm_where(lua_State *L, char *place, size_t size)
         snprintf(place, size, "%s", from);
 }
 
-enum { DEEP = 3000 /* calls; who has as many when memory runs out means no end to them */ };
+enum { DEEP = 3000 /* nested calls; with as many when memory runs out, an endless recursion is likely */ };
 
-/* An allocation failed, and Lua collects. When that does not help, the error that follows has lost its stack. The
- * collection is work too: at the brim of memory there would be one an allocation. */
+/* After a failed allocation, before Lua collects and tries again: notes the place, because the error that may follow
+ * has lost its stack. The collection counts as work: with memory nearly full there is one an allocation. */
 static void note_shortage(struct board *b)
 {
-    struct hand *h = b->hand;
+    struct output *o = b->output;
     lua_Debug ar;
 
     b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
-    vm_where(b->vm.running, h->shortage, sizeof h->shortage);
-    h->deep = lua_getstack(b->vm.running, DEEP, &ar);
+    vm_where(b->vm.running, o->shortage, sizeof o->shortage);
+    o->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
-/* True for a text that is too long, of which it takes note. */
+/* True for a text that is too long; its size is noted for the message. */
 static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
-    if (size > b->vm.text_most)
-        b->hand->long_text = size - b->vm.text_most + TEXT_MOST;
-    return size > b->vm.text_most;
+    if (size > b->vm.text_max)
+        b->output->long_text = size - b->vm.text_max + MAX_TEXT;
+    return size > b->vm.text_max;
 }
 
 static void *allocate(void *ud, void *p, size_t old, size_t size)
@@ -146,29 +151,29 @@ static void copy_text(char *to, size_t size, const char *from)
 
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
-    if (b->hand->long_text) {
-        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->hand->shortage,
-                 b->hand->long_text, (int)TEXT_MOST);
+    if (b->output->long_text) {
+        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->output->shortage,
+                 b->output->long_text, (int)MAX_TEXT);
         return;
     }
-    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s", b->hand->shortage,
-             b->cart.m.lua_kib, b->hand->deep ? ", deep in calls: an endless recursion?" : "");
+    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s",
+             b->output->shortage, b->cart.m.lua_kib, b->output->deep ? ", deep in calls: an endless recursion?" : "");
 }
 
 /* Any other error value. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
-    char place[VM_PLACE] = "", odd[48];
+    char place[VM_PLACE] = "", other[48];
     bool raised = lualib_raised(from, -1);
 
     if (raised)
         lualib_unwrap(from, -1);
     int type = lua_type(from, -1);
-    const char *message = odd;
+    const char *message = other;
     if (type == LUA_TSTRING || type == LUA_TNUMBER)
         message = lua_tostring(from, -1);
     else
-        snprintf(odd, sizeof odd, "error: the value raised is a %s, not text", lua_typename(from, type));
+        snprintf(other, sizeof other, "error: the value raised is a %s, not text", lua_typename(from, type));
     missing_place(from, message, place, sizeof place);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
     snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
@@ -177,7 +182,7 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
 
 void vm_report(struct board *b, lua_State *from, int status)
 {
-    struct board_fault *f = &b->hand->fault;
+    struct board_fault *f = &b->output->fault;
 
     if (f->kind != FAULT_NONE)
         return;
@@ -186,17 +191,17 @@ void vm_report(struct board *b, lua_State *from, int status)
         report_shortage(b, f);
     else
         report_error(b, from, status, f);
-    b->hand->out.fault = f;
+    b->output->out.fault = f;
 }
 
 void vm_trace(struct board *b, lua_State *L, lua_State *from)
 {
-    if (b->hand->fault.trace[0])
+    if (b->output->fault.trace[0])
         return;
     lualib_trace(L); /* of a fault that went through a pcall */
     if (!lua_isstring(L, -1))
         luaL_traceback(L, from, NULL, 0);
-    copy_text(b->hand->fault.trace, sizeof b->hand->fault.trace, lua_tostring(L, -1));
+    copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 
@@ -216,7 +221,7 @@ bool vm_call(struct board *b, lua_CFunction f)
     lua_State *L = b->vm.L;
 
     b->vm.running = L;
-    vm_watch(b, L);
+    vm_set_hook(b, L);
     lua_settop(L, 0);
     lua_pushcfunction(L, on_error);
     lua_pushcfunction(L, f);
@@ -227,7 +232,7 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* Scripts that allocated nothing since the last step made nothing that will be missed. */
+/* No step when nothing was allocated since the last one: there is nothing new to collect. */
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
@@ -293,13 +298,13 @@ static int l_require(lua_State *L)
 
 void vm_log(struct board *b, const char *s, size_t n)
 {
-    struct hand *h = b->hand;
-    size_t room = h->log_size < LOG_BYTES ? LOG_BYTES - h->log_size : 0;
+    struct output *o = b->output;
+    size_t room = o->log_size < LOG_BYTES ? LOG_BYTES - o->log_size : 0;
 
     if (n > room)
         n = room;
-    memcpy(h->log + h->log_size, s, n);
-    h->log_size += n;
+    memcpy(o->log + o->log_size, s, n);
+    o->log_size += n;
 }
 
 int vm_print(lua_State *L)
@@ -324,7 +329,7 @@ static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
-    if (api_later("", '.', name))
+    if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
@@ -379,14 +384,14 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_pop(L, 2);
 }
 
-/* Lua's block for a text is the text and a head, whose size differs between hosts. */
+/* Lua's block for a text is a header and the text; the header's size differs between hosts. */
 static void limit_texts(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
     char text[VM_PLACE] = "";
 
     lua_pushlstring(L, text, sizeof text);
-    vm->text_most = vm->text_block - sizeof text + TEXT_MOST;
+    vm->text_max = vm->text_block - sizeof text + MAX_TEXT;
     lua_pop(L, 1);
 }
 
@@ -422,7 +427,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
-    api_watch_fields(L);
+    api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
@@ -436,7 +441,7 @@ int vm_boot(lua_State *L)
 
 static int panic(lua_State *L)
 {
-    /* Cannot come: every script runs inside vm_call. */
+    /* Unreachable: every script runs inside vm_call. */
     (void)L;
     return 0;
 }
@@ -444,7 +449,7 @@ static int panic(lua_State *L)
 bool vm_open(struct board *b, void *block, size_t size)
 {
     b->vm.heap = heap_init(block, size);
-    b->vm.text_most = SIZE_MAX;
+    b->vm.text_max = SIZE_MAX;
     vm_begin(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);
     if (!b->vm.L)

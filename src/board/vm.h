@@ -1,6 +1,6 @@
 /*
  * vm.h - the Lua machine in RAM: its memory, sandbox, faults and guards.
- * floor: board    used by: board/
+ * floor: board
  *
  * Every byte of Lua lives in the heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board:
  * it becomes a fault, the run is over, and nothing of the board's state is trusted any more.
@@ -41,18 +41,18 @@ struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
-    uint64_t work;                /* of this tick */
-    uint64_t limit;               /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
-    uint64_t looked;              /* heap_work at the last look */
-    uint32_t step;                /* instructions before the next look */
-    uint32_t phase;               /* of the generator that step is drawn from */
-    struct vm_weight heaviest;    /* of this tick */
-    uint64_t swept;               /* heap_work when the collector last had its turn */
-    size_t text_block, text_most; /* bytes of Lua's block for the last text, and for the longest that is allowed */
+    uint64_t work;               /* of this tick */
+    uint64_t limit;              /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
+    uint64_t looked;             /* heap_work at the last look */
+    uint32_t step;               /* instructions before the next look */
+    uint32_t phase;              /* of the generator that step is drawn from */
+    struct vm_weight heaviest;   /* of this tick */
+    uint64_t swept;              /* heap_work when the collector last had its turn */
+    size_t text_block, text_max; /* bytes of Lua's block for the last text, and for the longest that is allowed */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
-    bool asked;                 /* for the practice start: somebody will see to it */
+    bool asked;                 /* a script read the practice start (sys.practice) */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
 };
 
@@ -68,23 +68,23 @@ struct board *vm_board(lua_State *L);
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
-/* Where the nearest caller outside @std stands, else the author's line that started the library's task, else the nearest
- * caller at all: "FILE:LINE: ", or "". Changes nothing of L. */
+/* "FILE:LINE: " of the nearest caller outside @std, else of the author's line that started the library's task, else of
+ * the nearest caller, else "". Changes nothing of L. */
 void vm_where(lua_State *L, char *place, size_t size);
 
 /* Puts the author's "FILE:LINE: " before the message on top of the stack if it has none. */
 void vm_place(lua_State *L);
 
-/* Work begins that may be `limit` at most: a tick's, power-on's, a line's. */
+/* Starts counting work, of a tick, of power-on, or of a line; over `limit` it is FAULT_LOOP. */
 void vm_begin(struct board *b, uint64_t limit);
 
 /* Adds work (1: about one VM instruction) to the sum and raises FAULT_LOOP over the limit. */
 void vm_charge(lua_State *L, uint64_t work);
 
-/* Puts the counting hook on a thread that gets its turn, when counting. */
-void vm_watch(struct board *b, lua_State *L);
+/* Sets the hook of a thread that gets its turn: counting, interrupted, or none. */
+void vm_set_hook(struct board *b, lua_State *L);
 
-/* After each allocation: when much was allocated, the hook comes at the next instruction. */
+/* Called after each allocation: when much was allocated, the counting hook runs at the next instruction. */
 void vm_allocated(struct board *b);
 
 /* Fills the board's fault from the error value on top of `from` (the thread it happened in). */

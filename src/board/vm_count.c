@@ -8,8 +8,8 @@
  * allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
  * takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
  *
- * The number of instructions between two looks is drawn from a generator, so that no loop can hide behind them; the
- * generator starts alike in every tick.
+ * The number of instructions between two looks is drawn from a generator, so that no loop can keep its costly
+ * instructions between looks; the generator starts alike in every tick.
  */
 #include <float.h>
 #include <math.h>
@@ -248,16 +248,16 @@ void vm_begin(struct board *b, uint64_t limit)
     vm->heaviest = (struct vm_weight){ 0 };
     vm->phase = 1;
     vm->interrupted = 0;
-    b->hand->long_text = 0;
+    b->output->long_text = 0;
 }
 
-void vm_watch(struct board *b, lua_State *L)
+void vm_set_hook(struct board *b, lua_State *L)
 {
     if (b->vm.counting)
         look_later(&b->vm, L);
     else if (lua_gethook(L))
         lua_sethook(L, NULL, 0, 0);
-    if (b->vm.interrupted) /* last: it may come at any moment */
+    if (b->vm.interrupted) /* asked last: a signal handler may set it at any moment */
         lua_sethook(L, on_interrupt, EVERYTHING, 1);
 }
 
@@ -279,5 +279,5 @@ void board_interrupt(struct board *b)
 void board_count(struct board *b, bool on)
 {
     b->vm.counting = on;
-    vm_watch(b, b->vm.L);
+    vm_set_hook(b, b->vm.L);
 }

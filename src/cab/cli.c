@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "../base/ieee.h"
-#include "../board/api.h"
+#include "../board/api_table.h"
 #include "../base/host.h"
 #include "args.h"
 #include "play/cab.h"
@@ -209,7 +209,7 @@ static const char *byte_order(void)
 
 static int version(void)
 {
-    printf("curtain %s (core %d, %s)\n", CURTAIN_VERSION, CORE_VERSION, LUA_RELEASE);
+    printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());

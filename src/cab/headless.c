@@ -264,13 +264,13 @@ int headless_render(const struct args *a)
 
 struct hashing {
     uint64_t hashes[MAX_PARTS];
-    void *copies;   /* of board_hashes_again */
+    void *copies;   /* of board_hashes_cached */
     uint32_t trace; /* parts to print instead, 1 << part */
 };
 
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
 {
-    board_hashes_again(b, h->copies, h->hashes);
+    board_hashes_cached(b, h->copies, h->hashes);
     printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash_of(h->hashes));
     for (int i = 0; parts && i < board_parts(b); i++)
         printf(" %s=%016llx", board_part(b, i), (unsigned long long)h->hashes[i]);
@@ -332,7 +332,7 @@ static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
 
 static int hash_frames(struct run *r, uint32_t frames)
 {
-    struct hashing h = { .copies = calloc(1, board_copies(r->guard.board)) };
+    struct hashing h = { .copies = calloc(1, board_hash_cache_size(r->guard.board)) };
     int code = h.copies ? read_traces(r->a, r->guard.board, &h.trace) : game_report(EXIT_HOST, "out of memory");
 
     for (uint32_t f = 0; code == EXIT_DONE; f++) {

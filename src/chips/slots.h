@@ -89,7 +89,7 @@ struct chip {
     const struct column *columns;
     int count;
     bool list;
-    bool cosmetic; /* no script can read it: hashed for reports, but not in the combined hash */
+    bool unhashed; /* hashed for reports, but outside the combined hash: no script can read it */
 };
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };

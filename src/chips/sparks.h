@@ -1,5 +1,5 @@
 /*
- * sparks.h - particles: cosmetic, no script can read them. They have their own random stream and their own hash.
+ * sparks.h - particles: unhashed, no script can read them. They have their own random stream and their own hash.
  * floor: chips
  */
 #ifndef CHIPS_SPARKS_H

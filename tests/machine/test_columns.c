@@ -159,7 +159,7 @@ static void test_tables(void **state)
     (void)state;
     assert_int_equal(sizeof homes / sizeof *homes, PARTS);
     for (int i = 0; i < PARTS; i++) {
-        const struct chip *chip = parts[i].chip;
+        const struct chip *chip = machine_parts[i].chip;
         assert_string_equal(homes[i].chip, chip->name);
         int n = members(homes[i].file, homes[i].name, names, NULL, 64);
         assert_string_equal(names[0], "s");
@@ -168,11 +168,11 @@ static void test_tables(void **state)
         assert_int_equal(n - 1, chip->count);
         check_bytes(chip, &homes[i]);
         for (int k = 0; k < i; k++)
-            assert_string_not_equal(parts[k].chip->name, chip->name);
+            assert_string_not_equal(machine_parts[k].chip->name, chip->name);
     }
 }
 
-/* Every chip's struct in struct board is a part, in the order of parts[]. */
+/* Every chip's struct in struct board is a part, in the order of machine_parts[]. */
 static void test_parts(void **state)
 {
     char names[64][40], types[64][40];
@@ -187,17 +187,17 @@ static void test_parts(void **state)
     for (int i = 0; i < PARTS; i++) {
         assert_string_equal(types[first + i], homes[i].name);
         if (i)
-            assert_true(parts[i].at > parts[i - 1].at);
+            assert_true(machine_parts[i].at > machine_parts[i - 1].at);
     }
-    assert_int_equal(parts[0].at, offsetof(struct board, script));
+    assert_int_equal(machine_parts[0].at, offsetof(struct board, script));
 }
 
 static void test_reasons(void **state)
 {
     (void)state;
     for (int i = 0; i < PARTS; i++)
-        for (int k = 0; k < parts[i].chip->count; k++) {
-            const struct column *c = &parts[i].chip->columns[k];
+        for (int k = 0; k < machine_parts[i].chip->count; k++) {
+            const struct column *c = &machine_parts[i].chip->columns[k];
             assert_int_equal(c->kind == COL_DERIVED, c->why != NULL);
             if (c->why)
                 assert_true(strlen(c->why) > 10);
@@ -220,19 +220,19 @@ static struct sums sums_of(const struct board *b)
 
 static struct slots *slots_at(struct board *b, int i)
 {
-    return (struct slots *)((uint8_t *)b + parts[i].at);
+    return (struct slots *)((uint8_t *)b + machine_parts[i].at);
 }
 
 static uint8_t *bytes_at(struct board *b, int i, const struct column *c)
 {
-    uint8_t *at = (uint8_t *)b + parts[i].at + c->at;
+    uint8_t *at = (uint8_t *)b + machine_parts[i].at + c->at;
 
     if (!c->reg)
         memcpy(&at, at, sizeof(uint8_t *));
     return at;
 }
 
-/* Flips one bit; exactly the hash of part i changes, and (unless it is apart) the combined one; none for i < 0. */
+/* Flips one bit; exactly the hash of part i changes, and (unless it is unhashed) the combined one; none for i < 0. */
 static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit, int i, const char *what)
 {
     *byte ^= (uint8_t)(1 << bit);
@@ -240,8 +240,9 @@ static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit
     *byte ^= (uint8_t)(1 << bit);
     for (int k = 0; k < PARTS; k++)
         if ((now.part[k] != was->part[k]) != (k == i))
-            fail_msg("%s: a flipped bit: the hash of %s %s", what, parts[k].chip->name, k == i ? "stays" : "changes");
-    if ((now.all != was->all) != (i >= 0 && !parts[i].chip->cosmetic))
+            fail_msg("%s: a flipped bit: the hash of %s %s", what, machine_parts[k].chip->name,
+                     k == i ? "stays" : "changes");
+    if ((now.all != was->all) != (i >= 0 && !machine_parts[i].chip->unhashed))
         fail_msg("%s: the combined hash %s", what, now.all == was->all ? "stays" : "changes");
 }
 
@@ -277,7 +278,7 @@ static bool check_column(struct board *b, const struct sums *was, struct rng *rn
     int32_t slot = c->reg ? 0 : live_slot(b, i, rng_next(rng)), dead = c->reg ? NO_SLOT : dead_slot(b, i);
     size_t size = (size_t)c->width * c->n;
 
-    snprintf(what, sizeof what, "%s.%s", parts[i].chip->name, c->name);
+    snprintf(what, sizeof what, "%s.%s", machine_parts[i].chip->name, c->name);
     if (slot == NO_SLOT)
         return false;
     for (size_t k = 0; k < size; k++) /* every value of the slot, every byte of it */
@@ -293,7 +294,7 @@ static bool check_slots(struct board *b, const struct sums *was, struct rng *rng
     struct slots *s = slots_at(b, i);
     char what[80];
 
-    snprintf(what, sizeof what, "slots of %s", parts[i].chip->name);
+    snprintf(what, sizeof what, "slots of %s", machine_parts[i].chip->name);
     flip(b, was, (uint8_t *)&s->refused, (int)rng_below(rng, 8), i, what);
     flip(b, was, (uint8_t *)&s->cap, (int)rng_below(rng, 8), -1, what);
     flip(b, was, (uint8_t *)&s->high, (int)rng_below(rng, 8), -1, what);
@@ -369,7 +370,7 @@ static void test_flips(void **state)
     rng_seed(&rng, 3);
     struct sums was = sums_of(r.b);
     for (int i = 0; i < PARTS; i++) {
-        const struct chip *chip = parts[i].chip;
+        const struct chip *chip = machine_parts[i].chip;
         if (!check_slots(r.b, &was, &rng, i))
             fail_msg("part %s has no live slot", chip->name);
         for (int k = 0; k < chip->count; k++)

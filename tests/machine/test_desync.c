@@ -67,13 +67,13 @@ static int teardown(void **state)
 struct runner {
     struct rig rig;
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_again */
+    void *copies; /* of board_hashes_cached */
 };
 
 static void start(struct runner *r, const struct rig_game *g, const struct board_start *how)
 {
     rig_power_any(&r->rig, g, how);
-    r->copies = calloc(1, board_copies(r->rig.b));
+    r->copies = calloc(1, board_hash_cache_size(r->rig.b));
 }
 
 static void stop(struct runner *r)
@@ -87,8 +87,8 @@ static uint32_t differing(struct runner *a, struct runner *b)
 {
     uint32_t parts_differ = 0;
 
-    board_hashes_again(a->rig.b, a->copies, a->hashes);
-    board_hashes_again(b->rig.b, b->copies, b->hashes);
+    board_hashes_cached(a->rig.b, a->copies, a->hashes);
+    board_hashes_cached(b->rig.b, b->copies, b->hashes);
     for (int i = 0; i < PARTS; i++)
         parts_differ |= (uint32_t)(a->hashes[i] != b->hashes[i]) << i;
     return parts_differ;

@@ -179,12 +179,12 @@ static void test_none_is_there(void **state)
     int n = 0;
 
     (void)state;
-    for (int i = 0; (names = api_later_row(i, &of, &how)) != NULL; i++)
+    for (int i = 0; (names = api_reserved_row(i, &of, &how)) != NULL; i++)
         for (; *names; names += strcspn(names, " "), names += strspn(names, " "), n++) {
             snprintf(word, sizeof word, "%.*s", (int)strcspn(names, " "), names);
             if (is_there(of, how, word))
                 fail_msg("%s %c %s is there: it is no name for later", of, how, word);
-            assert_true(api_later(of, how, word));
+            assert_true(api_reserved(of, how, word));
         }
     assert_true(n > 90);
     assert_true(is_there("", '.', "bullet"));
@@ -192,10 +192,10 @@ static void test_none_is_there(void **state)
     assert_true(is_there("bullet", ':', "aim"));
     assert_true(is_there("bullet", ':', "speed"));
     assert_true(is_there("bullet.fire", '{', "speed"));
-    assert_false(api_later("bullet", '.', "fire"));
-    assert_false(api_later("", '.', ""));
-    assert_false(api_later("", '.', "so"));
-    assert_false(api_later("", '.', "ound"));
+    assert_false(api_reserved("bullet", '.', "fire"));
+    assert_false(api_reserved("", '.', ""));
+    assert_false(api_reserved("", '.', "so"));
+    assert_false(api_reserved("", '.', "ound"));
 }
 
 /* ---- two fights ---- */

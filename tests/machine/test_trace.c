@@ -198,7 +198,7 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
     print_trace("b", "w", r->b, only);
     store(p, c->width, was);
     assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
-    if (slot >= 0 && parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
+    if (slot >= 0 && machine_parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
         char start[64];
         snprintf(start, sizeof start, "\n  %s %lld %s", board_part(r->b, part), (long long)slot, c->name);
         assert_non_null(strstr(out, start));
@@ -223,8 +223,8 @@ static int64_t some_slot(const struct slots *s, struct rng *rng)
 /* Plants a bit in every register and column of a part, in slots by chance; returns how many. */
 static int plant_part(struct rig *r, int part, struct rng *rng)
 {
-    uint8_t *self = (uint8_t *)r->b + parts[part].at;
-    const struct chip *chip = parts[part].chip;
+    uint8_t *self = (uint8_t *)r->b + machine_parts[part].at;
+    const struct chip *chip = machine_parts[part].chip;
     int planted = 0;
 
     print_trace("a", "w", r->b, 1u << part);

@@ -336,7 +336,7 @@ static void look_at_bullets(struct reached *at, int pool, const struct bullets *
 static void look(const struct board *b, struct reached *at)
 {
     for (int i = 0; i < PARTS; i++) {
-        const struct slots *s = (const struct slots *)((const uint8_t *)b + parts[i].at);
+        const struct slots *s = (const struct slots *)((const uint8_t *)b + machine_parts[i].at);
         at->most[i] = s->live > at->most[i] ? s->live : at->most[i];
         at->cap[i] = s->cap;
         at->refused[i] = s->refused > at->refused[i] ? s->refused : at->refused[i];
@@ -450,13 +450,13 @@ static void test_pools(void **state)
 {
     (void)state;
     for (int i = 0; i < PARTS; i++) {
-        const char *name = parts[i].chip->name;
+        const char *name = machine_parts[i].chip->name;
         bool kinds = strstr(name, "_kinds") != NULL;
         if (!at.cap[i] || kinds || !strcmp(name, "steps"))
             continue;
         if (10 * at.most[i] < 9 * at.cap[i])
             fail_msg("%s: at most %u of %u live", name, at.most[i], at.cap[i]);
-        if ((!parts[i].chip->list || !strcmp(name, "motions")) && !at.refused[i])
+        if ((!machine_parts[i].chip->list || !strcmp(name, "motions")) && !at.refused[i])
             fail_msg("%s: never full", name);
     }
     for (int p = 0; p < PADS; p++)

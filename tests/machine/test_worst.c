@@ -95,7 +95,7 @@ static void texts_have_a_limit(void **state)
         struct worst w = { "", 1, text };
         const char *fault;
         struct scene s;
-        int n = TEXT_MOST + (int)(i & 1);
+        int n = MAX_TEXT + (int)(i & 1);
         snprintf(text, sizeof text, make[i / 2], n, n);
         assert_true(scene_open(&s, &image.rom, &want, err, sizeof err));
         worst_run(s.b, &w, &fault);

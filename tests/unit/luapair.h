@@ -42,7 +42,7 @@ static int setup(void **state)
     struct pair *p = calloc(1, sizeof *p);
 
     p->b = calloc(1, sizeof *p->b);
-    p->b->hand = calloc(1, sizeof *p->b->hand);
+    p->b->output = calloc(1, sizeof *p->b->output);
     p->b->tasks.current = NO_SLOT;
     p->block = aligned_alloc(4096, HEAP);
     assert_true(vm_open(p->b, p->block, HEAP));
@@ -62,7 +62,7 @@ static int teardown(void **state)
 
     lua_close(p->stock);
     free(p->block);
-    free(p->b->hand);
+    free(p->b->output);
     free(p->b);
     free(p);
     return 0;

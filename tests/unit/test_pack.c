@@ -655,15 +655,15 @@ static void test_long_name(void **state)
 
 static void test_long_text(void **state)
 {
-    static char text[TEXT_MOST + 2];
+    static char text[MAX_TEXT + 2];
 
     (void)state;
     put_game("return {}");
-    memset(text, 'a', TEXT_MOST);
+    memset(text, 'a', MAX_TEXT);
     put_text("lines.txt", text);
     struct rom_image image = packed(false);
     rom_image_free(&image);
-    text[TEXT_MOST] = 'b';
+    text[MAX_TEXT] = 'b';
     put_text("lines.txt", text);
     refused("lines.txt: expected a text of at most 65536 bytes, got 65537");
 }

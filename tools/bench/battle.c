@@ -89,11 +89,11 @@ void section_battle(void)
     bench_scene(&with, &(struct scene_want){ .does = "battle", .n = ENEMIES, .bullets = 64 });
     bench_scene(&without, &(struct scene_want){ .does = "battle", .n = 0, .bullets = 64 });
     struct asked asked = { .b = with.b };
-    board_watch(with.b, ask, &asked);
+    board_on_phase(with.b, ask, &asked);
     for (int f = 0; f < CHECKED; f++)
         bench_tick(&with);
-    board_watch(with.b, laps_phase, &l);
-    board_watch(without.b, laps_phase, &l);
+    board_on_phase(with.b, laps_phase, &l);
+    board_on_phase(without.b, laps_phase, &l);
     for (int round = -1; round < ROUNDS; round++)
         for (int i = 0; i < 2; i++)
             for (int f = 0; f < FRAMES; f++) {

@@ -61,7 +61,7 @@ struct laps {
     double last, ns[LAPS];
 };
 
-/* board_watch's: pass it with a struct laps. */
+/* board_on_phase's: pass it with a struct laps. */
 void laps_phase(void *laps, enum board_phase over);
 
 /* A frame begins. */

@@ -63,7 +63,7 @@ static void open_arena(struct arena *a, int n)
     for (int i = 0; i < RIVALS; i++)
         if (!(a->shown[i] = calloc((size_t)(a->crowd.w * a->crowd.h), sizeof **a->shown)))
             report_fail("out of memory");
-    board_watch(a->scene.b, laps_phase, &a->laps);
+    board_on_phase(a->scene.b, laps_phase, &a->laps);
 }
 
 static void close_arena(struct arena *a)
@@ -402,7 +402,7 @@ static void straight(void)
     struct samples ns = { 0 };
 
     bench_scene(&s, &(struct scene_want){ .does = "creep", .n = N, .bullets = N, .seed = 5 });
-    board_watch(s.b, laps_phase, &l);
+    board_on_phase(s.b, laps_phase, &l);
     for (int f = 0; f < FRAMES; f++) {
         laps_begin(&l);
         bench_tick(&s);

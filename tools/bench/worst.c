@@ -132,7 +132,7 @@ uint64_t worst_run(struct board *b, const struct worst *w, const char **fault)
     running = w;
     board_count(b, true);
     vm_begin(b, WORST_LIMIT);
-    *fault = vm_call(b, run) ? NULL : b->hand->fault.message;
+    *fault = vm_call(b, run) ? NULL : b->output->fault.message;
     lua_rawgetp(L, LUA_REGISTRYINDEX, &times_key);
     lua_getfield(L, -1, "n");
     uint64_t n = (uint64_t)lua_tointeger(L, -1);

@@ -90,8 +90,8 @@ const struct api_entry *api_find(const char *name)
     return NULL;
 }
 
-/* Every API function. Upvalue 1: the entry's address as light userdata; 2: a hash of its name, which stands for it in the
- * digest, so that further entries do not change old demos. */
+/* Every API function. Upvalue 1: the entry's address as light userdata; 2: a hash of its name, which is folded into the
+ * digest in place of its index, so that new entries do not change old demos. */
 static int call(lua_State *L)
 {
     const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1));

@@ -7,6 +7,9 @@
 #include "../../base/hash.h"
 #include "../api.h"
 
+/* The only parameter of each entry here. */
+enum { ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0 };
+
 static const struct api_param name_opt[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param chip_req[] = { { "chip", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -24,12 +27,13 @@ static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.m;
 
-    if (v[0].given) {
+    if (v[ARG_NAME].given) {
         int i = 0;
-        while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[0].at)))
+        while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[ARG_NAME].at)))
             i++;
         if (i == m->n_difficulties)
-            return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua", lua_tostring(L, v[0].at));
+            return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua",
+                             lua_tostring(L, v[ARG_NAME].at));
         b->core.difficulty = (uint32_t)i;
     }
     lua_pushstring(L, m->difficulties[b->core.difficulty]);
@@ -41,7 +45,7 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
     const struct manifest *m = &b->cart.m;
 
     for (int i = 0; i < m->n_dips; i++) {
-        if (strcmp(m->dips[i].name, lua_tostring(L, v[0].at)))
+        if (strcmp(m->dips[i].name, lua_tostring(L, v[ARG_NAME].at)))
             continue;
         if (m->dips[i].number)
             lua_pushinteger(L, b->start.dip[i]);
@@ -49,7 +53,7 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
             lua_pushstring(L, m->dips[i].value_name[b->start.dip[i]]);
         return 1;
     }
-    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua", lua_tostring(L, v[0].at));
+    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua", lua_tostring(L, v[ARG_NAME].at));
 }
 
 static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
@@ -72,46 +76,46 @@ static int count_of(lua_State *L, struct board *b, const char *entry, int at,
 
 static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return count_of(L, b, "board.live", v[0].at, board_live);
+    return count_of(L, b, "board.live", v[ARG_CHIP].at, board_live);
 }
 
 static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return count_of(L, b, "board.refused", v[0].at, board_refused);
+    return count_of(L, b, "board.refused", v[ARG_CHIP].at, board_refused);
 }
 
 static int board_attract(lua_State *L, struct board *b, struct api_value *v)
 {
-    b->hand->out.request = REQUEST_ATTRACT;
-    strcpy(b->hand->out.attract, lua_tostring(L, v[0].at));
+    b->output->out.request = REQUEST_ATTRACT;
+    strcpy(b->output->out.attract, lua_tostring(L, v[ARG_DEMO].at));
     return 0;
 }
 
 static int board_note(lua_State *L, struct board *b, struct api_value *v)
 {
-    double d = lua_tonumber(L, v[0].at);
+    double d = lua_tonumber(L, v[ARG_VALUE].at);
     uint64_t bits;
     size_t n;
     const char *s;
 
-    switch (lua_type(L, v[0].at)) {
+    switch (lua_type(L, v[ARG_VALUE].at)) {
     case LUA_TNUMBER:
         memcpy(&bits, &d, sizeof bits);
         if (!isfinite(d))
             return api_error(L, "board.note", "v: expected a finite number");
-        b->core.notes =
-            hash_fold(b->core.notes, lua_isinteger(L, v[0].at) ? (uint64_t)lua_tointeger(L, v[0].at) : bits);
+        b->core.notes = hash_fold(
+            b->core.notes, lua_isinteger(L, v[ARG_VALUE].at) ? (uint64_t)lua_tointeger(L, v[ARG_VALUE].at) : bits);
         return 0;
     case LUA_TSTRING:
-        s = lua_tolstring(L, v[0].at, &n);
+        s = lua_tolstring(L, v[ARG_VALUE].at, &n);
         b->core.notes = hash_bytes(b->core.notes, s, n);
         return 0;
     case LUA_TBOOLEAN:
-        b->core.notes = hash_fold(b->core.notes, 2 + (uint64_t)lua_toboolean(L, v[0].at));
+        b->core.notes = hash_fold(b->core.notes, 2 + (uint64_t)lua_toboolean(L, v[ARG_VALUE].at));
         return 0;
     default:
         return api_error(L, "board.note", "v: expected a number, string or boolean, got a %s",
-                         luaL_typename(L, v[0].at));
+                         luaL_typename(L, v[ARG_VALUE].at));
     }
 }
 
@@ -119,7 +123,7 @@ static int board_note(lua_State *L, struct board *b, struct api_value *v)
 
 static int rom_has(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *name = lua_tostring(L, v[0].at), *text;
+    const char *name = lua_tostring(L, v[ARG_NAME].at), *text;
     size_t n;
 
     lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_text(&b->cart, name, &text, &n) ||
@@ -132,8 +136,8 @@ static int rom_text(lua_State *L, struct board *b, struct api_value *v)
     const char *text;
     size_t n;
 
-    if (!cart_text(&b->cart, lua_tostring(L, v[0].at), &text, &n))
-        return api_error(L, "rom.text", "no text \"%s\" in the game", lua_tostring(L, v[0].at));
+    if (!cart_text(&b->cart, lua_tostring(L, v[ARG_NAME].at), &text, &n))
+        return api_error(L, "rom.text", "no text \"%s\" in the game", lua_tostring(L, v[ARG_NAME].at));
     lua_pushlstring(L, text, n);
     return 1;
 }

@@ -6,6 +6,7 @@
 #include "../../base/trig.h"
 #include "../../base/geom.h"
 #include "../../chips/sparks.h"
+#include "../../base/edit.h"
 #include "api_parts.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
@@ -70,6 +71,9 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 
 /* ---- kinds ---- */
 
+/* Places of bullet_def and of shot_def. */
+enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND };
+
 static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
@@ -84,22 +88,23 @@ static const struct api_param shot_def[] = {
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
-/* Declares a kind of bullets or shots; extra is graze or damage. */
+/* Declares a kind of bullets or shots but for graze and damage; returns its index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
     fx a, b;
-    uint8_t shape = api_hit(L, entry, v[2].at, &a, &b);
+    uint8_t shape = api_hit(L, entry, v[D_HIT].at, &a, &b);
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
         return api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
-    names_declare(L, what, entry, lua_tostring(L, v[0].at), i);
-    k->sprite[i] = (uint16_t)v[1].i;
+    api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->shape[i] = shape;
     k->a[i] = a;
     k->b[i] = b;
-    k->bank[i] = (uint8_t)v[3].i;
-    k->flags[i] = (uint8_t)((v[5].i ? KIND_TURNS : 0) | (v[6].i ? KIND_SWEPT : 0) | v[7].i * KIND_BLEND_ONE);
+    k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->flags[i] =
+        (uint8_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
     return i;
 }
 
@@ -107,7 +112,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
     int i = define(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
 
-    if (v[4].i)
+    if (v[D_GRAZE].i)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
     return 0;
 }
@@ -116,7 +121,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 {
     int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
 
-    b->shot_kinds.damage[i] = (int32_t)v[4].i;
+    b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
     return 0;
 }
 
@@ -130,7 +135,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
     }
 
-enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + 5, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
+enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + PLACE_PARAMS, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
 
 static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
@@ -176,7 +181,7 @@ static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + 2];
+    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + PLACE_FROM];
     uint8_t player = 0;
 
     if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
@@ -185,6 +190,8 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* ---- groups ---- */
+
+enum { EACH_TAG, EACH_F };
 
 static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
@@ -199,7 +206,7 @@ static bool in_group(const struct bullets *s, uint32_t i, uint32_t tag)
 static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushinteger(L, handle_of(H_GROUP, 1, v[0].given ? api_tag(L, "bullet.group", v[0].at) : 0));
+    lua_pushinteger(L, handle_of(H_GROUP, 1, v[EACH_TAG].given ? api_tag(L, "bullet.group", v[EACH_TAG].at) : 0));
     return 1;
 }
 
@@ -229,10 +236,12 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "bullet.each", v[0].at) : 0;
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "bullet.each", v[EACH_TAG].at) : 0;
 
-    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[1].at);
+    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
 }
+
+enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK };
 
 static const struct api_param bullet_clear[] = {
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },          { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
@@ -240,36 +249,41 @@ static const struct api_param bullet_clear[] = {
     { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
 };
 
-/* Bullets of a tag (0: all) that left the field in this frame go at once: what they touched is spared. circle NULL:
- * wherever they are; else x, y, radius. */
+static bool in_circle(const struct api_value *v, fx x, fx y)
+{
+    return geom_circles(x, y, v[C_X].f, v[C_Y].f, v[C_RADIUS].f);
+}
+
+/* Releases held bullets of a tag (0: all), which left the field in this frame: what they touched is spared. circle: the
+ * arguments of bullet.clear, or NULL for bullets anywhere. */
 static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
 {
     const struct bullets *s = &b->bullets;
 
     EACH_HELD (i, &s->s)
-        if (in_group(s, i, tag) && (!circle || geom_circles(s->x[i], s->y[i], circle[0].f, circle[1].f, circle[2].f)))
+        if (in_group(s, i, tag) && (!circle || in_circle(circle, s->x[i], s->y[i])))
             bullets_release(&b->bullets, i);
 }
 
 static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "bullet.clear", v[0].at) : 0;
-    bool circle = v[1].given || v[2].given || v[3].given;
+    uint32_t tag = v[C_TAG].given ? api_tag(L, "bullet.clear", v[C_TAG].at) : 0;
+    bool circle = v[C_X].given || v[C_Y].given || v[C_RADIUS].given;
     lua_Integer n = 0;
 
     vm_charge(L, b->bullets.s.live);
-    if (circle && !(v[1].given && v[2].given && v[3].given))
+    if (circle && !(v[C_X].given && v[C_Y].given && v[C_RADIUS].given))
         return api_error(L, "bullet.clear", "x, y and radius go together");
     EACH_LIVE (i, &b->bullets.s) {
         fx x = b->bullets.x[i], y = b->bullets.y[i];
-        if (!in_group(&b->bullets, i, tag) || (circle && !geom_circles(x, y, v[1].f, v[2].f, v[3].f)))
+        if (!in_group(&b->bullets, i, tag) || (circle && !in_circle(v, x, y)))
             continue;
-        if (v[4].given)
-            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[4].i, .n = 1 });
+        if (v[C_SPARK].given)
+            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[C_SPARK].i, .n = 1 });
         bullets_drop(&b->bullets, i);
         n++;
     }
-    release_group(b, tag, circle ? v + 1 : NULL); /* not counted */
+    release_group(b, tag, circle ? v : NULL); /* not counted */
     lua_pushinteger(L, n);
     return 1;
 }
@@ -333,7 +347,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         push_q32(L, p == P_VX ? x : y);
         break;
     case P_KIND:
-        names_push(L, names, s->kind[i]);
+        api_names_push(L, names, s->kind[i]);
         break;
     case P_BANK:
         lua_pushinteger(L, s->bank[i]);
@@ -358,14 +372,14 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
     }
 }
 
-/* What a motion step drives now, a script's write takes from it. */
+/* A script's write to dir or speed ends the running motion step's drive of it. */
 static void override(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->mute[i] & STEP_BEGUN)
         s->mute[i] |= (uint8_t)what;
 }
 
-/* Place or velocity, of which a script writes one part. */
+/* Sets x, y, vx or vy and leaves the other of the pair as it is. */
 static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 {
     int64_t x, y;
@@ -468,13 +482,14 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
             set_bullet(L, b, i, p, v);
 }
 
-const struct api_thing bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
-const struct api_thing shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
-const struct api_thing group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
+const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
+const struct api_thing api_group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
 enum verb { V_AIM, V_TURN, V_REMOVE };
+enum { ARG_SELF, ARG_BY /* or add */ };
 
 static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
 {
@@ -498,7 +513,7 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
 
 static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb, ang by)
 {
-    int64_t h = v[0].i;
+    int64_t h = v[ARG_SELF].i;
 
     if (handle_kind(h) != H_GROUP) {
         if (board_alive(b, h))
@@ -518,12 +533,12 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
 
 static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_AIM, v[1].a);
+    return verb(L, b, v, V_AIM, v[ARG_BY].a);
 }
 
 static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_TURN, v[1].a);
+    return verb(L, b, v, V_TURN, v[ARG_BY].a);
 }
 
 static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
@@ -557,11 +572,11 @@ static const struct api_param step_keys[M_KEYS] = {
     { "loop", A_COUNT, OPT, 0, 65534, "rounds", NULL },
 };
 
-enum { MOST_STEPS = 1024, MOST_ROUNDS = 4096 };
+enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 
 /* A program being read. */
 struct reader {
-    struct motion_step steps[MOST_STEPS];
+    struct motion_step steps[MAX_STEPS];
     uint32_t n;
     bool fine;
 };
@@ -570,8 +585,8 @@ static const char DEF[] = "motion.def";
 
 static struct motion_step *add_step(lua_State *L, struct reader *r)
 {
-    if (r->n == MOST_STEPS)
-        api_error(L, DEF, "more than %d steps", MOST_STEPS);
+    if (r->n == MAX_STEPS)
+        api_error(L, DEF, "more than %d steps", MAX_STEPS);
     r->steps[r->n] = (struct motion_step){ 0 };
     return &r->steps[r->n++];
 }
@@ -581,20 +596,20 @@ static void step_error(lua_State *L, int step, const char *message)
     api_error(L, DEF, "step %d: %s", step, message);
 }
 
-/* A step has a key that is none: offers the nearest. */
+/* The error for an unknown key of a step, with the nearest one. */
 static void unknown_key(lua_State *L, int step, int at)
 {
     const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
-    if (api_later("motion.def step", '{', name))
+    if (api_reserved("motion.def step", '{', name))
         api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
-        int apart = words_apart(name, step_keys[k].name);
-        if (apart < best)
-            best = apart, found = step_keys[k].name;
+        int distance = edit_distance(name, step_keys[k].name);
+        if (distance < best)
+            best = distance, found = step_keys[k].name;
     }
     if (found)
         api_error(L, DEF, "step %d: unknown argument \"%s\" (did you mean \"%s\"?)", step, name, found);
@@ -658,14 +673,14 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->accel = units(fine, &v[M_ACCEL]);
 }
 
-/* Checks of a loop that has no frame of time inside: it must end, and soon. Returns steps run at once. */
+/* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
 static uint64_t loop_work(lua_State *L, bool timed, uint64_t inside, int64_t count, int step)
 {
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
         step_error(L, step, "loop = forever without a frame of time inside never ends");
-    if (rounds > MOST_ROUNDS || inside * rounds > MOST_ROUNDS)
+    if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
         step_error(L, step, "this loop has no frame of time inside and too many steps to run at once");
     return inside * rounds;
 }
@@ -715,7 +730,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
-/* Beside the steps stands what is neither name nor fine: a step's key, perhaps, or one of them misspelt. */
+/* The error for a key beside the steps that is neither name nor fine: a step's key, or one of the two misspelt. */
 static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
 {
     bool step = false;
@@ -723,32 +738,34 @@ static void unknown_head(lua_State *L, const char *key, const struct api_param h
     for (int k = 0; k < M_KEYS; k++)
         step |= !strcmp(key, step_keys[k].name);
     for (int i = 0; i < 2 && !step; i++)
-        if (words_apart(key, head[i].name) < 3)
+        if (edit_distance(key, head[i].name) < 3)
             api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
     api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
 }
+
+enum { HEAD_NAME, HEAD_FINE, HEADS };
 
 /* What stands beside the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
     static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                              { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
-    struct api_value v[2] = { { 0 } };
+    struct api_value v[HEADS] = { { 0 } };
 
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        if (key && strcmp(key, head[0].name) && strcmp(key, head[1].name))
+        if (key && strcmp(key, head[HEAD_NAME].name) && strcmp(key, head[HEAD_FINE].name))
             unknown_head(L, key, head);
         lua_pop(L, 1);
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < HEADS; i++) {
         lua_getfield(L, 1, head[i].name);
         api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
-    r->fine = v[1].i;
-    return v[0].given ? lua_tostring(L, v[0].at) : NULL;
+    r->fine = v[HEAD_FINE].i;
+    return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }
 
 static int motion_def(lua_State *L, struct board *b, struct api_value *v)
@@ -761,14 +778,14 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     const char *name = read_head(L, &r);
     if (!lua_rawlen(L, 1) && !r.fine)
         api_error(L, DEF, "a motion has at least one step");
-    if (read_steps(L, &r, 1, 0, &timed) > MOST_ROUNDS)
+    if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
-    uint32_t long_ones = b->steps.s.refused; /* that found a motion's place but no steps */
+    uint32_t long_ones = b->steps.s.refused; /* programs with a slot in motions but no room in steps */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
         board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
-    if (name && names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
-        names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
+    if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
+        api_names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);
     lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
     return 1;
@@ -780,7 +797,7 @@ static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing motion_thing = { "motion", NULL, 0, no_get, NULL };
+const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
 static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
 

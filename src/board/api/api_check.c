@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/trig.h"
+#include "../../base/edit.h"
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = { NULL,       "a bullet", "a shot",   "an enemy", "a player",
@@ -127,10 +128,10 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
                        enum api_names what, const char *noun)
 {
     check_type(L, entry, p, at, LUA_TSTRING, "a name");
-    v->i = names_find(L, what, lua_tostring(L, at));
+    v->i = api_names_find(L, what, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
-    names_near(L, what, lua_tostring(L, at));
+    api_names_suggest(L, what, lua_tostring(L, at));
     if (lua_isnil(L, -1))
         api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
     api_error(L, entry, "%s \"%s\" is not declared (did you mean \"%s\"?)", noun, lua_tostring(L, at),
@@ -141,14 +142,14 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
 {
     const struct cart *cart = &vm_board(L)->cart;
     const char *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a sprite's name");
     v->i = cart_find_sprite(cart, lua_tostring(L, at));
     if (v->i >= 0)
         return;
     for (int i = 0; i < cart->sprites; i++)
-        words_consider(lua_tostring(L, at), cart_sprite_name(cart, i), &best, &found);
+        api_suggest_nearer(lua_tostring(L, at), cart_sprite_name(cart, i), &best, &found);
     if (!found)
         api_error(L, entry, "sprite \"%s\" is not in rom.lua", lua_tostring(L, at));
     api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
@@ -356,12 +357,12 @@ static int param_named(const struct api_entry *e, const char *name)
 static void unknown(lua_State *L, const struct api_entry *e, const char *name)
 {
     const char *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
-    if (api_later(e->name, '{', name) || (e->flags & API_FIRE && api_later(api_fire->name, '{', name)))
+    if (api_reserved(e->name, '{', name) || (e->flags & API_FIRE && api_reserved(api_fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
     for (int i = e->plain; i < api_param_count(e); i++)
-        words_consider(name, api_param_at(e, i)->name, &best, &found);
+        api_suggest_nearer(name, api_param_at(e, i)->name, &best, &found);
     if (found)
         api_error(L, e->name, "unknown argument \"%s\" (did you mean \"%s\"?)", name, found);
     api_error(L, e->name, "unknown argument \"%s\"", name);

@@ -37,7 +37,7 @@ static void keep_function(lua_State *L, const struct api_value *v, int32_t kind,
     if (!v->given)
         return;
     lua_pushvalue(L, v->at);
-    enemy_set_function(L, (uint16_t)kind, what);
+    events_set_function(L, (uint16_t)kind, what);
 }
 
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
@@ -52,7 +52,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "enemy.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
                          MAX_KINDS);
-    names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
+    api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->shape[i] = shape;
     k->a[i] = x;
@@ -69,7 +69,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { S_KIND, S_PLACE, S_PATH = S_PLACE + 5, S_MIRROR, S_HP, S_BANK, S_TAG, S_RUN, S_ON_DEATH, S_STAY };
+enum { S_KIND, S_PLACE, S_PATH = S_PLACE + PLACE_PARAMS, S_MIRROR, S_HP, S_BANK, S_TAG, S_RUN, S_ON_DEATH, S_STAY };
 
 static const struct api_param spawn[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PLACE,
@@ -101,8 +101,8 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
     lua_getfield(L, -2, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
-    lua_pushnumber(L, v[S_PLACE + 3].n);
-    lua_pushnumber(L, v[S_PLACE + 4].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
     lua_call(L, 4, 2);
     px = lua_tonumber(L, -2);
     py = lua_tonumber(L, -1);
@@ -118,8 +118,8 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
     lua_remove(L, -2);
     lua_pushvalue(L, v[S_PATH].at);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
-    lua_pushnumber(L, v[S_PLACE + 3].n);
-    lua_pushnumber(L, v[S_PLACE + 4].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
     start_task(L, b, h, 4);
 }
 
@@ -129,7 +129,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     fx x, y;
 
-    if (v[S_PATH].given && (v[S_PLACE].given || v[S_PLACE + 1].given || v[S_PLACE + 2].given))
+    if (v[S_PATH].given && (v[S_PLACE + PLACE_X].given || v[S_PLACE + PLACE_Y].given || v[S_PLACE + PLACE_FROM].given))
         return api_error(L, "enemy.spawn", "give a place or a path, not both");
     if (v[S_PATH].given)
         path_start(L, v, &x, &y);
@@ -151,10 +151,10 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         if (v[S_TAG].given)
             b->enemies.tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
         lua_pushvalue(L, v[S_ON_DEATH].at);
-        enemy_set_death(L, (uint32_t)i);
+        events_set_death(L, (uint32_t)i);
         if (v[S_RUN].given)
             lua_pushvalue(L, v[S_RUN].at);
-        if (v[S_RUN].given || enemy_push_function(L, kind, "run"))
+        if (v[S_RUN].given || events_push_function(L, kind, "run"))
             start_task(L, b, h, 0);
         if (v[S_PATH].given)
             follow(L, b, h, v);
@@ -163,20 +163,22 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+enum { EACH_TAG, EACH_F, ARG_TAG = 0 };
+
 static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
                                           { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
 
 static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "enemy.each", v[0].at) : 0;
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "enemy.each", v[EACH_TAG].at) : 0;
 
-    return api_each(L, b, H_ENEMY, &b->enemies.s, b->enemies.tag, tag, v[1].at);
+    return api_each(L, b, H_ENEMY, &b->enemies.s, b->enemies.tag, tag, v[EACH_F].at);
 }
 
 static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[0].given ? api_tag(L, "enemy.count", v[0].at) : 0;
+    uint32_t tag = v[ARG_TAG].given ? api_tag(L, "enemy.count", v[ARG_TAG].at) : 0;
     lua_Integer n = 0;
 
     vm_charge(L, b->enemies.s.live);
@@ -225,7 +227,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
         break;
     case P_KIND:
-        names_push(L, N_ENEMY, e->kind[i]);
+        api_names_push(L, N_ENEMY, e->kind[i]);
         break;
     default:
         lua_pushinteger(L, b->core.clock - e->born[i]);
@@ -259,7 +261,9 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing enemy_thing = { "enemy", props, PROPS, get, set };
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
+
+enum { ARG_SELF, MOVE_X, MOVE_Y, MOVE_OVER, MOVE_EASE, HURT_HP = 1, KILL_PLAYER = 1 };
 
 #define SELF                                                                                                           \
     {                                                                                                                  \
@@ -279,12 +283,13 @@ static const struct api_param self[] = { SELF };
 static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (board_alive(b, v[0].i))
-        enemies_go(&b->enemies, handle_slot(v[0].i), v[1].f, v[2].f, (uint32_t)v[3].i, (enum ease)v[4].i);
+    if (board_alive(b, v[ARG_SELF].i))
+        enemies_go(&b->enemies, handle_slot(v[ARG_SELF].i), v[MOVE_X].f, v[MOVE_Y].f, (uint32_t)v[MOVE_OVER].i,
+                   (enum ease)v[MOVE_EASE].i);
     return 0;
 }
 
-/* The player a script's kill counts for: the nearest who lives. */
+/* The player a script's kill counts for: the nearest living one, 1 or 2; 0: none. */
 static uint32_t credit(const struct board *b, uint32_t i)
 {
     struct targets t = board_players(b);
@@ -294,27 +299,28 @@ static uint32_t credit(const struct board *b, uint32_t i)
 
 static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (board_alive(b, v[0].i))
-        enemy_hurt(b, L, handle_slot(v[0].i), (int32_t)v[1].i, credit(b, handle_slot(v[0].i)));
+    if (board_alive(b, v[ARG_SELF].i))
+        events_enemy_hurt(b, L, handle_slot(v[ARG_SELF].i), (int32_t)v[HURT_HP].i,
+                          credit(b, handle_slot(v[ARG_SELF].i)));
     return 0;
 }
 
 static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t i = handle_slot(v[0].i);
+    uint32_t i = handle_slot(v[ARG_SELF].i);
 
-    if (board_alive(b, v[0].i))
-        enemy_die(b, L, i, v[1].given ? (uint32_t)v[1].i : credit(b, i));
+    if (board_alive(b, v[ARG_SELF].i))
+        events_enemy_die(b, L, i, v[KILL_PLAYER].given ? (uint32_t)v[KILL_PLAYER].i : credit(b, i));
     return 0;
 }
 
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t i = handle_slot(v[0].i);
+    uint32_t i = handle_slot(v[ARG_SELF].i);
 
     (void)L;
     /* also one that leaves in this frame: what else it touched is spared */
-    if (board_there(b, v[0].i) && !(b->enemies.flags[i] & ENEMY_DYING))
+    if (board_there(b, v[ARG_SELF].i) && !(b->enemies.flags[i] & ENEMY_DYING))
         enemies_drop(&b->enemies, i);
     return 0;
 }

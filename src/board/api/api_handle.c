@@ -2,6 +2,7 @@
  * api_handle.c - the metatable of the number type: properties and methods of handles.
  */
 #include <string.h>
+#include "../../base/edit.h"
 #include "api_parts.h"
 
 static const char methods_key[HANDLES] = { 0 }; /* registry: a table of methods a kind of handle */
@@ -28,7 +29,7 @@ bool api_property(const struct api_thing *t, const char *name)
     return prop_named(t, name, &unused) != NULL;
 }
 
-/* Groups and motions are no things that come and go. */
+/* Groups and motions are always alive. */
 static bool may_die(enum handle_kind kind)
 {
     return kind != H_GROUP && kind != H_MOTION;
@@ -37,19 +38,19 @@ static bool may_die(enum handle_kind kind)
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
-    if (api_later(t->name, ':', name) && !(kind == H_PLAYER && player_declares(L, name)))
+    if (api_reserved(t->name, ':', name) && !(kind == H_PLAYER && api_register_declared(L, name)))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, NOT_YET);
     for (int i = 0; i < t->n; i++)
-        words_consider(name, t->props[i].value.name, &best, &found);
+        api_suggest_nearer(name, t->props[i].value.name, &best, &found);
     if (may_die((enum handle_kind)kind))
-        words_consider(name, "alive", &best, &found);
+        api_suggest_nearer(name, "alive", &best, &found);
     api_push_methods(L, kind);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        words_consider(name, lua_tostring(L, -1), &best, &found);
+        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
     }
     if (found)
         return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
@@ -57,7 +58,7 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
 }
 
-/* A write to what there is and cannot be written: a property, a verb, alive. */
+/* The error for a write to what can only be read or called: a property, a verb, alive. */
 static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     api_push_methods(L, kind);
@@ -91,7 +92,7 @@ static int get_property(lua_State *L)
         return lua_pushboolean(L, alive), 1;
     const struct api_prop *prop = prop_named(t, name, &p);
     if (handle_kind(h) == H_PLAYER && !prop) {
-        int reg = player_register(L, b, handle_slot(h), name);
+        int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0) {
             if (!alive)
                 return lua_pushnil(L), 1;
@@ -137,7 +138,7 @@ static int set_property(lua_State *L)
     api_fold(L, b, 2);
     api_fold(L, b, 3);
     if (handle_kind(h) == H_PLAYER && !prop) {
-        int reg = player_register(L, b, handle_slot(h), name);
+        int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0)
             return alive ? set_register(L, b, handle_slot(h), reg, name) : 0;
     }

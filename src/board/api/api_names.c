@@ -1,7 +1,9 @@
 /*
- * api_names.c - the names scripts declare, tags, and which name was meant when one is misspelt.
+ * api_names.c - the names scripts declare, tags, and suggestions for misspelt names.
  */
 #include <string.h>
+#include "../../base/edit.h"
+#include "../lualib.h"
 #include "api_parts.h"
 
 /* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
@@ -16,30 +18,6 @@ void api_open_names(lua_State *L)
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
     }
-}
-
-int words_apart(const char *a, const char *b)
-{
-    enum { LONGEST = 32 };
-    size_t n = strlen(a), m = strlen(b);
-    int d[LONGEST + 1][LONGEST + 1];
-
-    if (n > LONGEST || m > LONGEST)
-        return 99;
-    for (size_t i = 0; i <= n; i++)
-        for (size_t j = 0; j <= m; j++) {
-            if (!i || !j) {
-                d[i][j] = (int)(i + j);
-                continue;
-            }
-            int best = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
-            best = d[i - 1][j] + 1 < best ? d[i - 1][j] + 1 : best;
-            best = d[i][j - 1] + 1 < best ? d[i][j - 1] + 1 : best;
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < best)
-                best = d[i - 2][j - 2] + 1;
-            d[i][j] = best;
-        }
-    return d[n][m] <= 1 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7) ? d[n][m] : 99;
 }
 
 /* Room for n names; it doubles. */
@@ -62,11 +40,11 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
     t->n = n > t->n ? n : t->n;
 }
 
-void names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
+void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
     static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
 
-    if (names_find(L, what, name) != NO_SLOT)
+    if (api_names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);
     if (index != NO_MOTION)
         make_room(L, what, (uint32_t)index + 1);
@@ -79,7 +57,7 @@ void names_declare(lua_State *L, enum api_names what, const char *entry, const c
         vm_board(L)->names[what].at[index] = name;
 }
 
-int names_find(lua_State *L, enum api_names what, const char *name)
+int api_names_find(lua_State *L, enum api_names what, const char *name)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
     int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
@@ -87,9 +65,9 @@ int names_find(lua_State *L, enum api_names what, const char *name)
     return index;
 }
 
-void names_push(lua_State *L, enum api_names what, int index)
+void api_names_push(lua_State *L, enum api_names what, int index)
 {
-    const char *name = names_at(vm_board(L), what, index);
+    const char *name = api_names_at(vm_board(L), what, index);
 
     if (name)
         lua_pushstring(L, name);
@@ -97,33 +75,33 @@ void names_push(lua_State *L, enum api_names what, int index)
         lua_pushnil(L);
 }
 
-const char *names_at(const struct board *b, enum api_names what, int index)
+const char *api_names_at(const struct board *b, enum api_names what, int index)
 {
     const struct name_list *t = &b->names[what];
 
     return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
 }
 
-void words_consider(const char *word, const char *candidate, int *best, const char **found)
+void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found)
 {
-    int d = words_apart(word, candidate);
+    int d = edit_distance(word, candidate);
 
-    if (d < *best || (d == *best && *found && d < 99 && strcmp(candidate, *found) < 0)) {
+    if (d < *best || (d == *best && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
         *best = d;
         *found = candidate;
     }
 }
 
-void names_near(lua_State *L, enum api_names what, const char *name)
+void api_names_suggest(lua_State *L, enum api_names what, const char *name)
 {
     const char *found = NULL;
-    int best = 99;
+    int best = EDIT_FAR;
 
     lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        words_consider(name, lua_tostring(L, -1), &best, &found);
+        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
     }
     lua_pop(L, 1);
     if (found)
@@ -139,21 +117,26 @@ uint16_t api_tag(lua_State *L, const char *entry, int at)
 
     if (n > 31 || n == 0 || strlen(tag) != n)
         api_error(L, entry, "tag: expected a string of 1 to 31 bytes, got %d", (int)n);
-    int i = names_find(L, N_TAG, tag);
+    int i = api_names_find(L, N_TAG, tag);
     if (i != NO_SLOT)
         return (uint16_t)i;
     i = (int)vm_board(L)->names[N_TAG].n;
     i = i ? i : 1; /* 0: no tag */
     if (i > 4095)
         api_error(L, entry, "tag: \"%s\" is one tag too many: a run has at most 4095 different ones", tag);
-    names_declare(L, N_TAG, entry, tag, i);
+    api_names_declare(L, N_TAG, entry, tag, i);
     return (uint16_t)i;
 }
 
 void api_push_tag(lua_State *L, uint16_t tag)
 {
     if (tag)
-        names_push(L, N_TAG, tag);
+        api_names_push(L, N_TAG, tag);
     else
         lua_pushnil(L);
+}
+
+const char *api_library_names(const char *library)
+{
+    return lualib_names(library);
 }

@@ -1,6 +1,6 @@
 /*
  * api_parts.h - what the files of the API table share among themselves.
- * floor: board    used by: api.c api_names.c api_check.c api_handle.c api_help.c
+ * floor: board
  */
 #ifndef BOARD_API_PARTS_H
 #define BOARD_API_PARTS_H
@@ -9,7 +9,7 @@
 
 enum { MAX_PARAMS = 40 };
 
-/* bullet.fire, whose parameters patterns take too. */
+/* The entry of bullet.fire, whose parameters patterns (API_FIRE) take too. */
 extern const struct api_entry *const api_fire;
 
 /* An entry by name; NULL: none. */
@@ -18,9 +18,9 @@ const struct api_entry *api_find(const char *name);
 /* "a bullet", "an enemy": a thing of that kind in a sentence. */
 extern const char *const api_thing_names[HANDLES];
 
-/* Keeps the better of two suggestions for a misspelt word: the nearer, then the one that comes first in byte order. Start
- * with *best = 99, *found = NULL. */
-void words_consider(const char *word, const char *candidate, int *best, const char **found);
+/* Keeps the better of two suggestions for a misspelt word: the nearer, then the first in byte order. *best is EDIT_FAR
+ * and *found is NULL before the first call. */
+void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
 /* All parameters of an entry, those of bullet.fire that it takes included. */
 int api_param_count(const struct api_entry *e);
@@ -39,8 +39,8 @@ void api_push_methods(lua_State *L, int kind);
 /* Reads a hit shape at `at`: SHAPE_ and its half extents (a circle: a is the radius). */
 uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
 
-/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order; those that
- * come meanwhile are not visited. */
+/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
+ * that come during the calls are not visited. */
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
              uint32_t tag, int f);
 
@@ -48,20 +48,21 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 bool api_property(const struct api_thing *t, const char *name);
 
 /* The number of a register of player `slot`'s kind, or -1. */
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
 /* Has any kind of player a register of that name? */
-bool player_declares(lua_State *L, const char *name);
+bool api_register_declared(lua_State *L, const char *name);
 
-/* Names of a player kind's registers, in the order of their numbers; returns how many. They live as long as the board. */
-int player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
+/* Names of a player kind's registers, in the order of their numbers; returns how many. Valid as long as the board. */
+int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
 
-/* Player i enters with that kind, and the kind's run starts. */
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
+/* Player i enters as that kind of player; the kind's run starts as a task. */
+int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
-/* The running task, on its way to a mark, passes over a wait. One that would do so for ever is stopped while the pieces
- * of a game are listed, so that the others are told; else it is a fault. For any other task nothing happens. */
-int time_pass(lua_State *L, struct board *b);
+/* A wait of the running task is passed over, if the task is on its way to a practice mark (TASK_SKIPS); else nothing
+ * happens. After MAX_SKIPS in one turn it is a fault, or, under PRACTICE_LIST, the task is stopped so that the others
+ * go on. */
+int api_pass_wait(lua_State *L, struct board *b);
 
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);

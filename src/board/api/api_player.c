@@ -3,9 +3,10 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../events_run.h"
 #include "api_parts.h"
 
-extern const struct api_thing player_thing;
+extern const struct api_thing api_player_thing;
 
 static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
@@ -50,7 +51,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
         snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
         api_check(L, "player.def", &p, lua_gettop(L), &v);
         lua_pop(L, 1);
-        if (api_property(&player_thing, lua_tostring(L, -1)))
+        if (api_property(&api_player_thing, lua_tostring(L, -1)))
             api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
         if (n == PLAYER_REGISTERS)
             api_error(L, "player.def", "registers: at most %d", PLAYER_REGISTERS);
@@ -72,7 +73,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_pop(L, 1);
 }
 
-int player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
 {
     int i = -1;
 
@@ -86,7 +87,7 @@ int player_register(lua_State *L, const struct board *b, uint32_t slot, const ch
     return i;
 }
 
-bool player_declares(lua_State *L, const char *name)
+bool api_register_declared(lua_State *L, const char *name)
 {
     int top = lua_gettop(L);
     bool found = false;
@@ -100,7 +101,7 @@ bool player_declares(lua_State *L, const char *name)
     return found;
 }
 
-int player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
+int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
 {
     int top = lua_gettop(L), n = 0;
 
@@ -137,7 +138,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
-    names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
+    api_names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = r;
     k->graze[i] = v[D_GRAZE].f;
@@ -153,7 +154,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* sys.join: in C because it starts the kind's task. */
-int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
+int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
 
@@ -164,20 +165,22 @@ int player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
                         GENERATIONS - 1);
     b->player.in[i] = 1;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
-        player_start(b, p, &x, &y);
+        events_player_start(b, p, &x, &y);
         if (b->player.in[p] && p != i)
             player_place(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     b->core.extended[i] = 0;
     b->core.over = 0;
-    input_forget(&b->input, i, PRESS_GAME); /* what was pressed before is not for its ship */
+    input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
     }
     return 0;
 }
+
+enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
 static const struct api_param index_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
 static const struct api_param xy[] = { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
@@ -186,7 +189,7 @@ static const struct api_param f_only[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL 
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)v[0].i - 1));
+    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)v[ARG_PLAYER].i - 1));
     return 1;
 }
 
@@ -194,7 +197,7 @@ static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 {
     struct targets t = board_players(b);
 
-    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[0].f, v[1].f)));
+    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
     return 1;
 }
 
@@ -203,7 +206,7 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     for (int32_t i = 0; i < PADS; i++) {
         if (!b->player.in[i])
             continue;
-        lua_pushvalue(L, v[0].at);
+        lua_pushvalue(L, v[ARG_F].at);
         lua_pushinteger(L, board_handle(b, H_PLAYER, i));
         lua_call(L, 1, 0);
     }
@@ -256,7 +259,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, i + 1);
         break;
     default:
-        names_push(L, N_PLAYER, s->kind[i]);
+        api_names_push(L, N_PLAYER, s->kind[i]);
     }
 }
 
@@ -280,12 +283,16 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing player_thing = { "player", props, PROPS, get, set };
+const struct api_thing api_player_thing = { "player", props, PROPS, get, set };
 
 /* ---- pad ---- */
 
+enum { BUTTON_NAME, BUTTON_PLAYER };
+
 static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
                                            { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
+enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
 static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
                                          { "n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL },
@@ -293,7 +300,7 @@ static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, 
 
 static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
 {
-    lua_pushboolean(L, v[1].i && pads[v[1].i - 1] >> v[0].i & 1);
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && pads[v[BUTTON_PLAYER].i - 1] >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
@@ -309,8 +316,9 @@ static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
 
 static int pad_take(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(
-        L, v[2].i && input_take(&b->input, (uint32_t)v[2].i - 1, (uint32_t)v[0].i, (uint32_t)v[1].i, board_presses(b)));
+    lua_pushboolean(L, v[TAKE_PLAYER].i &&
+                           input_take(&b->input, (uint32_t)v[TAKE_PLAYER].i - 1, (uint32_t)v[TAKE_BUTTON].i,
+                                      (uint32_t)v[TAKE_AGE].i, board_presses(b)));
     return 1;
 }
 
@@ -326,9 +334,17 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- score ---- */
 
+enum { ADD_POINTS, ADD_PLAYER };
+
 static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+
+enum { ARG_TABLE };
+
 static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+
+enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE };
+
 static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
                                           { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
                                           { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
@@ -336,8 +352,8 @@ static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NU
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[1].i && b->player.in[v[1].i - 1])
-        board_score(b, (uint32_t)v[1].i - 1, v[0].i);
+    if (v[ADD_PLAYER].i && b->player.in[v[ADD_PLAYER].i - 1])
+        board_score(b, (uint32_t)v[ADD_PLAYER].i - 1, v[ADD_POINTS].i);
     return 0;
 }
 
@@ -347,7 +363,7 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
     int64_t score;
 
     lua_newtable(L);
-    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[0].at), r, name, &score); r++) {
+    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
         lua_createtable(L, 0, 2);
         lua_pushstring(L, name);
         lua_setfield(L, -2, "name");
@@ -360,7 +376,8 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
-    int r = nvram_enter(&b->nvram, lua_tostring(L, v[0].at), lua_tostring(L, v[1].at), v[2].i);
+    int r =
+        nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
 
     if (r == -2)
         return api_error(L, "score.enter", "all %d score tables are taken", NV_TABLES);

@@ -1,5 +1,5 @@
 /*
- * api_query.c - query; and how every fire, spawn and burst is told its place.
+ * api_query.c - query; and api_place, which reads the place of every fire, spawn and burst.
  */
 #include <string.h>
 #include "../../base/geom.h"
@@ -7,19 +7,19 @@
 
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y)
 {
-    const struct api_value *from = &v[2];
+    const struct api_value *from = &v[PLACE_FROM];
 
-    if (from->given ? v[0].given || v[1].given : !(v[0].given && v[1].given)) {
-        if (from->given || v[0].given || v[1].given)
+    if (from->given ? v[PLACE_X].given || v[PLACE_Y].given : !(v[PLACE_X].given && v[PLACE_Y].given)) {
+        if (from->given || v[PLACE_X].given || v[PLACE_Y].given)
             return api_error(L, entry, "place: expected either x and y, or from");
         return api_error(L, entry, "place: expected x and y, or from (a thing), got neither");
     }
     if (!from->given) {
-        *x = fx_add(v[0].f, v[3].f);
-        *y = fx_add(v[1].f, v[4].f);
+        *x = fx_add(v[PLACE_X].f, v[PLACE_DX].f);
+        *y = fx_add(v[PLACE_Y].f, v[PLACE_DY].f);
     } else if (board_where(b, from->i, x, y)) {
-        *x = fx_add(*x, v[3].f);
-        *y = fx_add(*y, v[4].f);
+        *x = fx_add(*x, v[PLACE_DX].f);
+        *y = fx_add(*y, v[PLACE_DY].f);
     } else
         return false;
     const fx edge = (fx)WORLD << 16;
@@ -27,6 +27,8 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
     *y = *y > edge ? edge : *y < -edge ? -edge : *y;
     return true;
 }
+
+enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG };
 
 static const struct api_param near[] = {
     { "what", A_STR, REQ, 0, 0, NULL, NULL },      { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
@@ -102,8 +104,8 @@ static void sort_near(lua_State *L, int list, lua_Integer n, const struct field 
 
 static int query_near(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct field f = field_named(L, b, lua_tostring(L, v[0].at));
-    uint32_t tag = v[4].given ? api_tag(L, "query.near", v[4].at) : 0;
+    struct field f = field_named(L, b, lua_tostring(L, v[NEAR_WHAT].at));
+    uint32_t tag = v[NEAR_TAG].given ? api_tag(L, "query.near", v[NEAR_TAG].at) : 0;
     uint32_t end = f.s->used ? f.s->top : f.s->live;
     lua_Integer n = 0;
 
@@ -111,13 +113,14 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
     int list = lua_gettop(L);
     for (uint32_t i = slots_next(f.s, 0); i < end; i = slots_next(f.s, i + 1)) {
         if ((f.in && !f.in[i]) || !board_alive(b, board_handle(b, f.kind, (int32_t)i)) ||
-            (tag && (!f.tag || f.tag[i] != tag)) || !geom_circles(f.x[i], f.y[i], v[1].f, v[2].f, v[3].f))
+            (tag && (!f.tag || f.tag[i] != tag)) ||
+            !geom_circles(f.x[i], f.y[i], v[NEAR_X].f, v[NEAR_Y].f, v[NEAR_RADIUS].f))
             continue;
         lua_pushinteger(L, i);
         lua_rawseti(L, list, ++n);
     }
     vm_charge(L, f.s->live + 20 * (uint64_t)n);
-    sort_near(L, list, n, &f, v[1].f, v[2].f);
+    sort_near(L, list, n, &f, v[NEAR_X].f, v[NEAR_Y].f);
     for (lua_Integer i = 1; i <= n; i++) {
         lua_rawgeti(L, list, i);
         lua_pushinteger(L, board_handle(b, f.kind, (int32_t)lua_tointeger(L, -1)));

@@ -17,6 +17,8 @@ static uint64_t draw(struct board *b, uint64_t below)
     return v;
 }
 
+enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
+
 static const struct api_param ab_int[] = { { "a", A_INT, REQ, -9e15, 9e15, NULL, NULL },
                                            { "b", A_INT, REQ, -9e15, 9e15, NULL, NULL } };
 static const struct api_param ab_number[] = { { "a", A_NUM, REQ, -1e15, 1e15, NULL, NULL },
@@ -26,9 +28,9 @@ static const struct api_param list_only[] = { { "list", A_TABLE, REQ, 0, 0, NULL
 
 static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (v[0].i > v[1].i)
+    if (v[ARG_A].i > v[ARG_B].i)
         return api_error(L, "rng.int", "a is greater than b");
-    lua_pushinteger(L, v[0].i + (int64_t)draw(b, (uint64_t)(v[1].i - v[0].i) + 1));
+    lua_pushinteger(L, v[ARG_A].i + (int64_t)draw(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
     return 1;
 }
 
@@ -40,27 +42,27 @@ static double fraction(struct board *b)
 
 static int rng_number(lua_State *L, struct board *b, struct api_value *v)
 {
-    double n = v[0].n + (v[1].n - v[0].n) * fraction(b);
+    double n = v[ARG_A].n + (v[ARG_B].n - v[ARG_A].n) * fraction(b);
 
-    if (n >= v[1].n && v[1].n > v[0].n) /* the sum was rounded up */
-        n = v[0].n;
+    if (n >= v[ARG_B].n && v[ARG_B].n > v[ARG_A].n) /* the sum was rounded up */
+        n = v[ARG_A].n;
     lua_pushnumber(L, n);
     return 1;
 }
 
 static int rng_chance(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, fraction(b) < v[0].n);
+    lua_pushboolean(L, fraction(b) < v[ARG_P].n);
     return 1;
 }
 
 static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint64_t n = lua_rawlen(L, v[0].at);
+    uint64_t n = lua_rawlen(L, v[ARG_LIST].at);
 
     if (!n)
         return api_error(L, "rng.pick", "the list is empty");
-    lua_rawgeti(L, v[0].at, (lua_Integer)draw(b, n) + 1);
+    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw(b, n) + 1);
     return 1;
 }
 
@@ -106,7 +108,7 @@ static int angle_to(lua_State *L, struct board *b, struct api_value *v)
 {
     fx ax, ay, bx, by;
 
-    if (!where(L, b, "angle.to", "a", v[0].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[1].at, &bx, &by) ||
+    if (!where(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) ||
         (ax == bx && ay == by))
         lua_pushnumber(L, 90); /* nowhere to point: down, as aim does */
     else
@@ -117,14 +119,14 @@ static int angle_to(lua_State *L, struct board *b, struct api_value *v)
 static int angle_of(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushnumber(L, trig_to_degrees(trig_atan2(v[1].f, v[0].f)));
+    lua_pushnumber(L, trig_to_degrees(trig_atan2(v[ARG_DY].f, v[ARG_DX].f)));
     return 1;
 }
 
 static int angle_difference(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    int32_t d = trig_difference(v[0].a, v[1].a);
+    int32_t d = trig_difference(v[ARG_A].a, v[ARG_B].a);
     lua_pushnumber(L, (double)d * 360.0 / 4294967296.0);
     return 1;
 }
@@ -132,14 +134,14 @@ static int angle_difference(lua_State *L, struct board *b, struct api_value *v)
 static int angle_sin(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushnumber(L, trig_sin30(v[0].a) / 1073741824.0);
+    lua_pushnumber(L, trig_sin30(v[ARG_D].a) / 1073741824.0);
     return 1;
 }
 
 static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushnumber(L, trig_cos30(v[0].a) / 1073741824.0);
+    lua_pushnumber(L, trig_cos30(v[ARG_D].a) / 1073741824.0);
     return 1;
 }
 

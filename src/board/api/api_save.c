@@ -5,6 +5,8 @@
 #include <string.h>
 #include "../api.h"
 
+enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
+
 static const struct api_param save_get[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
                                              { "default", A_ANY, OPT, 0, 0, NULL, NULL } };
 static const struct api_param save_set[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
@@ -12,12 +14,12 @@ static const struct api_param save_set[] = { { "key", A_STR, REQ, 1, NV_KEY, NUL
 
 static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct nv_value kept = nvram_get(&b->nvram, lua_tostring(L, v[0].at));
+    struct nv_value kept = nvram_get(&b->nvram, lua_tostring(L, v[ARG_KEY].at));
     double d;
 
     switch (kept.type) {
     case NV_NONE:
-        lua_pushvalue(L, v[1].at);
+        lua_pushvalue(L, v[ARG_DEFAULT].at);
         break;
     case NV_INT:
         lua_pushinteger(L, (lua_Integer)kept.bits);
@@ -42,13 +44,13 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
     double d;
     const char *s;
 
-    switch (lua_type(L, v[1].at)) {
+    switch (lua_type(L, v[ARG_VALUE].at)) {
     case LUA_TNIL:
         break;
     case LUA_TNUMBER:
-        keep.type = lua_isinteger(L, v[1].at) ? NV_INT : NV_FLOAT;
-        keep.bits = (uint64_t)lua_tointeger(L, v[1].at);
-        d = lua_tonumber(L, v[1].at);
+        keep.type = lua_isinteger(L, v[ARG_VALUE].at) ? NV_INT : NV_FLOAT;
+        keep.bits = (uint64_t)lua_tointeger(L, v[ARG_VALUE].at);
+        d = lua_tonumber(L, v[ARG_VALUE].at);
         if (!isfinite(d))
             return api_error(L, "save.set", "value: expected a finite number");
         if (keep.type == NV_FLOAT)
@@ -56,20 +58,20 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
         break;
     case LUA_TSTRING:
         keep.type = NV_TEXT;
-        s = lua_tolstring(L, v[1].at, &keep.length);
+        s = lua_tolstring(L, v[ARG_VALUE].at, &keep.length);
         if (keep.length > NV_STRING)
             return api_error(L, "save.set", "value: a string of at most %d bytes, got %d", NV_STRING, (int)keep.length);
         memcpy(keep.text, s, keep.length);
         break;
     case LUA_TBOOLEAN:
         keep.type = NV_BOOL;
-        keep.bits = (uint64_t)lua_toboolean(L, v[1].at);
+        keep.bits = (uint64_t)lua_toboolean(L, v[ARG_VALUE].at);
         break;
     default:
         return api_error(L, "save.set", "value: expected a number, string, boolean or nil, got a %s",
-                         luaL_typename(L, v[1].at));
+                         luaL_typename(L, v[ARG_VALUE].at));
     }
-    if (!nvram_set(&b->nvram, lua_tostring(L, v[0].at), &keep))
+    if (!nvram_set(&b->nvram, lua_tostring(L, v[ARG_KEY].at), &keep))
         return api_error(L, "save.set", "all %d keys are taken", NV_SAVES);
     return 0;
 }

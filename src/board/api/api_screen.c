@@ -9,6 +9,20 @@
 
 /* ---- sprite ---- */
 
+enum {
+    PUT_SPRITE,
+    PUT_X,
+    PUT_Y,
+    PUT_BANK,
+    PUT_LAYER,
+    PUT_SCREEN,
+    PUT_FLIP_X,
+    PUT_FLIP_Y,
+    PUT_HIDDEN,
+    PUT_BLEND,
+    PUT_STAY
+};
+
 static const struct api_param put[] = {
     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
     { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
@@ -22,20 +36,20 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool comes = tasks_brings(b, v[10].i, &owner);
+    bool comes = tasks_brings(b, v[PUT_STAY].i, &owner);
     int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && comes)
         board_full(b, &s->s);
     else if (i != NO_SLOT) {
-        s->sprite[i] = (uint16_t)v[0].i;
-        s->x[i] = v[1].f;
-        s->y[i] = v[2].f;
-        s->bank[i] = (uint8_t)v[3].i;
-        s->layer[i] = (uint8_t)v[4].i;
-        s->flags[i] =
-            (uint8_t)((v[5].i ? SPRITE_SCREEN : 0) | (v[6].i ? SPRITE_FLIP_X : 0) | (v[7].i ? SPRITE_FLIP_Y : 0) |
-                      (v[8].i ? SPRITE_HIDDEN : 0) | v[9].i * SPRITE_BLEND_ONE);
+        s->sprite[i] = (uint16_t)v[PUT_SPRITE].i;
+        s->x[i] = v[PUT_X].f;
+        s->y[i] = v[PUT_Y].f;
+        s->bank[i] = (uint8_t)v[PUT_BANK].i;
+        s->layer[i] = (uint8_t)v[PUT_LAYER].i;
+        s->flags[i] = (uint8_t)((v[PUT_SCREEN].i ? SPRITE_SCREEN : 0) | (v[PUT_FLIP_X].i ? SPRITE_FLIP_X : 0) |
+                                (v[PUT_FLIP_Y].i ? SPRITE_FLIP_Y : 0) | (v[PUT_HIDDEN].i ? SPRITE_HIDDEN : 0) |
+                                v[PUT_BLEND].i * SPRITE_BLEND_ONE);
         s->born[i] = b->core.clock;
         s->owner[i] = owner;
     }
@@ -118,21 +132,25 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing sprite_thing = { "sprite", props, PROPS, get, set };
+const struct api_thing api_sprite_thing = { "sprite", props, PROPS, get, set };
+
+enum { ARG_SELF };
 
 static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL } };
 
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!board_alive(b, v[0].i))
+    if (!board_alive(b, v[ARG_SELF].i))
         return 0;
-    slots_drop(&b->sprites.s, handle_slot(v[0].i));
+    slots_drop(&b->sprites.s, handle_slot(v[ARG_SELF].i));
     slots_trim(&b->sprites.s);
     return 0;
 }
 
 /* ---- spark ---- */
+
+enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND };
 
 static const struct api_param spark_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -152,12 +170,12 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "spark.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
                          MAX_KINDS);
-    names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[0].at), i);
-    k->sprite[i] = (uint16_t)v[1].i;
-    k->life[i] = (uint16_t)v[2].i;
-    k->gravity[i] = v[3].f;
-    k->drag[i] = v[4].f;
-    k->bank[i] = (uint8_t)(v[5].i | v[6].i * SPARK_BLEND_ONE);
+    api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
+    k->life[i] = (uint16_t)v[D_LIFE].i;
+    k->gravity[i] = v[D_GRAVITY].f;
+    k->drag[i] = v[D_DRAG].f;
+    k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLEND].i * SPARK_BLEND_ONE);
     return 0;
 }
 
@@ -184,11 +202,16 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN };
+
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
 };
+
+enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
+
 static const struct api_param text_clear[] = {
     { "col", A_INT, OPT, -1000, 1000, "cells", "0" },
     { "row", A_INT, OPT, -1000, 1000, "cells", "0" },
@@ -199,37 +222,49 @@ static const struct api_param text_clear[] = {
 static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
-    int col = (int)v[0].i;
+    int col = (int)v[TEXT_COL].i;
 
-    if (lua_type(L, v[2].at) != LUA_TSTRING && lua_type(L, v[2].at) != LUA_TNUMBER)
-        return api_error(L, "text.put", "text: expected a string or a number, got a %s", luaL_typename(L, v[2].at));
-    if (lua_type(L, v[2].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[2].at)))
+    if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
+        return api_error(L, "text.put", "text: expected a string or a number, got a %s",
+                         luaL_typename(L, v[TEXT_TEXT].at));
+    if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
         return api_error(L, "text.put", "text: expected a finite number");
-    const char *s = lualib_tolstring(L, v[2].at, &n);
+    const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
     n = n > 1024 ? 1024 : n;
-    col -= v[4].i == 1 ? (int)n / 2 : v[4].i == 2 ? (int)n : 0;
-    fix_put(&b->fix, col, (int)v[1].i, s, n, (uint8_t)v[3].i);
+    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? (int)n / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? (int)n : 0;
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i);
     return 0;
 }
 
 static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    fix_clear(&b->fix, (int)v[0].i, (int)v[1].i, (int)v[2].i, (int)v[3].i);
+    fix_clear(&b->fix, (int)v[CLEAR_COL].i, (int)v[CLEAR_ROW].i, (int)v[CLEAR_W].i, (int)v[CLEAR_H].i);
     return 0;
 }
 
 /* ---- palette ---- */
 
+enum { SET_INDEX, SET_RGB };
+
 static const struct api_param set_colour[] = { { "i", A_INT, REQ, 0, 255, NULL, NULL },
                                                { "rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL } };
+
+enum { ARG_NAME };
+
 static const struct api_param load[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+
+enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
+
 static const struct api_param fade[] = {
     { "to", A_ANY, REQ, 0, 0, NULL, NULL },
     { "over", A_INT, REQ, 0, 65535, "frames", NULL },
     { "first", A_INT, OPT, 0, 255, NULL, "0" },
     { "last", A_INT, OPT, 0, 255, NULL, "255" },
 };
+
+enum { CYCLE_FIRST, CYCLE_LAST, CYCLE_EVERY };
+
 static const struct api_param cycle[] = {
     { "first", A_INT, REQ, 0, 255, NULL, NULL },
     { "last", A_INT, REQ, 0, 255, NULL, NULL },
@@ -239,7 +274,7 @@ static const struct api_param cycle[] = {
 static int palette_set(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    pal_set(&b->pal, (int)v[0].i, (uint32_t)v[1].i);
+    pal_set(&b->pal, (int)v[SET_INDEX].i, (uint32_t)v[SET_RGB].i);
     return 0;
 }
 
@@ -259,7 +294,7 @@ static uint32_t colour(const uint8_t *p, int i)
 
 static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint8_t *p = palette_named(L, b, "palette.load", v[0].at);
+    const uint8_t *p = palette_named(L, b, "palette.load", v[ARG_NAME].at);
 
     for (int i = 0; i < COLOURS; i++)
         pal_set(&b->pal, i, colour(p, i));
@@ -272,20 +307,21 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
     struct api_value to = { 0 };
     const uint8_t *p = NULL;
 
-    if (lua_type(L, v[0].at) == LUA_TSTRING)
-        p = palette_named(L, b, "palette.fade", v[0].at);
+    if (lua_type(L, v[FADE_TO].at) == LUA_TSTRING)
+        p = palette_named(L, b, "palette.fade", v[FADE_TO].at);
     else
-        api_check(L, "palette.fade", &number, v[0].at, &to);
-    for (int i = (int)v[2].i; i <= (int)v[3].i; i++)
-        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[1].i);
+        api_check(L, "palette.fade", &number, v[FADE_TO].at, &to);
+    for (int i = (int)v[FADE_FIRST].i; i <= (int)v[FADE_LAST].i; i++)
+        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[FADE_OVER].i);
     return 0;
 }
 
 static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (v[0].i > v[1].i)
-        return api_error(L, "palette.cycle", "first %d comes after last %d", (int)v[0].i, (int)v[1].i);
-    if (!pal_cycle(&b->pal, (uint8_t)v[0].i, (uint8_t)v[1].i, (uint16_t)v[2].i))
+    if (v[CYCLE_FIRST].i > v[CYCLE_LAST].i)
+        return api_error(L, "palette.cycle", "first %d comes after last %d", (int)v[CYCLE_FIRST].i,
+                         (int)v[CYCLE_LAST].i);
+    if (!pal_cycle(&b->pal, (uint8_t)v[CYCLE_FIRST].i, (uint8_t)v[CYCLE_LAST].i, (uint16_t)v[CYCLE_EVERY].i))
         return api_error(L, "palette.cycle", "all %d cycles are running; every = 0 stops one", CYCLES);
     return 0;
 }

@@ -127,8 +127,14 @@ const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_
                                                  &api_board,  &api_sys,    &api_std };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
-extern const struct api_thing bullet_thing, shot_thing, enemy_thing, player_thing, sprite_thing, task_thing,
-    motion_thing, group_thing;
-const struct api_thing *const api_things[HANDLES] = { NULL,         &bullet_thing, &shot_thing,
-                                                      &enemy_thing, &player_thing, &sprite_thing,
-                                                      &task_thing,  &motion_thing, &group_thing };
+extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
+    api_task_thing, api_motion_thing, api_group_thing;
+const struct api_thing *const api_things[HANDLES] = { NULL,
+                                                      &api_bullet_thing,
+                                                      &api_shot_thing,
+                                                      &api_enemy_thing,
+                                                      &api_player_thing,
+                                                      &api_sprite_thing,
+                                                      &api_task_thing,
+                                                      &api_motion_thing,
+                                                      &api_group_thing };

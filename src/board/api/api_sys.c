@@ -2,8 +2,17 @@
  * api_sys.c - sys, which only the standard library (@std) sees.
  */
 #include <string.h>
+#include "../../base/edit.h"
 #include "api_parts.h"
 #include "../events_run.h"
+
+/* Parameters by place; ARG_: the only one of its entry. */
+enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0 };
+enum { FAIL_ENTRY, FAIL_MESSAGE };
+enum { NEAR_WORD, NEAR_LIST };
+enum { JOIN_PLAYER, JOIN_KIND };
+enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
+enum { HOLD_ENEMY, HOLD_ON };
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                          { "message", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -27,20 +36,20 @@ static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, N
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_error(L, lua_tostring(L, v[0].at), "%s", lua_tostring(L, v[1].at));
+    return api_error(L, lua_tostring(L, v[FAIL_ENTRY].at), "%s", lua_tostring(L, v[FAIL_MESSAGE].at));
 }
 
 static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    int best = 99;
-    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[1].at);
+    int best = EDIT_FAR;
+    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[NEAR_LIST].at);
 
     (void)b;
-    if (lua_type(L, v[0].at) != LUA_TSTRING)
+    if (lua_type(L, v[NEAR_WORD].at) != LUA_TSTRING)
         return lua_pushnil(L), 1;
     for (lua_Integer i = 1; i <= n; i++) {
-        if (lua_rawgeti(L, v[1].at, i) == LUA_TSTRING) {
-            int d = words_apart(lua_tostring(L, v[0].at), lua_tostring(L, -1));
+        if (lua_rawgeti(L, v[NEAR_LIST].at, i) == LUA_TSTRING) {
+            int d = edit_distance(lua_tostring(L, v[NEAR_WORD].at), lua_tostring(L, -1));
             if (d < best)
                 best = d, found = i;
         }
@@ -49,7 +58,7 @@ static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
     if (!found)
         lua_pushnil(L);
     else
-        lua_rawgeti(L, v[1].at, found);
+        lua_rawgeti(L, v[NEAR_LIST].at, found);
     return 1;
 }
 
@@ -62,7 +71,7 @@ static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *name = lua_tostring(L, v[0].at);
+    const char *name = lua_tostring(L, v[ARG_NAME].at);
     int n = lua_gettop(L) - 1;
 
     if (!events_emit(b, L, name, n))
@@ -70,17 +79,20 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* No change of RAM: only the cabinet hears of it. */
+/* Changes no RAM: marks are for the cabinet. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
                                                    "won",   "lost",  "start", "ship", "register", "listed" };
-    const char *of = v[2].given ? lua_tostring(L, v[2].at) : "", *title = v[3].given ? lua_tostring(L, v[3].at) : "";
+    const char *of = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
+               *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 
     for (int k = 0; k < MARK_KINDS; k++)
-        if (!strcmp(kinds[k], lua_tostring(L, v[0].at)))
-            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at), of, title, (int32_t)v[4].i), 0;
-    return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[0].at));
+        if (!strcmp(kinds[k], lua_tostring(L, v[M_KIND].at)))
+            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[M_NAME].at), of, title,
+                              (int32_t)v[M_VALUE].i),
+                   0;
+    return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
 /* One { name, value } of a list, at place i. */
@@ -114,8 +126,8 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *names[PLAYER_REGISTERS];
-    int32_t kind = (int32_t)v[0].i;
-    int n = player_registers(L, kind, names);
+    int32_t kind = (int32_t)v[ARG_KIND].i;
+    int n = api_player_registers(L, kind, names);
 
     lua_createtable(L, 0, 2);
     lua_pushinteger(L, b->player_kinds.lives[kind]);
@@ -129,14 +141,14 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_join(lua_State *L, struct board *b, struct api_value *v)
 {
-    return v[0].i ? player_enter(L, b, (uint32_t)v[0].i - 1, (uint16_t)v[1].i) : 0;
+    return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
 }
 
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[0].i)
-        player_leave(&b->player, (uint32_t)v[0].i - 1);
+    if (v[ARG_PLAYER].i)
+        player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
     return 0;
 }
 
@@ -168,13 +180,13 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
-    b->core.frozen = v[0].given ? v[0].i : 0;
-    for (uint32_t p = 0; p < PADS && v[0].given; p++)
+    b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
+    for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
         input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
     return 0;
 }
 
-/* For what has to outlast the task that makes it. */
+/* A scope owned by the board: it outlasts the task that makes it. */
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -184,7 +196,7 @@ static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[0].i, true));
+    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].i, true));
     return 1;
 }
 
@@ -195,7 +207,7 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.skip", "only a task can skip");
     uint8_t *flags = &b->tasks.flags[b->tasks.current];
-    *flags = (uint8_t)(v[0].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    *flags = (uint8_t)(v[ARG_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
     return 0;
 }
 
@@ -220,16 +232,17 @@ static int sys_task(lua_State *L, struct board *b, struct api_value *v)
 static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    return time_pass(L, b);
+    return api_pass_wait(L, b);
 }
 
 static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t i = handle_slot(v[0].i);
+    uint32_t i = handle_slot(v[HOLD_ENEMY].i);
 
     (void)L;
-    if (board_alive(b, v[0].i))
-        b->enemies.flags[i] = (uint8_t)(v[1].i ? b->enemies.flags[i] | ENEMY_HELD : b->enemies.flags[i] & ~ENEMY_HELD);
+    if (board_alive(b, v[HOLD_ENEMY].i))
+        b->enemies.flags[i] =
+            (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_HELD : b->enemies.flags[i] & ~ENEMY_HELD);
     return 0;
 }
 
@@ -240,16 +253,16 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
                                 &b->spark_kinds.s };
 
     for (int k = 0; k < 5; k++) {
-        if (strcmp(words[k], lua_tostring(L, v[0].at)))
+        if (strcmp(words[k], lua_tostring(L, v[ARG_NAME].at)))
             continue;
         lua_newtable(L);
         for (uint32_t i = 0; i < s[k]->live; i++) {
-            names_push(L, (enum api_names)k, (int)i);
+            api_names_push(L, (enum api_names)k, (int)i);
             lua_rawseti(L, -2, (lua_Integer)i + 1);
         }
         return 1;
     }
-    return api_error(L, "sys.kinds", "no kinds of \"%s\"", lua_tostring(L, v[0].at));
+    return api_error(L, "sys.kinds", "no kinds of \"%s\"", lua_tostring(L, v[ARG_NAME].at));
 }
 
 static int sys_players(lua_State *L, struct board *b, struct api_value *v)

@@ -4,18 +4,22 @@
 #include "api_parts.h"
 #include "../events_run.h"
 
+/* Parameters by place; ARG_: the only one of its entry. */
+enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
+enum { OWN_OWNER, OWN_F };
+
 static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames", NULL } };
 
-int time_pass(lua_State *L, struct board *b)
+int api_pass_wait(lua_State *L, struct board *b)
 {
     bool skips = b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
 
-    if (!skips || ++b->tasks.skipped <= SKIPS_MOST)
+    if (!skips || ++b->tasks.skipped <= MAX_SKIPS)
         return 0;
     if (!board_lists(b) || !lua_isyieldable(L))
         return api_error(L, "wait",
                          "more than %d waits on the way to a mark: does it wait for what is passed over there?",
-                         SKIPS_MOST);
+                         MAX_SKIPS);
     tasks_stop(b, (uint32_t)b->tasks.current);
     return lua_yield(L, 0);
 }
@@ -29,10 +33,10 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
             L, "wait",
             "cannot wait inside a function that C calls (bullet.each and its like, a sort, a gsub, a <close>)");
     if (b->tasks.flags[b->tasks.current] & TASK_SKIPS)
-        return time_pass(L, b);
-    if (!v[0].i)
+        return api_pass_wait(L, b);
+    if (!v[ARG_FRAMES].i)
         return 0;
-    b->tasks.wait[b->tasks.current] = v[0].i;
+    b->tasks.wait[b->tasks.current] = v[ARG_FRAMES].i;
     return lua_yield(L, 0);
 }
 
@@ -51,7 +55,7 @@ static int task_go(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_own(lua_State *L, struct board *b, struct api_value *v)
 {
-    int64_t h = v[0].i;
+    int64_t h = v[OWN_OWNER].i;
 
     if (!board_alive(b, h))
         return lua_pushinteger(L, board_handle(b, H_TASK, NO_SLOT)), 1;
@@ -64,15 +68,15 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_scope(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[0].given ? v[0].i : tasks_owner(b), false));
+    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : tasks_owner(b), false));
     return 1;
 }
 
 static int task_stop(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t slot = handle_slot(v[0].i);
+    uint32_t slot = handle_slot(v[ARG_TASK].i);
 
-    if (!slots_has(&b->tasks.s, slot, handle_gen(v[0].i)))
+    if (!slots_has(&b->tasks.s, slot, handle_gen(v[ARG_TASK].i)))
         return 0;
     tasks_stop(b, slot);
     if ((int32_t)slot != b->tasks.current)
@@ -84,7 +88,7 @@ static int task_stop(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_alive(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, board_alive(b, v[0].i));
+    lua_pushboolean(L, board_alive(b, v[ARG_TASK].i));
     return 1;
 }
 
@@ -94,7 +98,7 @@ static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing task_thing = { "task", NULL, 0, get_none, NULL };
+const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
 
 static const struct api_param handler[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
@@ -102,7 +106,7 @@ static const struct api_param handler[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
     {                                                                                                                  \
         (void)b;                                                                                                       \
-        lua_pushvalue(L, v[0].at);                                                                                     \
+        lua_pushvalue(L, v[ARG_F].at);                                                                                 \
         events_on(L, index);                                                                                           \
         return 0;                                                                                                      \
     }

@@ -1,8 +1,8 @@
 /*
  * eval.c - see eval.h.
  *
- * The line is compiled behind "return " first, which makes an expression's values results; what does not compile so is
- * statements, whose errors are then the ones to tell.
+ * The line is compiled behind "return " first, so that the values of an expression are results. If that is a syntax
+ * error, the line is compiled as statements, and their error is reported.
  */
 #include "eval.h"
 #include <assert.h>
@@ -38,7 +38,7 @@ static void compile(lua_State *L, const char *line)
 
 /* ---- values as words ---- */
 
-/* Pushes "bullet 12", or "no bullet" for what is gone. */
+/* Pushes "bullet 12", or "no bullet" for a dead handle. */
 static void push_thing(lua_State *L, int64_t h)
 {
     const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
@@ -125,7 +125,7 @@ static void put_words(lua_State *L, int idx)
 static int run_line(lua_State *L)
 {
     lua_settop(L, 0);
-    compile(L, vm_board(L)->hand->line);
+    compile(L, vm_board(L)->output->line);
     lua_call(L, 0, LUA_MULTRET);
     int n = lua_gettop(L);
     luaL_checkstack(L, 16, NULL);
@@ -134,7 +134,7 @@ static int run_line(lua_State *L)
     return n ? vm_print(L) : 0;
 }
 
-/* A line's own place says nothing. */
+/* The message without "console:1: ", which is every line's place. */
 static const char *without_place(const char *message)
 {
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
@@ -142,25 +142,25 @@ static const char *without_place(const char *message)
 
 bool board_eval(struct board *b, const char *line, char *out, size_t size)
 {
-    struct hand *h = b->hand;
-    struct board_out was = h->out;
+    struct output *o = b->output;
+    struct board_out was = o->out;
     bool counting = b->vm.counting;
     struct host host;
 
-    assert(h->fault.kind == FAULT_NONE);
+    assert(o->fault.kind == FAULT_NONE);
     host_enter(&host);
-    h->line = line;
-    h->log_size = 0;
+    o->line = line;
+    o->log_size = 0;
     vm_begin(b, EVAL_LIMIT);
     board_count(b, true);
     bool fine = vm_call(b, run_line) && vm_call(b, events_run);
-    snprintf(out, size, "%.*s", fine ? (int)h->log_size : -1, fine ? h->log : without_place(h->fault.message));
+    snprintf(out, size, "%.*s", fine ? (int)o->log_size : -1, fine ? o->log : without_place(o->fault.message));
     b->vm.limit = WORK_LIMIT;
     board_count(b, counting);
-    h->line = NULL;
-    h->log_size = 0;
-    h->out = was;
-    h->out.log_size = 0;
+    o->line = NULL;
+    o->log_size = 0;
+    o->out = was;
+    o->out.log_size = 0;
     host_leave(&host);
     return fine;
 }

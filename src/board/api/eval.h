@@ -1,6 +1,6 @@
 /*
  * eval.h - a line of Lua, run in a board between two frames.
- * floor: board    used by: cab/ tests/
+ * floor: board
  */
 #ifndef BOARD_EVAL_H
 #define BOARD_EVAL_H
@@ -9,13 +9,13 @@
 
 enum {
     EVAL_LIMIT = 10000000, /* VM instructions a line may run, or work in C worth as many */
-    EVAL_TEXT = 4200       /* bytes that hold whatever a line says */
+    EVAL_TEXT = 4200       /* bytes that hold all that a line can print */
 };
 
 /* Runs `line` as a script of the game would: its globals, its rules, nothing of @std's own. It is an expression list
- * ("player.get(1).x") or statements. What it raises is applied at once, handlers included, so that no event waits; tasks
- * it starts get their first turn in the next frame, and it cannot wait itself. What it asks of the cabinet (attract,
- * quit) is not heard; board.reset comes with the end of the next tick.
+ * ("player.get(1).x") or statements. The events it raises are applied at once, handlers included. Tasks it starts get
+ * their first turn in the next frame; it cannot wait itself. Its requests to the cabinet (attract, quit) are dropped;
+ * board.reset comes with the end of the next tick.
  *
  * out (size bytes, size >= 1) gets what it printed, then its values, lines ending in \n. False: it did not compile,
  * failed, or ran for too long; out is one sentence, and RAM can only be restored. The board must not have a fault. */

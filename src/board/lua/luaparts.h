@@ -1,6 +1,6 @@
 /*
  * luaparts.h - the files lualib.c is put together from.
- * floor: board    used by: board/lualib.c and its parts
+ * floor: board
  *
  * Each open function sets its functions in the table on top of the stack.
  */
@@ -39,7 +39,7 @@ static inline int luaparts_stock(lua_State *L)
 }
 
 /* A position in a text of n bytes, as strings and utf8 count: from 1, or from -1 back. Never below 0. */
-static inline size_t luatext_position(lua_Integer i, size_t n)
+static inline size_t luaparts_position(lua_Integer i, size_t n)
 {
     if (i >= 0)
         return (size_t)i;

@@ -569,7 +569,7 @@ static int find_or_match(lua_State *L, bool find)
 {
     size_t n, pn;
     const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn);
-    size_t init = luatext_position(luaL_optinteger(L, 3, 1), n);
+    size_t init = luaparts_position(luaL_optinteger(L, 3, 1), n);
 
     init -= init > 0;
     if (init > n)
@@ -632,7 +632,7 @@ static int string_gmatch(lua_State *L)
     size_t n, pn;
     luaL_checklstring(L, 1, &n);
     const char *p = luaL_checklstring(L, 2, &pn);
-    size_t init = luatext_position(luaL_optinteger(L, 3, 1), n);
+    size_t init = luaparts_position(luaL_optinteger(L, 3, 1), n);
 
     lua_pushvalue(L, 1);
     struct walk *w = lua_newuserdatauv(L, sizeof *w + (pn + 1) * sizeof *w->ops, 0);

@@ -15,8 +15,8 @@
 #include "../vm.h"
 
 enum {
-    MAX_CONVERSION = 21,         /* bytes behind the %, as in 5.4.4 */
-    MAX_TEXT = 256 * 1024 * 1024 /* no Lua heap can hold a longer one */
+    MAX_CONVERSION = 21,        /* bytes behind the %, as in 5.4.4 */
+    MAX_REP = 256 * 1024 * 1024 /* bytes string.rep makes at most: no Lua heap holds more */
 };
 
 /* A NaN's sign says nothing and differs between processors. */
@@ -81,7 +81,7 @@ static int string_rep(lua_State *L)
     luaL_optlstring(L, 3, "", &sep_n);
     if (count <= 0 || n + sep_n == 0)
         return lua_pushliteral(L, ""), 1;
-    if (n + sep_n > MAX_TEXT || count > (lua_Integer)(MAX_TEXT / (n + sep_n)))
+    if (n + sep_n > MAX_REP || count > (lua_Integer)(MAX_REP / (n + sep_n)))
         return luaL_error(L, "resulting string too large");
     vm_charge(L, (uint64_t)count * (1 + (n + sep_n) / 8));
     return luaparts_stock(L);
@@ -89,7 +89,8 @@ static int string_rep(lua_State *L)
 
 /* ---- string.format ---- */
 
-/* A conversion: where its flags, its width, the dot of its precision and its letter stand; the latter two may be one. */
+/* A conversion: where its flags, its width, the dot of its precision and its letter stand; the latter two may be one.
+ */
 struct spec {
     const char *flags, *width, *dot, *letter;
 };

@@ -38,7 +38,7 @@ static int utf8_offset(lua_State *L)
     lua_settop(L, 2);
     lua_pushinteger(L, from);
     luaparts_stock(L);
-    size_t at = (size_t)lua_tointeger(L, -1), start = luatext_position(from, n); /* nil: 0, before the text */
+    size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n); /* nil: 0, before the text */
     vm_charge(L, at > start ? at - start : start - at);
     return 1;
 }

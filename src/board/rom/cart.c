@@ -1,6 +1,6 @@
 /*
- * cart.c - see cart.h. Everything that is read without a look later is looked at here: sizes multiplied in 64 bits,
- * pixels one by one, because a blit copies eight of them at a time and would show what stands in a picture's padding.
+ * cart.c - see cart.h. All that is trusted later is checked here: sizes, multiplied in 64 bits, and every pixel,
+ * because a blit copies eight of them at a time and would show what stands in a picture's padding.
  */
 #include "cart.h"
 

@@ -1,6 +1,6 @@
 /*
  * manifest.h - what a game says about itself: name, screen, capacities, DIP switches.
- * floor: board    used by: board/ cab/
+ * floor: board
  *
  * An author writes it as rom.lua, which the packer reads with manifest_read. In a ROM it is the lump "manifest", binary
  * and of fixed size, which manifest_unpack reads. Both ways end in manifest_check, so a struct manifest is always in
@@ -20,7 +20,7 @@ enum {
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
     MANIFEST_BYTES = 5176,  /* the lump's size, the same on every host */
-    MANIFEST_WORK = 8 << 20 /* bytes manifest_read needs to think in */
+    MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
 struct dip {
@@ -114,7 +114,7 @@ void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua. file is its name for messages, folder the id's default (other characters become _). work
- * is MANIFEST_WORK bytes, 16-byte aligned, to think in: the text is Lua, run with no functions, bounded in memory and
+ * is MANIFEST_WORK bytes of scratch, 16-byte aligned: the text is Lua, run with no functions, bounded in memory and
  * time. False and one sentence ("rom.lua: board.bulets: unknown name (did you mean \"bullets\"?)") else. */
 bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
                    struct art *art, void *work, char *err, size_t err_size);

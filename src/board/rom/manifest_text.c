@@ -18,7 +18,7 @@
 #include "../../base/host.h"
 
 enum {
-    MAX_TEXT = 1 << 20,   /* bytes of rom.lua */
+    MAX_FILE = 1 << 20,   /* bytes of rom.lua */
     MAX_STRING = 1 << 14, /* bytes of one string in it */
     MAX_WORK = 256 << 20, /* bytes ever allocated while it runs */
     MAX_STEPS = 1 << 20,  /* VM instructions */
@@ -177,7 +177,7 @@ static size_t min_size(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Letters to change, add or drop to make b of a. Both shorter than 32. */
+/* Letters to change, add or drop to make b of a. Both shorter than 32. Unlike edit.h's distance: a swap counts two. */
 static size_t distance(const char *a, const char *b)
 {
     size_t row[32], n = strlen(b);
@@ -718,8 +718,8 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
     if (folder[0] != '\0')
         id_from(folder, m->id);
     memset(art, 0, sizeof *art);
-    if (n > MAX_TEXT) {
-        snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_TEXT);
+    if (n > MAX_FILE) {
+        snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_FILE);
         return false;
     }
     host_enter(&host);

@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/api.h"
+#include "../../base/edit.h"
+#include "../../board/api_table.h"
 #include "../../board/script.h"
 #include "../pack/pack.h"
 
@@ -167,7 +168,7 @@ static bool is_changed(const struct check *c, const char *space, const char *nam
 /* " (did you mean "speed"?)", or nothing. */
 static void hint(char out[96], const char *word, const char *near, const char *local)
 {
-    bool inner = local != NULL && (near == NULL || words_apart(word, local) <= words_apart(word, near));
+    bool inner = local != NULL && (near == NULL || edit_distance(word, local) <= edit_distance(word, near));
     const char *meant = inner ? local : near;
 
     out[0] = '\0';
@@ -185,7 +186,7 @@ static void unknown_global(struct check *c, const char *path, const struct fact_
         return;
     }
     hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
-    if (api_later("", '.', g->name) && g->use != USE_WRITE)
+    if (api_reserved("", '.', g->name) && g->use != USE_WRITE)
         findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
                      g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
@@ -203,7 +204,7 @@ static void unknown_field(struct check *c, const char *path, const struct fact_g
     hint(meant, g->field, known_near(&c->known, g->name, g->field), NULL);
     if (instead != NULL)
         findings_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
-    else if (api_later(g->name, '.', g->field))
+    else if (api_reserved(g->name, '.', g->field))
         findings_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
     else
         findings_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
@@ -354,16 +355,16 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
 {
     const char *near = NULL, *at = have.first;
     char meant[96];
-    int best = 99;
+    int best = EDIT_FAR;
 
     if (!c->manifest || is_asked_for(c, name))
         return;
     for (int i = 0; i < have.n; i++, at += have.stride) {
-        int apart = words_apart(name, at);
+        int distance = edit_distance(name, at);
         if (strcmp(name, at) == 0)
             return;
-        near = apart < best ? at : near;
-        best = apart < best ? apart : best;
+        near = distance < best ? at : near;
+        best = distance < best ? distance : best;
     }
     hint(meant, name, near, NULL);
     findings_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);

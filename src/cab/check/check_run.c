@@ -33,7 +33,7 @@ struct run {
     struct guard guard;
     struct demo demo;
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_again */
+    void *copies; /* of board_hashes_cached */
     size_t most;  /* bytes of Lua RAM, of all runs so far */
     char who[TREE_PATH];
     bool memory_fault;
@@ -100,7 +100,7 @@ static bool power(struct run *r, const struct board_start *start)
 
 static void finish(struct run *r)
 {
-    size_t most = board_lua_most(r->guard.board);
+    size_t most = board_lua_peak(r->guard.board);
 
     if (board_last(r->guard.board)->fault)
         note_fault(r, board_last(r->guard.board)->fault);
@@ -191,7 +191,7 @@ static bool agrees(struct run *r, uint32_t frame)
 {
     uint64_t hashes[MAX_PARTS];
 
-    board_hashes_again(r->guard.board, r->copies, r->hashes);
+    board_hashes_cached(r->guard.board, r->copies, r->hashes);
     return demo_order(&r->demo, r->guard.board, r->hashes, hashes) == 0 && demo_differs(&r->demo, frame, hashes) == 0;
 }
 
@@ -229,7 +229,7 @@ static void run_loaded(struct run *r)
 
     if (!power(r, &r->demo.start))
         return;
-    r->copies = calloc(1, board_copies(r->guard.board));
+    r->copies = calloc(1, board_hash_cache_size(r->guard.board));
     if (r->copies == NULL) {
         r->c->found.failed = true;
         guard_close(&r->guard);

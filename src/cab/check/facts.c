@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/api.h"
+#include "../../base/edit.h"
 
 enum {
     DEPTH = 220, /* statements and expressions inside each other; Lua allows 200 */
@@ -182,7 +182,7 @@ static int find_local(const struct parse *p, const char *s, size_t n)
 /* The nearest local in sight of a name that is none, the innermost of equals. */
 static const char *near_local(struct parse *p, const char *name)
 {
-    int best = (int)strlen(name) < 3 ? 0 : 98;
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
     const struct local *found = NULL;
     char word[33];
 
@@ -192,10 +192,10 @@ static const char *near_local(struct parse *p, const char *name)
             continue;
         memcpy(word, l->s, l->n);
         word[l->n] = '\0';
-        int apart = words_apart(name, word);
-        if (apart >= best)
+        int distance = edit_distance(name, word);
+        if (distance >= best)
             continue;
-        best = apart;
+        best = distance;
         found = l;
     }
     return found != NULL ? arena_copy(&p->f->arena, found->s, found->n) : NULL;

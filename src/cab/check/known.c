@@ -1,5 +1,5 @@
 /*
- * known.c - see known.h. Nothing is listed twice: Lua's names are those the sandbox keeps (lualib.h), the API's are its
+ * known.c - see known.h. Nothing is listed twice: Lua's names are those the sandbox keeps, the API's are its
  * table's, the library's are read from its text.
  */
 #include "known.h"
@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/api.h"
-#include "../../board/lualib.h"
+#include "../../base/edit.h"
+#include "../../board/api_table.h"
 #include "../pack/pack.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
@@ -50,15 +50,15 @@ void known_add(struct known *k, const char *space, const char *name)
 
 const char *known_near(const struct known *k, const char *space, const char *name)
 {
-    int best = (int)strlen(name) < 3 ? 0 : 98;
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
     const char *found = NULL;
 
     for (int i = 0; i < k->n; i++) {
         const struct known_name *n = &k->list[i];
-        int apart = same(n->space, space) ? words_apart(name, n->name) : 99;
-        if (apart > best || (apart == best && (found == NULL || strcmp(n->name, found) >= 0)))
+        int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_FAR;
+        if (distance > best || (distance == best && (found == NULL || strcmp(n->name, found) >= 0)))
             continue;
-        best = apart;
+        best = distance;
         found = n->name;
     }
     return found;
@@ -104,9 +104,9 @@ static void add_entry(struct known *k, const struct api_entry *e)
 void known_open(struct known *k)
 {
     *k = (struct known){ 0 };
-    add_words(k, NULL, lualib_names(""));
+    add_words(k, NULL, api_library_names(""));
     for (size_t i = 0; i < COUNT(libraries); i++)
-        add_words(k, libraries[i], lualib_names(libraries[i]));
+        add_words(k, libraries[i], api_library_names(libraries[i]));
     for (size_t i = 0; i < COUNT(others); i++)
         known_add(k, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
@@ -151,7 +151,7 @@ bool known_global(const char *name)
 {
     size_t n = strlen(name);
 
-    if (in_words(lualib_names(""), name))
+    if (in_words(api_library_names(""), name))
         return true;
     for (size_t i = 0; i < COUNT(others); i++)
         if (strcmp(others[i], name) == 0)

@@ -121,7 +121,7 @@ struct demo_writer {
     uint32_t told;    /* moments in the file */
     uint32_t crc;     /* of the last record written */
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_again */
+    void *copies; /* of board_hashes_cached */
     bool on;
 };
 

@@ -10,7 +10,6 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/hash.h"
-#include "../../board/api.h"
 #include "demo_parts.h"
 #include "../host/files.h"
 
@@ -338,7 +337,7 @@ static void take_identity(struct demo *d, const struct cart *cart)
     d->game_hash = rom_game_hash(cart->rom);
     d->rom_hash = rom_hash(cart->rom);
     snprintf(d->id, sizeof d->id, "%s", cart->m.id);
-    snprintf(d->lua, sizeof d->lua, "%s", &LUA_RELEASE[sizeof "Lua"]);
+    snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
 }
 
 /* The moments of the tick just over. */
@@ -386,11 +385,11 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     take_given_start(d, start);
     take_parts(d, b);
     d->flags = flags;
-    w->copies = calloc(1, board_copies(b));
+    w->copies = calloc(1, board_hash_cache_size(b));
     if (!w->copies)
         return out_of_memory(w);
     if (!board_last(b)->fault) {
-        board_hashes_again(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->copies, w->hashes);
         if (!add_row(w) || !take_moments(d, b))
             return out_of_memory(w);
     }
@@ -419,7 +418,7 @@ static void add_prints(struct demo_writer *w, const struct board *b)
 
     if (board_last(b)->fault)
         return;
-    board_hashes_again(b, w->copies, w->hashes);
+    board_hashes_cached(b, w->copies, w->hashes);
     for (int i = 0; i < d->parts; i++)
         prints[i] = (uint16_t)w->hashes[i];
     d->printed = d->frames;
@@ -498,7 +497,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     if (!w->on)
         return true;
     if (!fault)
-        board_hashes_again(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->copies, w->hashes);
     stop(w);
     if (!take_points(d, b))
         return out_of_memory(w);

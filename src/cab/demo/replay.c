@@ -19,7 +19,7 @@ static int power(struct replay *r, const struct cart *cart, const struct demo *d
     if (r->guard.board ? !guard_again(&r->guard, &d->start, err, err_size)
                        : !guard_power(&r->guard, cart->rom, &d->start, err, err_size))
         return EXIT_INPUT;
-    size_t copies = board_copies(r->guard.board);
+    size_t copies = board_hash_cache_size(r->guard.board);
     if (!r->copies && (r->copies = malloc(copies)) == NULL)
         return out_of_memory(err, err_size);
     memset(r->copies, 0, copies);
@@ -39,7 +39,7 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 /* Compares the board with prints and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
-    board_hashes_again(r->guard.board, r->copies, r->board);
+    board_hashes_cached(r->guard.board, r->copies, r->board);
     uint32_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
     uint32_t parts = demo_differs(d, frame, r->hashes) | missing;
     if (!parts)

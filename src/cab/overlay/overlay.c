@@ -63,7 +63,7 @@ static void before_tick(void *context)
 void overlay_begin(struct overlay *o, struct guard *g)
 {
     bool on = o->on[OVERLAY_SPLIT];
-    board_watch(g->board, on ? phase_over : 0, o);
+    board_on_phase(g->board, on ? phase_over : 0, o);
     g->before = on ? before_tick : 0;
     g->context = o;
     memset(o->split.now, 0, sizeof o->split.now);

@@ -319,10 +319,9 @@ static bool add_text(struct packer *p, const char *path)
 
     if (!load_in(p, path, TREE_FILE, &data, &size))
         return false;
-    if (size > TEXT_MOST) {
+    if (size > MAX_TEXT) {
         free(data);
-        return fail(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)TEXT_MOST,
-                    size);
+        return fail(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)MAX_TEXT, size);
     }
     return add(p, "data/", path, data, size);
 }

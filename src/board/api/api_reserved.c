@@ -1,6 +1,6 @@
 /*
- * api_later.c - names that are kept for what is not there yet: a script that uses one is told so. Who adds what a name is
- * kept for takes it out of the list; a test sees that none of them is there.
+ * api_reserved.c - names that are kept for later features: a script that uses one gets an error that says so. A feature
+ * that is added leaves the list; a test checks that no name of the list exists.
  */
 #include <string.h>
 #include "api_parts.h"
@@ -9,7 +9,7 @@ static const struct {
     const char *of; /* a table of the API, a function, or a thing; "": the globals */
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
-} later[] = {
+} reserved[] = {
     { "", '.', "laser item value option bomb game talk say choose bg screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
@@ -49,21 +49,21 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-bool api_later(const char *of, char how, const char *name)
+bool api_reserved(const char *of, char how, const char *name)
 {
-    for (size_t i = 0; i < sizeof later / sizeof *later; i++)
-        if (later[i].how == how && !strcmp(later[i].of, of))
-            return has_word(later[i].names, name);
+    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
+        if (reserved[i].how == how && !strcmp(reserved[i].of, of))
+            return has_word(reserved[i].names, name);
     return false;
 }
 
-const char *api_later_row(int i, const char **of, char *how)
+const char *api_reserved_row(int i, const char **of, char *how)
 {
-    if (i >= (int)(sizeof later / sizeof *later))
+    if (i >= (int)(sizeof reserved / sizeof *reserved))
         return NULL;
-    *of = later[i].of;
-    *how = later[i].how;
-    return later[i].names;
+    *of = reserved[i].of;
+    *how = reserved[i].how;
+    return reserved[i].names;
 }
 
 /* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
@@ -71,22 +71,22 @@ static int missing_field(lua_State *L)
 {
     const char *of = lua_tostring(L, lua_upvalueindex(1));
 
-    if (lua_type(L, 2) == LUA_TSTRING && api_later(of, '.', lua_tostring(L, 2)))
+    if (lua_type(L, 2) == LUA_TSTRING && api_reserved(of, '.', lua_tostring(L, 2)))
         return vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, lua_tostring(L, 2), NOT_YET);
     lua_pushnil(L);
     return 1;
 }
 
-void api_watch_fields(lua_State *L)
+void api_reserved_install(lua_State *L)
 {
     int top = lua_gettop(L);
 
-    for (size_t i = 0; i < sizeof later / sizeof *later; i++) {
-        if (later[i].how != '.' || !later[i].of[0])
+    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++) {
+        if (reserved[i].how != '.' || !reserved[i].of[0])
             continue;
-        if (lua_getglobal(L, later[i].of) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
+        if (lua_getglobal(L, reserved[i].of) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
             lua_createtable(L, 0, 1);
-            lua_pushstring(L, later[i].of);
+            lua_pushstring(L, reserved[i].of);
             lua_pushcclosure(L, missing_field, 1);
             lua_setfield(L, -2, "__index");
             lua_setmetatable(L, -2);

@@ -1,0 +1,30 @@
+/*
+ * edit.c - see edit.h. The optimal string alignment distance: the whole table of the distances of all beginnings, as
+ * the words are short.
+ */
+#include "edit.h"
+#include <string.h>
+
+int edit_distance(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    size_t n = strlen(a), m = strlen(b);
+    int d[LONGEST + 1][LONGEST + 1];
+
+    if (n > LONGEST || m > LONGEST)
+        return EDIT_FAR;
+    for (size_t i = 0; i <= n; i++)
+        for (size_t j = 0; j <= m; j++) {
+            if (!i || !j) {
+                d[i][j] = (int)(i + j);
+                continue;
+            }
+            int best = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
+            best = d[i - 1][j] + 1 < best ? d[i - 1][j] + 1 : best;
+            best = d[i][j - 1] + 1 < best ? d[i][j - 1] + 1 : best;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < best)
+                best = d[i - 2][j - 2] + 1;
+            d[i][j] = best;
+        }
+    return d[n][m] <= 1 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7) ? d[n][m] : EDIT_FAR;
+}

@@ -1,0 +1,132 @@
+/*
+ * api_table.h - the Lua API as data: names, arguments, units, help. Without Lua's headers: the cabinet includes it.
+ * floor: board
+ */
+#ifndef BOARD_API_TABLE_H
+#define BOARD_API_TABLE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "handle.h"
+
+struct lua_State;
+struct board;
+struct api_value;
+
+enum api_type {
+    A_INT,   /* a whole number */
+    A_COUNT, /* a whole number, or forever */
+    A_NUM,   /* any finite number */
+    A_FX,    /* a number kept in Q15.16 */
+    A_DIR,   /* degrees */
+    A_STR,
+    A_BOOL,
+    A_FUNC,
+    A_TABLE,
+    A_ANY,
+    A_ROUTE,       /* what path.def returned */
+    A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
+    A_HIT,         /* a hit shape */
+    A_MOTION,      /* a motion, by handle or name */
+    A_BULLET_KIND, /* names that were declared; A_BULLET_KIND + k is category k of enum api_names */
+    A_SHOT_KIND,
+    A_ENEMY_KIND,
+    A_PLAYER_KIND,
+    A_SPARK_KIND,
+    A_SPRITE,
+    A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
+    A_BUTTON,
+    A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
+    A_EASE,
+    A_LAYER,
+    A_ALIGN,
+};
+
+/* What is declared under a name. */
+enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
+
+enum { REQ = 0, OPT = 1 }; /* must it be given? */
+
+struct api_param {
+    const char *name;
+    enum api_type type;
+    int optional;
+    double lo, hi;
+    const char *unit; /* may be NULL */
+    const char *def;  /* default, as Lua spells it; NULL: none */
+};
+
+enum {
+    API_CHANGES = 1 << 0, /* can change RAM: folded into the script digest */
+    API_LOAD = 1 << 1,    /* only while scripts load */
+    API_METHOD = 1 << 2,  /* the first argument is the thing before the colon */
+    API_LUA = 1 << 3,     /* written in Lua (@std); the table only knows its arguments */
+    API_SYS = 1 << 4,     /* only @std can call it */
+    API_MORE = 1 << 5,    /* any further arguments are passed on */
+    API_FIRE = 1 << 6,    /* takes every argument of bullet.fire besides its own */
+    API_GLOBAL = 1 << 7,  /* stands among the globals */
+};
+
+struct api_entry {
+    const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
+    int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns how many results it pushed */
+    const struct api_param *params;
+    uint8_t count; /* of params */
+    uint8_t plain; /* so many are plain arguments; the others stand in one table */
+    uint16_t flags;
+    const char *returns; /* NULL: nothing */
+    const char *help;
+};
+
+/* A property of a thing. PROP_LASTS: only read, and of a player even after it is out. */
+enum { PROP_READ = 0, PROP_WRITE = 1, PROP_LASTS = 2 };
+
+struct api_prop {
+    struct api_param value; /* name, type, range, unit */
+    int write;              /* PROP_ */
+    const char *help;
+};
+
+/* What a kind of handle can do. get pushes property p of a live thing; set writes it. */
+struct api_thing {
+    const char *name; /* "bullet" */
+    const struct api_prop *props;
+    int n;
+    void (*get)(struct lua_State *L, struct board *b, uint32_t slot, int p);
+    void (*set)(struct lua_State *L, struct board *b, uint32_t slot, int p, const struct api_value *v);
+};
+
+struct api_module {
+    const struct api_entry *entries;
+    int n;
+};
+
+extern const struct api_thing *const api_things[HANDLES];
+extern const struct api_module *const api_modules[];
+extern const int api_module_count;
+
+/* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
+bool api_help(const char *name, void (*line)(const char *));
+
+/* The number of entries, and the i-th one. */
+int api_count(void);
+const struct api_entry *api_entry(int i);
+
+/* An argument's default as a number. */
+double api_default(const struct api_param *p);
+
+/* The message for a reserved name: one that is kept for a later feature. */
+#define NOT_YET "is not there yet; the name is kept for it"
+
+/* Is the name reserved? how '.': as a field of the table `of` ("board"; "": the globals); '{': as an argument of the
+ * function `of` ("bullet.fire"); ':': as a property or a verb of the thing `of` ("bullet"). */
+bool api_reserved(const char *of, char how, const char *name);
+
+/* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. */
+const char *api_reserved_row(int i, const char **of, char *how);
+
+/* The names scripts see of a library of Lua's ("math"; "": the globals), with blanks between; NULL: there is no such
+ * library. */
+const char *api_library_names(const char *library);
+
+#endif

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# lua.sh - no file of the cabinet or of a port sees Lua's headers or the board's insides, by way of other headers either.
+. "$(dirname "$0")/../check.sh"
+
+# seen FILE...: fails for each that the preprocessor finds to depend on them. -MG: headers that are not found are listed.
+seen() {
+    local f found rc=0
+    for f; do
+        found=$(cd "$scratch" && ${CC:-cc} -std=c11 -M -MG "$f" | tr -s ' \\' '\n' |
+            grep -E '(^|/)(lua|lauxlib|luaconf|lualib|machine)\.h$') || continue
+        echo "$f sees" $found
+        rc=1
+    done
+    [ $# -gt 0 ] && echo "$# files" && return $rc
+}
+cp -r --parents src fb platform "$scratch"
+check "no file of the cabinet sees Lua or machine.h" seen $(tree 'src/cab/*.c')
+check "no file of a port does" seen $(tree 'platform/*.c')
+check "a file of the board does" eval '! seen src/board/board.c'
+
+# planted HEADER INCLUDE FILE: the same with one line more in a header that the file includes
+planted() {
+    cp "$1" "$scratch/kept"
+    echo "#include $2" >>"$scratch/$1"
+    seen "$3"
+    local rc=$?
+    cp "$scratch/kept" "$scratch/$1"
+    return $rc
+}
+refuse "planted: Lua in the table that check reads" "check_lua.c sees lua.h" \
+    planted src/board/api_table.h '<lua.h>' src/cab/check/check_lua.c
+refuse "planted: the same, by way of two headers" "machine.h" planted src/chips/slots.h '"../board/machine.h"' src/cab/cli.c
+refuse "planted: the board's insides in a port's header" "machine.h" \
+    planted platform/platform.h '"../src/board/machine.h"' platform/null.c
+done_testing
