@@ -349,7 +349,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     return false;
 }
 
-/* One task's turn; true when it is over. */
+/* One task's turn; true when it has ended. */
 static bool turn(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
@@ -377,9 +377,9 @@ int tasks_run(lua_State *L)
     uint32_t next;
 
     for (uint32_t i = b->tasks.first; i != NONE; i = next) {
-        bool over = turn(b, L, i);
+        bool ended = turn(b, L, i);
         next = b->tasks.next[i]; /* after its turn: it may have started others */
-        if (over)
+        if (ended)
             drop(b, L, i);
     }
     slots_trim(&b->tasks.s);

@@ -58,7 +58,7 @@ static struct field field_named(lua_State *L, struct board *b, const char *what)
     return (struct field){ H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL, b->player.in };
 }
 
-static uint64_t apart(const struct field *f, uint32_t i, fx x, fx y)
+static uint64_t distance_squared(const struct field *f, uint32_t i, fx x, fx y)
 {
     int64_t dx = (int64_t)f->x[i] - x, dy = (int64_t)f->y[i] - y;
 
@@ -74,7 +74,7 @@ static void sift(lua_State *L, int list, lua_Integer i, lua_Integer n, const str
             lua_rawgeti(L, list, far);
             lua_rawgeti(L, list, c);
             uint32_t s = (uint32_t)lua_tointeger(L, -2), t = (uint32_t)lua_tointeger(L, -1);
-            uint64_t ds = apart(f, s, x, y), dt = apart(f, t, x, y);
+            uint64_t ds = distance_squared(f, s, x, y), dt = distance_squared(f, t, x, y);
             lua_pop(L, 2);
             if (dt > ds || (dt == ds && t > s))
                 far = c;
