@@ -7,70 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../platform/platform.h"
-#include "host/clean.h"
-#include "cli.h"
-
-enum { LINE = 2048 };
-
-/* ---- reports ---- */
-
-static void log_clean(char *s)
-{
-    clean_line(s);
-    fflush(stdout); /* what was printed before comes before, also where both go to one file */
-    plat_log(s);
-}
-
-int game_report(int code, const char *format, ...)
-{
-    char line[LINE] = "curtain: ";
-    size_t n = strlen(line);
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(line + n, sizeof line - n, format, args);
-    va_end(args);
-    log_clean(line);
-    return code;
-}
-
-int game_code(const char *err)
-{
-    static const char memory[] = "out of memory";
-    size_t n = strlen(err), tail = sizeof memory - 1;
-    bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
-
-    return host ? EXIT_HOST : EXIT_INPUT;
-}
-
-int game_refuse(const char *err)
-{
-    return game_report(game_code(err), "%s", err);
-}
-
-static void log_lines(const char *text)
-{
-    char line[LINE];
-
-    while (*text) {
-        size_t n = strcspn(text, "\n");
-        snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), text);
-        log_clean(line);
-        text += n + (text[n] == '\n');
-    }
-}
-
-int game_report_fault(const struct board_fault *fault, bool trace)
-{
-    char line[sizeof fault->message];
-
-    snprintf(line, sizeof line, "%s", fault->message);
-    log_clean(line);
-    if (trace)
-        log_lines(fault->trace);
-    return 2;
-}
+#include "host/report.h"
 
 /* ---- loading ---- */
 
@@ -292,9 +229,10 @@ static bool start_of_demo(struct game *g, const char *path, char *err, size_t er
     g->start = g->demo.start;
     const char *doubt = demo_doubt(&g->demo, &g->cart, buf, sizeof buf);
     if (doubt)
-        game_report(0, "%s: %s; it may not play as it was", path, doubt);
+        report_line(RESULT_DONE, "%s: %s; it may not play as it was", path, doubt);
     if (!g->demo.complete)
-        game_report(0, "%s: cut short (no end mark); playing the %u frames it has", path, (unsigned)g->demo.frames);
+        report_line(RESULT_DONE, "%s: cut short (no end mark); playing the %u frames it has", path,
+                    (unsigned)g->demo.frames);
     return true;
 }
 

@@ -11,8 +11,8 @@
 #include <string.h>
 #include "demo/bisect.h"
 #include "host/clean.h"
-#include "cli.h"
 #include "game.h"
+#include "host/report.h"
 #include "demo/moments.h"
 #include "demo/replay.h"
 
@@ -38,8 +38,8 @@ static void print_clean(const char *text)
     fputs(line, stdout);
 }
 
-/* What keeps a demo from being replayed, with its name in it; returns code. */
-static int refuse(const struct verify *v, int code, const char *format, ...)
+/* What keeps a demo from being replayed, with its name in it; returns result. */
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
 {
     char line[2048];
     va_list args;
@@ -48,10 +48,10 @@ static int refuse(const struct verify *v, int code, const char *format, ...)
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
     if (!v->batch)
-        return game_report(code, "%s", line);
+        return report_line(result, "%s", line);
     print_clean(line);
     putchar('\n');
-    return code;
+    return result;
 }
 
 static void say(const struct verify *v, const char *path, const char *format, ...)
@@ -247,31 +247,32 @@ static void say_more(const struct verify *v, const struct verdict *w)
 /* ---- demos ---- */
 
 /* Writes the replay as the demo: newest format, this ROM and core version, all prints and moments. */
-static int write_again(struct verify *v, const char *path)
+static enum result write_again(struct verify *v, const char *path)
 {
     char err[1200];
 
     if (demo_save(&v->again.demo, path, err, sizeof err))
-        return EXIT_DONE;
-    return refuse(v, EXIT_HOST, "%s", err);
+        return RESULT_DONE;
+    return refuse(v, RESULT_HOST, "%s", err);
 }
 
-static int judge(struct verify *v, const char *path)
+static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
-    int code = replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
+    enum result result =
+        replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
 
-    if (code != EXIT_DONE)
-        return refuse(v, code, "%s: %s", path, err);
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
-        code = write_again(v, path);
-    if (code != EXIT_DONE)
-        return code;
+        result = write_again(v, path);
+    if (result != RESULT_DONE)
+        return result;
     say_verdict(v, path, &w);
     if (v->a->verbose)
         say_more(v, &w);
-    return w.kind == VERDICT_HOLDS ? EXIT_DONE : EXIT_DIFFERS;
+    return w.kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
 /* ---- demos of another core version or build, recorded anew ---- */
@@ -364,7 +365,7 @@ static void tell_end(const struct verify *v, const struct rerun *o, struct tale 
 }
 
 /* The file has been written. */
-static int say_again(const struct verify *v, const char *path, const struct rerun *o)
+static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
 {
     struct tale t = { .same = true };
     struct moment_changes c;
@@ -372,7 +373,7 @@ static int say_again(const struct verify *v, const char *path, const struct reru
 
     if (!moments_compare(&c, &v->demo, &v->again.demo)) {
         free(c.list);
-        return refuse(v, EXIT_HOST, "%s: out of memory", path);
+        return refuse(v, RESULT_HOST, "%s: out of memory", path);
     }
     verdict_text(v, &o->first, text, sizeof text);
     tell(&t, "rerecorded: %s", text);
@@ -387,7 +388,7 @@ static int say_again(const struct verify *v, const char *path, const struct reru
         printf("  %s\n", text);
     }
     free(c.list);
-    return t.same ? EXIT_DONE : EXIT_DIFFERS;
+    return t.same ? RESULT_DONE : RESULT_DIFFERS;
 }
 
 /* Why a replay that differs is not the run on today's core; NULL: it is. */
@@ -400,7 +401,7 @@ static const char *no_rerun(const struct verify *v, const struct rerun *o)
     return o->end.kind == VERDICT_FAULT ? "the rest of it would be lost" : NULL;
 }
 
-static int leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
+static enum result leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
 {
     char text[1400];
 
@@ -410,51 +411,52 @@ static int leave_alone(const struct verify *v, const char *path, const struct re
             why);
     else
         say(v, path, "%s; not rerecorded: %s", text, why);
-    return EXIT_INPUT;
+    return RESULT_REFUSED;
 }
 
-static int rerecord(struct verify *v, const char *path)
+static enum result rerecord(struct verify *v, const char *path)
 {
     struct rerun o;
     char err[512];
-    int code = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
+    enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
-    if (code != EXIT_DONE)
-        return refuse(v, code, "%s: %s", path, err);
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
     if (why)
         return leave_alone(v, path, &o, why);
-    code = write_again(v, path);
-    return code == EXIT_DONE ? say_again(v, path, &o) : code;
+    result = write_again(v, path);
+    return result == RESULT_DONE ? say_again(v, path, &o) : result;
 }
 
-static int verify_loaded(struct verify *v, const char *path)
+static enum result verify_loaded(struct verify *v, const char *path)
 {
     char err[512], doubt[128];
 
     if (!demo_fits(&v->demo, &v->game.cart, err, sizeof err))
-        return refuse(v, EXIT_INPUT, "%s: %s", path, err);
+        return refuse(v, RESULT_REFUSED, "%s: %s", path, err);
     if (!v->demo.complete)
-        return refuse(v, EXIT_INPUT, "%s: cut short: it has %u frames and no end mark", path, (unsigned)v->demo.frames);
+        return refuse(v, RESULT_REFUSED, "%s: cut short: it has %u frames and no end mark", path,
+                      (unsigned)v->demo.frames);
     v->doubt[0] = 0;
     if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
     return v->a->rerecord ? rerecord(v, path) : judge(v, path);
 }
 
-static int verify_demo(struct verify *v, const char *path)
+static enum result verify_demo(struct verify *v, const char *path)
 {
     char err[1200];
-    int code;
+    enum result result;
 
     if (demo_load(&v->demo, path, err, sizeof err))
-        code = verify_loaded(v, path);
+        result = verify_loaded(v, path);
     else
-        code = refuse(v, game_code(err), "%s", err);
+        result = refuse(v, report_cause(err), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
-    return code;
+    return result;
 }
 
 /* ---- names ---- */
@@ -481,55 +483,67 @@ static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
     return n > 0;
 }
 
-static int verify_stdin(struct verify *v)
+static enum result verify_stdin(struct verify *v)
 {
     char name[DEMO_PATH];
-    int worst = EXIT_DONE;
+    enum result worst = RESULT_DONE;
     bool whole;
 
     v->batch = true;
     while (next_name(name, v->a->null, &whole)) {
-        int code = whole ? verify_demo(v, name) : refuse(v, EXIT_INPUT, "%s: the name is too long", name);
-        worst = code > worst ? code : worst;
+        enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: the name is too long", name);
+        worst = result > worst ? result : worst;
     }
     return worst;
 }
 
-static int verify_words(struct verify *v)
+static enum result verify_words(struct verify *v)
 {
-    int worst = EXIT_DONE;
+    enum result worst = RESULT_DONE;
 
     for (int i = 1; i < v->a->n_words; i++) {
-        int code = verify_demo(v, v->a->words[i]);
-        worst = code > worst ? code : worst;
+        enum result result = verify_demo(v, v->a->words[i]);
+        worst = result > worst ? result : worst;
     }
     return worst;
 }
 
-static int verify_all(struct verify *v, const struct args *a)
+static enum result verify_all(struct verify *v, const struct args *a)
 {
     char err[1024];
     bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
 
     v->a = a;
     if (a->null && !listed)
-        return game_report(EXIT_INPUT, "--null goes with names from standard input: verify ROM -");
+        return report_line(RESULT_REFUSED, "--null goes with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
-        return game_refuse(err);
-    int code = listed ? verify_stdin(v) : verify_words(v);
+        return report_error(err);
+    enum result result = listed ? verify_stdin(v) : verify_words(v);
     replay_close(&v->replay);
     game_close(&v->game);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return code;
+    return report_stdout(result);
 }
 
-int verify_run(const struct args *a)
+static enum result bisect(const struct args *a)
+{
+    char err[2200];
+
+    if (a->n_words != 2)
+        return report_line(RESULT_REFUSED, "verify --bisect: expected two files that hash printed");
+    if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
+        return report_line(RESULT_REFUSED, "verify --bisect: only one of the two can be standard input");
+    enum result result = bisect_paths(a->words[0], a->words[1], err, sizeof err);
+    if (result > RESULT_DIFFERS)
+        return report_line(result, "%s", err);
+    return report_stdout(result);
+}
+
+enum result verify_run(const struct args *a)
 {
     if (a->bisect)
-        return bisect_run(a);
+        return bisect(a);
     struct verify *v = calloc(1, sizeof *v); /* large for a stack: it holds several nvram images */
-    int code = v ? verify_all(v, a) : game_report(EXIT_HOST, "out of memory");
+    enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST, "out of memory");
     free(v);
-    return code;
+    return result;
 }

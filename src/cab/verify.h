@@ -15,7 +15,7 @@
  *     PATH: rerecorded: holds, N frames[...][ (DOUBT)]
  *     PATH: rerecorded: DIFFERENCE; score A -> B; moments: WHAT F -> G, ...; length N as before[ (DOUBT)]
  *
- * and when it was not (code 2)
+ * and when it was not (RESULT_REFUSED)
  *
  *     PATH: DIFFERENCE[; length N -> F]; not rerecorded: WHY[ (DOUBT)]
  *
@@ -25,8 +25,9 @@
 #define CAB_VERIFY_H
 
 #include "args.h"
+#include "host/result.h"
 
-/* Returns the worst exit code of all demos. */
-int verify_run(const struct args *a);
+/* Returns the worst result of all demos. */
+enum result verify_run(const struct args *a);
 
 #endif

@@ -10,9 +10,8 @@
 #include "../../../platform/platform.h"
 #include "check_parts.h"
 #include "../host/clean.h"
-#include "../cli.h"
 #include "../host/files.h"
-#include "../game.h"
+#include "../host/report.h"
 
 bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size)
 {
@@ -98,20 +97,20 @@ static void ignore_file(void *user, const struct plat_file *file)
     (void)file;
 }
 
-/* False, and the exit code: it is not a game's folder. */
-static bool open_folder(struct check *c, int *code)
+/* False, and the result: it is not a game's folder. */
+static bool open_folder(struct check *c, enum result *result)
 {
     char err[2 * TREE_PATH];
 
-    *code = EXIT_INPUT;
+    *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
-        game_report(*code, "%s: is a file; check takes a game's folder", c->dir);
+        report_line(*result, "%s: is a file; check takes a game's folder", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
-        game_report(*code, "%s", files_absent(c->dir, "folder", err, sizeof err));
+        report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
-        *code = game_refuse(err);
+        *result = report_error(err);
     else if (!tree_has(&c->files, "rom.lua"))
-        game_report(*code, "%s: is not a game's folder: there is no rom.lua", c->dir);
+        report_line(*result, "%s: is not a game's folder: there is no rom.lua", c->dir);
     else
         return true;
     return false;
@@ -167,7 +166,7 @@ static void say_fine(const struct check *c)
     say(line);
 }
 
-static int report(struct check *c)
+static enum result report(struct check *c)
 {
     char problems[32];
 
@@ -178,12 +177,10 @@ static int report(struct check *c)
         say_fine(c);
     else
         printf("%s%s\n", problems, c->broken ? "; the game was not run, for it cannot be packed" : "");
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return c->found.n > 0 ? EXIT_DIFFERS : EXIT_DONE;
+    return report_stdout(c->found.n > 0 ? RESULT_DIFFERS : RESULT_DONE);
 }
 
-static int check_all(struct check *c)
+static enum result check_all(struct check *c)
 {
     check_manifest(c);
     check_scripts(c);
@@ -193,22 +190,22 @@ static int check_all(struct check *c)
     if (!c->broken)
         check_run(c);
     if (c->found.failed || c->known.failed || c->open.failed || c->changed.failed)
-        return game_report(EXIT_HOST, "out of memory");
+        return report_line(RESULT_HOST, "out of memory");
     return report(c);
 }
 
-int check_game(const struct args *a)
+enum result check_game(const char *dir, bool nearest)
 {
     struct check *c = calloc(1, sizeof *c);
-    int code;
+    enum result result;
 
     if (c == NULL)
-        return game_report(EXIT_HOST, "out of memory");
-    c->dir = a->words[0];
-    c->nearest = a->nearest;
-    if (open_folder(c, &code))
-        code = check_all(c);
+        return report_line(RESULT_HOST, "out of memory");
+    c->dir = dir;
+    c->nearest = nearest;
+    if (open_folder(c, &result))
+        result = check_all(c);
     check_close(c);
     free(c);
-    return code;
+    return result;
 }

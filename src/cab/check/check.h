@@ -9,9 +9,11 @@
 #ifndef CAB_CHECK_H
 #define CAB_CHECK_H
 
-#include "../args.h"
+#include <stdbool.h>
+#include "../host/result.h"
 
-/* Checks the folder a->words[0]. Returns an exit code of cli.h: 0 nothing found, 1 findings, 2 not a game's folder. */
-int check_game(const struct args *a);
+/* Checks the folder; nearest: as pack. RESULT_DONE: nothing was found; RESULT_DIFFERS: findings; RESULT_REFUSED: not a game's
+ * folder, as plat_log says. */
+enum result check_game(const char *dir, bool nearest);
 
 #endif

@@ -13,9 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../host/clean.h"
-#include "../cli.h"
 #include "demo.h"
-#include "../game.h"
 
 enum {
     LINE = 1 << 16,
@@ -437,7 +435,7 @@ static bool compare(struct bisect *s)
     return s->a.trace ? compare_traces(s) : compare_tracks(s);
 }
 
-static int report(const struct bisect *s)
+static enum result print_report(const struct bisect *s)
 {
     if (s->found > MOST)
         printf("  and %lu more\n", s->found - MOST);
@@ -446,7 +444,7 @@ static int report(const struct bisect *s)
     if (s->found == 0)
         printf("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
                (unsigned)s->first, (unsigned)s->frame);
-    return s->found ? EXIT_DIFFERS : EXIT_DONE;
+    return s->found ? RESULT_DIFFERS : RESULT_DONE;
 }
 
 /* A path as it is printed. */
@@ -457,22 +455,22 @@ static const char *shown(char out[DEMO_PATH], const char *path)
     return out;
 }
 
-int bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
+enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
 {
     struct bisect *s = calloc(1, sizeof *s);
     char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH];
-    int code = EXIT_HOST;
+    enum result result = RESULT_HOST;
 
     if (s && lines) {
         s->a = (struct side){ .path = shown(names[0], a_name), .file = a, .text = lines };
         s->b = (struct side){ .path = shown(names[1], b_name), .file = b, .text = lines + LINE };
-        code = compare(s) ? report(s) : EXIT_INPUT;
+        result = compare(s) ? print_report(s) : RESULT_REFUSED;
     }
-    if (code == EXIT_HOST || code == EXIT_INPUT)
-        snprintf(err, err_size, "%s", code == EXIT_INPUT ? s->err : "out of memory");
+    if (result == RESULT_HOST || result == RESULT_REFUSED)
+        snprintf(err, err_size, "%s", result == RESULT_REFUSED ? s->err : "out of memory");
     free(lines);
     free(s);
-    return code;
+    return result;
 }
 
 /* Opens a file; "-" is standard input, and called so. */
@@ -484,34 +482,18 @@ static FILE *open_input(const char **path)
     return stdin;
 }
 
-static int compare_paths(const char *a, const char *b, char *err, size_t err_size)
+enum result bisect_paths(const char *a, const char *b, char *err, size_t err_size)
 {
     FILE *first = open_input(&a), *second = first ? open_input(&b) : NULL;
-    int code = EXIT_INPUT;
+    enum result result = RESULT_REFUSED;
 
     if (second)
-        code = bisect_files(first, a, second, b, err, err_size);
+        result = bisect_files(first, a, second, b, err, err_size);
     else
         snprintf(err, err_size, "%s: %s", first ? b : a, strerror(errno));
     if (first && first != stdin)
         fclose(first);
     if (second && second != stdin)
         fclose(second);
-    return code;
-}
-
-int bisect_run(const struct args *a)
-{
-    char err[2200];
-
-    if (a->n_words != 2)
-        return game_report(EXIT_INPUT, "verify --bisect: expected two files that hash printed");
-    if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
-        return game_report(EXIT_INPUT, "verify --bisect: only one of the two can be standard input");
-    int code = compare_paths(a->words[0], a->words[1], err, sizeof err);
-    if (code == EXIT_INPUT || code == EXIT_HOST)
-        return game_report(code, "%s", err);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return code;
+    return result;
 }

@@ -6,8 +6,7 @@
 
 #include <stdio.h>
 #include <string.h>
-#include "../../../platform/platform.h"
-#include "../host/clean.h"
+#include "../host/report.h"
 #include "guard.h"
 
 enum { PATIENCE = 10000 /* frames */ };
@@ -102,20 +101,6 @@ static bool hear(struct pieces *p, const struct board_mark *m)
     return false;
 }
 
-static void pass_on_log(const struct board_out *out)
-{
-    char line[512];
-
-    for (size_t i = 0; i < out->log_size;) {
-        const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
-        size_t n = end ? (size_t)(end - from) : out->log_size - i;
-        snprintf(line, sizeof line, "curtain: %.*s", (int)(n < sizeof line - 16 ? n : sizeof line - 16), from);
-        clean_line(line);
-        plat_log(line);
-        i += n + 1;
-    }
-}
-
 /* Ticks until all is told. */
 static void listen(struct pieces *p, struct guard *g, bool log)
 {
@@ -128,7 +113,7 @@ static void listen(struct pieces *p, struct guard *g, bool log)
         for (int i = 0; i < out->marks; i++)
             done |= hear(p, &out->mark[i]);
         if (log)
-            pass_on_log(out);
+            report_log(out, "curtain: ");
     }
     if (out->fault)
         snprintf(p->why, sizeof p->why, "%s", out->fault->message);
