@@ -8,10 +8,10 @@
 #include "bisect.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/err.h"
 #include "../host/clean.h"
 #include "demo.h"
 
@@ -45,16 +45,6 @@ struct bisect {
     unsigned long found;
     char err[2200];
 };
-
-static bool fail(struct bisect *s, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(s->err, sizeof s->err, format, args);
-    va_end(args);
-    return false;
-}
 
 /* ---- lines ---- */
 
@@ -146,9 +136,9 @@ static bool in_order(const struct side *now, const struct side *before)
 static bool read_failed(struct bisect *s, struct side *f)
 {
     if (ferror(f->file))
-        return fail(s, "%s: cannot be read", f->path);
+        return err_set(s->err, sizeof s->err, "%s: cannot be read", f->path);
     f->end = true;
-    return f->line > 0 || fail(s, "%s: empty", f->path);
+    return f->line > 0 || err_set(s->err, sizeof s->err, "%s: empty", f->path);
 }
 
 static bool next(struct bisect *s, struct side *f)
@@ -163,15 +153,15 @@ static bool next(struct bisect *s, struct side *f)
     f->line++;
     n = strlen(f->text);
     if (n == 0 || f->text[n - 1] != '\n')
-        return fail(s, "%s:%lu: the line is cut short", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: the line is cut short", f->path, f->line);
     f->text[n - 1] = 0;
     char *p = f->text;
     bool number = take_number(take_word(&p), &f->frame);
     f->trace = !is_hash(p);
     if (!number || !(f->trace ? parse_trace(f, p) : parse_track(f, p)))
-        return fail(s, "%s:%lu: not a line of \"hash\" or \"hash --trace\"", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: not a line of \"hash\" or \"hash --trace\"", f->path, f->line);
     if (!in_order(f, &before))
-        return fail(s, "%s:%lu: out of order", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: out of order", f->path, f->line);
     return true;
 }
 
@@ -296,13 +286,13 @@ static bool apart(struct bisect *s)
     const struct side *a = &s->a, *b = &s->b;
 
     if (a->end || b->end)
-        return fail(s, "%s ends in frame %u, %s goes on; as far as they go they are equal", (a->end ? a : b)->path,
-                    (unsigned)s->frame, (a->end ? b : a)->path);
+        return err_set(s->err, sizeof s->err, "%s ends in frame %u, %s goes on; as far as they go they are equal",
+                       (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
-        return fail(s, "%s:%lu has part %s, %s:%lu part %s: not traces of the same parts", a->path, a->line, a->part,
-                    b->path, b->line, b->part);
-    return fail(s, "%s:%lu has frame %u, %s:%lu frame %u: not of the same frames", a->path, a->line, (unsigned)a->frame,
-                b->path, b->line, (unsigned)b->frame);
+        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: not traces of the same parts",
+                       a->path, a->line, a->part, b->path, b->line, b->part);
+    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: not of the same frames", a->path,
+                   a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
 /* A slot's line, and the other file's next one belongs to a later slot, part or frame. */
@@ -430,8 +420,8 @@ static bool compare(struct bisect *s)
     if (!next_both(s))
         return false;
     if (s->a.trace != s->b.trace)
-        return fail(s, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track", s->b.path,
-                    s->b.trace ? "trace" : "track");
+        return err_set(s->err, sizeof s->err, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track",
+                       s->b.path, s->b.trace ? "trace" : "track");
     return s->a.trace ? compare_traces(s) : compare_tracks(s);
 }
 

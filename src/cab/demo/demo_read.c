@@ -4,10 +4,10 @@
  * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are in
  * the file one by one.
  */
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../base/err.h"
 #include "../../base/hash.h"
 #include "demo_parts.h"
 
@@ -89,19 +89,9 @@ static void take_str(struct source *s, char *out, size_t size)
     out[n] = 0;
 }
 
-static bool fail(struct parse *p, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(p->err, p->err_size, format, args);
-    va_end(args);
-    return false;
-}
-
 static bool damaged(struct parse *p, const char *what)
 {
-    return fail(p, "the record at byte %zu is damaged (%s)", p->at, what);
+    return err_set(p->err, p->err_size, "the record at byte %zu is damaged (%s)", p->at, what);
 }
 
 static bool good_id(const char *id)
@@ -256,9 +246,9 @@ static bool read_second(struct parse *p, struct source *s)
     if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
         return damaged(p, "number of frames");
     if (d->frames + n > DEMO_MAX_FRAMES)
-        return fail(p, "longer than %d frames", DEMO_MAX_FRAMES);
+        return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
     if (!demo_room_frames(d, n) || !demo_room_second(d))
-        return fail(p, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the memory there is");
     if (!take_runs(s, d, n, runs))
         return damaged(p, "pads");
     take_hashes(s, d, n, hashed);
@@ -288,7 +278,7 @@ static bool read_moment(struct parse *p, struct source *s)
     if (d->format < 3 || d->seconds == 0 || m.frame < before || m.frame > d->frames || m.mark.kind >= MARK_KINDS)
         return damaged(p, "a moment");
     if (!demo_room_moment(d))
-        return fail(p, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the memory there is");
     d->moment[d->moments++] = m;
     return true;
 }
@@ -371,8 +361,9 @@ static bool read_records(struct parse *p, const uint8_t *data, size_t size)
         p->at += RECORD_OVER + n;
     }
     if (!p->header)
-        return fail(p, "cut short in its header");
-    return p->d->complete && p->at < size ? fail(p, "has %zu bytes after its end", size - p->at) : true;
+        return err_set(p->err, p->err_size, "cut short in its header");
+    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "has %zu bytes after its end", size - p->at)
+                                          : true;
 }
 
 bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
@@ -381,12 +372,13 @@ bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size
 
     memset(d, 0, sizeof *d);
     if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
-        return fail(&p, "not a demo");
+        return err_set(err, err_size, "not a demo");
     d->format = get32(data + 4);
     if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
-        return fail(&p, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST, DEMO_FORMAT);
+        return err_set(err, err_size, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
+                       DEMO_FORMAT);
     if (size > DEMO_MAX_BYTES)
-        return fail(&p, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
+        return err_set(err, err_size, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
     if (read_records(&p, data, size))
         return true;
     demo_free(d);
