@@ -149,11 +149,11 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
         if (stage[i] < 32 || stage[i] > 126)
             return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
     }
-    if (n >= sizeof g->start.practice.mark)
-        return err_set(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.mark - 1);
+    if (n >= sizeof g->start.practice.section)
+        return err_set(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.section - 1);
     if (strcmp(stage, PRACTICE_LIST) == 0)
         return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE, got \"%s\"", stage);
-    memcpy(g->start.practice.mark, stage, n + 1);
+    memcpy(g->start.practice.section, stage, n + 1);
     return true;
 }
 

@@ -13,7 +13,7 @@
 #include "host/clean.h"
 #include "game.h"
 #include "host/report.h"
-#include "demo/moments.h"
+#include "demo/markers.h"
 #include "demo/replay.h"
 
 struct verify {
@@ -123,7 +123,7 @@ static void say_verdict(const struct verify *v, const char *path, const struct v
 static void say_hashes(const struct verify *v, const struct verdict *w)
 {
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
-    const uint16_t *prints = demo_prints(&v->demo, w->frame);
+    const uint16_t *checksums = demo_checksums(&v->demo, w->frame);
 
     for (int i = 0; i < v->demo.parts; i++) {
         unsigned long long here = v->replay.hashes[i];
@@ -134,54 +134,54 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         else if (row)
             printf("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
         else
-            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)prints[i],
+            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)checksums[i],
                    (unsigned)(here & 0xffff));
     }
 }
 
-/* The moments a frame lies in: of each kind the last, or NULL when what came after it ended it. */
-static void moments_at(const struct demo *d, uint32_t frame, const struct demo_moment *in[MARK_KINDS])
+/* The markers a frame lies in: of each kind the last, or NULL when what came after it ended it. */
+static void markers_at(const struct demo *d, uint32_t frame, const struct demo_marker *in[MARKER_KINDS])
 {
-    static const unsigned ends[MARK_KINDS] = {
-        [MARK_STAGE] = 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_POINT] = 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_WAVE] = 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_BOSS] = 1 << MARK_WAVE | 1 << MARK_PHASE,
-        [MARK_WON] = 1 << MARK_PHASE,
-        [MARK_LOST] = 1 << MARK_PHASE,
-        [MARK_CLEAR] = 1 << MARK_STAGE | 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_START] = (1 << (MARK_DEATH + 1)) - 1,
+    static const unsigned ends[MARKER_KINDS] = {
+        [MARKER_STAGE] = 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_MARK] = 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_WAVE] = 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_BOSS] = 1 << MARKER_WAVE | 1 << MARKER_PHASE,
+        [MARKER_WON] = 1 << MARKER_PHASE,
+        [MARKER_LOST] = 1 << MARKER_PHASE,
+        [MARKER_CLEAR] = 1 << MARKER_STAGE | 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_START] = (1 << (MARKER_DEATH + 1)) - 1,
     };
 
-    memset(in, 0, sizeof in[0] * MARK_KINDS);
-    for (uint32_t i = 0; i < d->moments && d->moment[i].frame <= frame; i++) {
-        enum board_mark_kind kind = d->moment[i].mark.kind;
-        in[kind] = &d->moment[i];
-        for (int k = 0; k < MARK_KINDS; k++)
+    memset(in, 0, sizeof in[0] * MARKER_KINDS);
+    for (uint32_t i = 0; i < d->n_markers && d->markers[i].frame <= frame; i++) {
+        enum board_marker_kind kind = d->markers[i].marker.kind;
+        in[kind] = &d->markers[i];
+        for (int k = 0; k < MARKER_KINDS; k++)
             in[k] = ends[kind] >> k & 1 ? NULL : in[k];
     }
 }
 
 /* "in stage one, boss queen, phase bloom, 12.3 s after it began; player 1 died 2.0 s before" */
-static void say_moment(const struct demo *d, uint32_t frame)
+static void say_place(const struct demo *d, uint32_t frame)
 {
-    static const char *const kinds[MARK_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
-    const struct demo_moment *in[MARK_KINDS], *last = NULL, *death;
+    static const char *const kinds[MARKER_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
+    const struct demo_marker *in[MARKER_KINDS], *last = NULL, *death;
 
-    moments_at(d, frame, in);
-    for (int k = 0; k < MARK_DEATH; k++) {
+    markers_at(d, frame, in);
+    for (int k = 0; k < MARKER_DEATH; k++) {
         if (!in[k])
             continue;
-        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->mark.name);
+        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->marker.name);
         last = !last || in[k]->frame > last->frame ? in[k] : last;
     }
     if (last)
         printf(", %.1f s after it began", (frame - last->frame) / 60.0);
     else
         printf("  %.1f s after power-on", frame / 60.0);
-    death = in[MARK_DEATH];
+    death = in[MARKER_DEATH];
     if (death)
-        printf("; player %s died %.1f s before", death->mark.name, (frame - death->frame) / 60.0);
+        printf("; player %s died %.1f s before", death->marker.name, (frame - death->frame) / 60.0);
     putchar('\n');
 }
 
@@ -223,10 +223,10 @@ static void say_header(const struct demo *d)
     printf("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format, (unsigned)d->core,
            d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
     printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
-           d->start.practice.mark[0] ? "from " : "from power-on", d->start.practice.mark);
+           d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? flags[i] : "");
-    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->moments);
+    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -238,7 +238,7 @@ static void say_more(const struct verify *v, const struct verdict *w)
         return;
     if (w->kind == VERDICT_DIFFERS)
         say_hashes(v, w);
-    say_moment(&v->demo, w->frame);
+    say_place(&v->demo, w->frame);
     say_pads(&v->demo, w->frame);
     if (fault && fault->trace[0])
         say_trace(fault->trace);
@@ -246,7 +246,7 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
-/* Writes the replay as the demo: newest format, this ROM and core version, all prints and moments. */
+/* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
 static enum result write_again(struct verify *v, const char *path)
 {
     char err[1200];
@@ -333,9 +333,9 @@ static void tell_points(const struct verify *v, const struct rerun *o, struct ta
         tell(t, "; score not told -> %s", now);
 }
 
-enum { MOMENTS_TOLD = 4 }; /* on the line; --verbose prints all */
+enum { MARKERS_TOLD = 4 }; /* on the line; --verbose prints all */
 
-static void tell_moments(const struct verify *v, const struct moment_changes *c, struct tale *t)
+static void tell_markers(const struct verify *v, const struct marker_changes *c, struct tale *t)
 {
     char text[96];
 
@@ -346,12 +346,12 @@ static void tell_moments(const struct verify *v, const struct moment_changes *c,
     }
     t->same &= c->n == 0;
     tell(t, c->n ? "; moments: " : "; moments as before");
-    for (uint32_t i = 0; i < c->n && i < MOMENTS_TOLD; i++) {
-        moments_text(&c->list[i], text, sizeof text);
+    for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
+        markers_text(&c->list[i], text, sizeof text);
         tell(t, "%s%s", i ? ", " : "", text);
     }
-    if (c->n > MOMENTS_TOLD)
-        tell(t, " and %u more", (unsigned)c->n - MOMENTS_TOLD);
+    if (c->n > MARKERS_TOLD)
+        tell(t, " and %u more", (unsigned)c->n - MARKERS_TOLD);
 }
 
 static void tell_end(const struct verify *v, const struct rerun *o, struct tale *t)
@@ -368,10 +368,10 @@ static void tell_end(const struct verify *v, const struct rerun *o, struct tale 
 static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
 {
     struct tale t = { .same = true };
-    struct moment_changes c;
+    struct marker_changes c;
     char text[1400];
 
-    if (!moments_compare(&c, &v->demo, &v->again.demo)) {
+    if (!markers_compare(&c, &v->demo, &v->again.demo)) {
         free(c.list);
         return refuse(v, RESULT_HOST, "%s: out of memory", path);
     }
@@ -379,12 +379,12 @@ static enum result say_again(const struct verify *v, const char *path, const str
     tell(&t, "rerecorded: %s", text);
     if (o->first.kind != VERDICT_HOLDS) {
         tell_points(v, o, &t);
-        tell_moments(v, &c, &t);
+        tell_markers(v, &c, &t);
         tell_end(v, o, &t);
     }
     say(v, path, "%s", t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
-        moments_text(&c.list[i], text, sizeof text);
+        markers_text(&c.list[i], text, sizeof text);
         printf("  %s\n", text);
     }
     free(c.list);

@@ -34,7 +34,7 @@ static int setup(void **state)
     if (!rig_demo(&game, "attract", &attract))
         return -1;
     attract.frames = FRAMES; /* the first of them will do */
-    attract.printed = FRAMES;
+    attract.checksum_frames = FRAMES;
     attract.seconds = FRAMES / DEMO_SECOND + 1;
     if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != RESULT_DONE || v.kind != VERDICT_HOLDS)
         return -1;

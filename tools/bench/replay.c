@@ -94,7 +94,7 @@ void section_replay(void)
     change_game(changed);
     double whole = reload(&cart, &demo.start, &demo, FIVE_MINUTES, changed);
     phase = demo.start;
-    snprintf(phase.practice.mark, sizeof phase.practice.mark, "one");
+    snprintf(phase.practice.section, sizeof phase.practice.section, "one");
     double piece = reload(&cart, &phase, &demo, MINUTE, changed);
     remove_game(changed);
 

@@ -73,13 +73,14 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 /* No change of RAM: only the cabinet hears of it. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
-                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+    static const char *const kinds[MARKER_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
+                                                     "won",   "lost",  "start", "ship", "register", "listed" };
     const char *of = v[2].given ? lua_tostring(L, v[2].at) : "", *title = v[3].given ? lua_tostring(L, v[3].at) : "";
 
-    for (int k = 0; k < MARK_KINDS; k++)
+    for (int k = 0; k < MARKER_KINDS; k++)
         if (!strcmp(kinds[k], lua_tostring(L, v[0].at)))
-            return board_mark(b, (enum board_mark_kind)k, lua_tostring(L, v[1].at), of, title, (int32_t)v[4].i), 0;
+            return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[1].at), of, title, (int32_t)v[4].i),
+                   0;
     return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[0].at));
 }
 
@@ -100,7 +101,7 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
 
     (void)v;
     b->vm.asked = true;
-    lua_pushstring(L, p->mark);
+    lua_pushstring(L, p->section);
     lua_createtable(L, 0, 2);
     lua_pushinteger(L, p->lives);
     lua_setfield(L, -2, "lives");

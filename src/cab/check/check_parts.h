@@ -44,7 +44,7 @@ struct check {
     struct known known, open, changed; /* open: globals handed around; changed: what scripts have put into places */
     bool any_global;                   /* scripts may have made new ones */
     int demos;                         /* that were played */
-    int pieces;                        /* stages and phases that were */
+    int sections;                      /* stages and phases that were */
     size_t lua_most;                   /* bytes of Lua RAM, at most at one time in any run */
 };
 

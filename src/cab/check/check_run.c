@@ -12,15 +12,15 @@
 #include "../../board/rom/cart.h"
 #include "../demo/demo.h"
 #include "../run/guard.h"
-#include "../run/pieces.h"
+#include "../run/sections.h"
 #include "../pack/pack.h"
 
 enum {
-    IDLE_FRAMES = 600,    /* of a game without demos */
-    MOST_FRAMES = 36000,  /* of a demo: ten minutes */
-    PIECE_FRAMES = 18000, /* of a stage or a phase: five minutes */
-    SWEEP = 40,           /* frames a ship flies one way meanwhile */
-    MOST_LUA = 75         /* percent of board.lua_kib */
+    IDLE_FRAMES = 600,      /* of a game without demos */
+    MOST_FRAMES = 36000,    /* of a demo: ten minutes */
+    SECTION_FRAMES = 18000, /* of a stage or a phase: five minutes */
+    SWEEP = 40,             /* frames a ship flies one way meanwhile */
+    MOST_LUA = 75           /* percent of board.lua_kib */
 };
 
 #define ALL UINT32_MAX /* frames */
@@ -133,54 +133,54 @@ static void run_idle(struct run *r)
     finish(r);
 }
 
-/* ---- pieces ---- */
+/* ---- sections ---- */
 
 /* Is the stage cleared, or the phase won or lost? */
-static bool piece_over(const struct board_out *out)
+static bool section_over(const struct board_out *out)
 {
-    for (int i = 0; i < out->marks; i++) {
-        enum board_mark_kind kind = out->mark[i].kind;
-        if (kind == MARK_CLEAR || kind == MARK_WON || kind == MARK_LOST)
+    for (int i = 0; i < out->markers; i++) {
+        enum board_marker_kind kind = out->marker[i].kind;
+        if (kind == MARKER_CLEAR || kind == MARKER_WON || kind == MARKER_LOST)
             return true;
     }
     return false;
 }
 
-/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are pieces
+/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are sections
  * too: what a stage's phase ends does not end the stage. */
-static void run_piece(struct run *r, const struct piece *piece)
+static void run_section(struct run *r, const struct section *section)
 {
     static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
     struct board_start start = plain_start(r);
     bool over = false;
 
-    r->what = piece->mark;
-    snprintf(start.practice.mark, sizeof start.practice.mark, "%s", piece->mark);
+    r->what = section->id;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
     start.practice.invincible = true;
     if (!power(r, &start))
         return;
-    for (int f = 0; f < PIECE_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+    for (int f = 0; f < SECTION_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
         const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
-        over = piece->kind == PIECE_PHASE && piece_over(out);
-        for (int i = 0; i < out->marks; i++)
-            over = over || out->mark[i].kind == MARK_CLEAR;
+        over = section->kind == SECTION_PHASE && section_over(out);
+        for (int i = 0; i < out->markers; i++)
+            over = over || out->marker[i].kind == MARKER_CLEAR;
     }
     finish(r);
-    r->c->pieces++;
+    r->c->sections++;
 }
 
-static void run_pieces(struct run *r)
+static void run_sections(struct run *r)
 {
     struct board_start start = plain_start(r);
-    struct pieces *list = calloc(1, sizeof *list);
+    struct sections *list = calloc(1, sizeof *list);
 
     r->c->found.failed = r->c->found.failed || list == NULL;
     if (list == NULL)
         return;
-    pieces_list(list, &r->image.rom, &start, false);
+    sections_list(list, &r->image.rom, &start, false);
     for (int i = 0; i < list->n; i++)
-        if (list->piece[i].kind == PIECE_STAGE || list->piece[i].kind == PIECE_PHASE)
-            run_piece(r, &list->piece[i]);
+        if (list->section[i].kind == SECTION_STAGE || list->section[i].kind == SECTION_PHASE)
+            run_section(r, &list->section[i]);
     free(list);
 }
 
@@ -294,7 +294,7 @@ static void run_all(struct run *r)
             run_demo(r, files->name[i]);
     if (r->most == 0)
         run_idle(r);
-    run_pieces(r);
+    run_sections(r);
     judge_memory(r);
 }
 

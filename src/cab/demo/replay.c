@@ -29,15 +29,15 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
 }
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
- * of them has prints. */
+ * of them has checksums. */
 static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 {
-    if (frame == 0 || parts & d->printing)
+    if (frame == 0 || parts & d->checksum_parts)
         return frame;
     return (frame - 1) / DEMO_SECOND * DEMO_SECOND + 1;
 }
 
-/* Compares the board with prints and track; true: it is as recorded. */
+/* Compares the board with checksums and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     board_hashes_again(r->guard.board, r->copies, r->board);
@@ -94,7 +94,7 @@ static int part_of_points(const struct demo *d)
 /* Does a demo say what part i was after a frame? */
 static bool is_told(const struct demo *d, uint32_t frame, int i)
 {
-    return demo_hashes(d, frame) || (d->printing >> i & 1 && demo_prints(d, frame));
+    return demo_hashes(d, frame) || (d->checksum_parts >> i & 1 && demo_checksums(d, frame));
 }
 
 /* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.

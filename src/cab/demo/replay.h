@@ -11,7 +11,7 @@
 #include "../run/guard.h"
 
 enum verdict_kind {
-    VERDICT_HOLDS,    /* every print and row, and the fault if it ends in one */
+    VERDICT_HOLDS,    /* every checksum and row, and the fault if it ends in one */
     VERDICT_DIFFERS,  /* .parts */
     VERDICT_FAULT,    /* a fault that is not in the demo */
     VERDICT_NO_FAULT, /* the fault it was recorded with does not happen */
@@ -20,7 +20,7 @@ enum verdict_kind {
 struct verdict {
     enum verdict_kind kind;
     uint32_t first,
-        frame;        /* it happened in one of these frames; the same but for parts that have no prints (format 2) */
+        frame;        /* it happened in one of these frames; the same but for parts that have no checksums (format 2) */
     uint32_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
     uint32_t missing; /* those of them that this build's board does not have */
 };

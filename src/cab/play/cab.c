@@ -100,7 +100,7 @@ static bool keeps_nvram(void)
     const struct session *s = &cab.session;
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
-    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] &&
+    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
            !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 
@@ -126,7 +126,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     char name[CAB_NAME];
     nvram_name(name);
     long size = plat_size(name);
-    if (start->nvram || start->practice.mark[0] || cab.options.demo || size < 0)
+    if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
         return NULL;
     size = size < NVRAM_MOST ? size : NVRAM_MOST;
     uint8_t *image = malloc((size_t)size + 1);
