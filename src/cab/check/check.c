@@ -18,11 +18,11 @@ bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, s
     char full[TREE_PATH], err[TREE_PATH + 64];
 
     if (!tree_join(full, c->dir, path))
-        findings_add(&c->found, path, 0, "the path is too long");
+        diagnostics_add(&c->found, path, 0, "the path is too long");
     else if (tree_load(full, path, max, data, size, err, sizeof err))
         return true;
     else
-        findings_add_sentence(&c->found, path, err);
+        diagnostics_add_sentence(&c->found, path, err);
     c->broken = true;
     return false;
 }
@@ -39,7 +39,7 @@ static int named_line(const struct check *c, const char *at, size_t n)
     snprintf(words, sizeof words, "%.*s", (int)n, at);
     for (char *w = strtok(words, ".["); w != NULL && k < 15; w = strtok(NULL, ".["))
         path[k++] = w;
-    return facts_line(&c->rom, path);
+    return symbols_line(&c->rom, path);
 }
 
 void check_rom_sentence(struct check *c, const char *sentence)
@@ -49,9 +49,9 @@ void check_rom_sentence(struct check *c, const char *sentence)
     size_t n = named ? strcspn(rest, ": ") : 0;
 
     if (n > 0 && rest[n] == ':')
-        findings_add(&c->found, "rom.lua", named_line(c, rest, n), "%s", rest);
+        diagnostics_add(&c->found, "rom.lua", named_line(c, rest, n), "%s", rest);
     else
-        findings_add_sentence(&c->found, "rom.lua", sentence);
+        diagnostics_add_sentence(&c->found, "rom.lua", sentence);
 }
 
 static void check_entry(struct check *c)
@@ -61,7 +61,7 @@ static void check_entry(struct check *c)
     snprintf(path, sizeof path, "%s.lua", c->m.entry);
     if (tree_has(&c->files, path))
         return;
-    findings_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: there is no %s", path);
+    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: there is no %s", path);
     c->broken = true;
 }
 
@@ -77,7 +77,7 @@ static void check_manifest(struct check *c)
     }
     tree_drop_mark(c->rom_text, &size);
     tree_id(c->dir, folder);
-    facts_read(&c->rom, (const char *)c->rom_text, size, NULL);
+    symbols_read(&c->rom, (const char *)c->rom_text, size, NULL);
     c->manifest = work != NULL && manifest_read((const char *)c->rom_text, size, "rom.lua", folder, &c->m, &c->art,
                                                 work, err, sizeof err);
     if (c->manifest) {
@@ -119,22 +119,22 @@ static bool open_folder(struct check *c, enum result *result)
 static void check_close(struct check *c)
 {
     for (int i = 0; i < c->n_scripts; i++) {
-        facts_free(&c->scripts[i].facts);
+        symbols_free(&c->scripts[i].symbols);
         free(c->scripts[i].text);
     }
     for (int i = 0; i < c->n_library; i++)
-        facts_free(&c->library[i].facts);
+        symbols_free(&c->library[i].symbols);
     for (int i = 0; i < c->n_texts; i++)
         free(c->texts[i].bytes);
     free(c->scripts);
     free(c->library);
     free(c->texts);
-    facts_free(&c->rom);
+    symbols_free(&c->rom);
     free(c->rom_text);
-    known_close(&c->known);
-    known_close(&c->open);
-    known_close(&c->changed);
-    findings_close(&c->found);
+    name_set_close(&c->builtins);
+    name_set_close(&c->open);
+    name_set_close(&c->changed);
+    diagnostics_close(&c->found);
     tree_close(&c->files);
 }
 
@@ -170,8 +170,8 @@ static enum result report(struct check *c)
 {
     char problems[32];
 
-    findings_sort(&c->found);
-    findings_print(&c->found, say);
+    diagnostics_sort(&c->found);
+    diagnostics_print(&c->found, say);
     count(problems, c->found.n, "problem");
     if (c->found.n == 0)
         say_fine(c);
@@ -189,7 +189,7 @@ static enum result check_all(struct check *c)
     check_unused(c);
     if (!c->broken)
         check_run(c);
-    if (c->found.failed || c->known.failed || c->open.failed || c->changed.failed)
+    if (c->found.failed || c->builtins.failed || c->open.failed || c->changed.failed)
         return report_line(RESULT_HOST, "out of memory");
     return report(c);
 }

@@ -41,27 +41,27 @@ struct run {
 
 /* ---- one run ---- */
 
-/* A line that has a finding already is most likely the reason of the fault. */
+/* A line that has a diagnostic already is most likely the reason of the fault. */
 static void note_fault(struct run *r, const struct board_fault *fault)
 {
-    struct findings alone = { 0 };
+    struct diagnostics alone = { 0 };
 
     r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
-    findings_add_sentence(&alone, r->what, fault->message);
+    diagnostics_add_sentence(&alone, r->what, fault->message);
     bool known =
-        alone.n > 0 && alone.list[0].line > 0 && findings_at(&r->c->found, alone.list[0].file, alone.list[0].line);
-    findings_close(&alone);
+        alone.n > 0 && alone.list[0].line > 0 && diagnostics_at(&r->c->found, alone.list[0].file, alone.list[0].line);
+    diagnostics_close(&alone);
     if (!known)
-        findings_add_sentence(&r->c->found, r->what, fault->message);
+        diagnostics_add_sentence(&r->c->found, r->what, fault->message);
 }
 
 /* Does a script ask board.refused for it? Then the game knows that it may be full. */
 static bool is_watched(const struct check *c, const char *part)
 {
     for (int i = 0; i < c->n_scripts; i++) {
-        const struct facts *f = &c->scripts[i].facts;
+        const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++) {
-            const struct fact_call *call = &f->calls[k];
+            const struct symbol_call *call = &f->calls[k];
             if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
                 (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
                 return true;
@@ -75,7 +75,7 @@ static void note_full(struct run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->fulls; i++)
         if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
-            findings_add_sentence(&r->c->found, r->what, out->full[i].line);
+            diagnostics_add_sentence(&r->c->found, r->what, out->full[i].line);
 }
 
 static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
@@ -94,7 +94,7 @@ static bool power(struct run *r, const struct board_start *start)
         note_full(r, board_last(r->guard.board));
         return true;
     }
-    findings_add_sentence(&r->c->found, "rom.lua", err);
+    diagnostics_add_sentence(&r->c->found, "rom.lua", err);
     return false;
 }
 
@@ -238,8 +238,8 @@ static void run_loaded(struct run *r)
     uint32_t wrong = play(r);
     free(r->copies);
     if (wrong != ALL && !doubted)
-        findings_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
-                     wrong, r->c->dir, r->c->dir, r->what);
+        diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
+                        wrong, r->c->dir, r->c->dir, r->what);
     finish(r);
     r->c->demos++;
 }
@@ -256,9 +256,9 @@ static void run_demo(struct run *r, const char *path)
     bool good = demo_read(&r->demo, data, size, err, sizeof err);
     free(data);
     if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
-        findings_add(&r->c->found, path, 0, "%s", err);
+        diagnostics_add(&r->c->found, path, 0, "%s", err);
     else if (!r->demo.complete)
-        findings_add(&r->c->found, path, 0, "cut short: it has no end mark");
+        diagnostics_add(&r->c->found, path, 0, "cut short: it has no end mark");
     if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
         run_loaded(r);
     demo_free(&r->demo);
@@ -280,9 +280,9 @@ static void judge_memory(struct run *r)
     r->c->lua_most = r->most;
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
-    findings_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                 "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
-                 r->most / 1024, MOST_LUA);
+    diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
+                    "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
+                    r->most / 1024, MOST_LUA);
 }
 
 static void run_all(struct run *r)
