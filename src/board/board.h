@@ -42,9 +42,9 @@ struct board_fault {
     char trace[2048];  /* Lua traceback, lines separated by \n */
 };
 
-/* A practice start: one section of the game, again and again, as @std/boot plays it. Zero: the game from its title. With
- * PRACTICE_LIST as its section nothing is played: from the first tick on the board tells every section there is, as markers,
- * and then MARKER_LISTED. The other fields need a section. */
+/* A practice start: one section of the game, again and again, as @std/boot plays it. Zero: the game from its title.
+ * With PRACTICE_LIST as its section nothing is played: from the first tick on the board tells every section there is,
+ * as markers, and then MARKER_LISTED. The other fields need a section. */
 enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
 #define PRACTICE_LIST "?"
 struct practice {
@@ -71,7 +71,7 @@ struct board_start {
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
 
-/* Markers of a run by which a player finds their way in it; and what PRACTICE_LIST tells. Telling one changes no RAM. */
+/* Markers by which a player finds their way in a run; and what PRACTICE_LIST tells. Telling one changes no RAM. */
 enum board_marker_kind {
     MARKER_STAGE, /* a stage starts; its name */
     MARKER_MARK,  /* stage.mark; its name, of the stage */

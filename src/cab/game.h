@@ -1,6 +1,6 @@
 /*
  * game.h - a ROM taken from the command line: loaded, checked, and how its board is to start.
- * floor: cab    used by: cli headless
+ * floor: cab
  */
 #ifndef CAB_GAME_H
 #define CAB_GAME_H
@@ -30,8 +30,8 @@ struct game {
  * itself. */
 bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
 
-/* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart. False
- * and one sentence that names the option. */
+/* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart.
+ * False and one sentence that names the option. */
 bool game_start(struct game *g, const struct args *a, char *err, size_t err_size);
 
 /* Gives everything back; a zeroed game is fine. */

@@ -1,6 +1,6 @@
 /*
- * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from one
- * to the next, so a list of names may be as long as it likes.
+ * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from
+ * one to the next, so a list of names may be as long as it likes.
  */
 #include "verify.h"
 
@@ -27,6 +27,11 @@ struct verify {
 };
 
 /* ---- lines ---- */
+
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static void say(const struct verify *v, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Names may hold anything. */
 static void print_clean(const char *text)
@@ -282,6 +287,8 @@ struct tale { /* what became of a run, for a line */
     size_t n;
     bool same; /* all that was told is known to be as it was */
 };
+
+static void tell(struct tale *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void tell(struct tale *t, const char *format, ...)
 {

@@ -15,6 +15,7 @@
 #include "../../src/base/rng.h"
 #include "../../src/board/script.h"
 #include "../../src/cab/check/symbols.h"
+#include "../../src/cab/host/files.h"
 #include "../../src/cab/pack/tree.h"
 #include "../../src/cab/check/builtins.h"
 
@@ -474,7 +475,7 @@ static int compare_folder(const char *dir)
         if (!ends_with(files.name[i], ".lua"))
             continue;
         assert_true(tree_join(path, dir, files.name[i]));
-        assert_true(tree_load(path, path, TREE_SCRIPT, &text, &size, err, sizeof err));
+        assert_true(files_read(path, path, TREE_SCRIPT, &text, &size, err, sizeof err));
         compare_with_luac(path, (const char *)text, size);
         free(text);
         n++;

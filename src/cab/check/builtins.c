@@ -1,6 +1,6 @@
 /*
- * builtins.c - see builtins.h. Nothing is listed twice: Lua's names are those the sandbox keeps (lualib.h), the API's are its
- * table's, the library's are read from its text.
+ * builtins.c - see builtins.h. Nothing is listed twice: Lua's names are those the sandbox keeps (lualib.h), the API's
+ * are its table's, the library's are read from its text.
  */
 #include "builtins.h"
 

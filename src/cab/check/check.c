@@ -1,6 +1,6 @@
 /*
- * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c and check_run.c; each goes on as far as
- * what was read before allows, and only the run needs a game that can be packed.
+ * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c and check_run.c; each goes on as far
+ * as what was read before allows, and only the run needs a game that can be packed.
  */
 #include "check.h"
 
@@ -19,7 +19,7 @@ bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, s
 
     if (!tree_join(full, c->dir, path))
         diagnostics_add(&c->found, path, 0, "the path is too long");
-    else if (tree_load(full, path, max, data, size, err, sizeof err))
+    else if (files_read(full, path, max, data, size, err, sizeof err))
         return true;
     else
         diagnostics_add_sentence(&c->found, path, err);
@@ -75,7 +75,7 @@ static void check_manifest(struct check *c)
         free(block);
         return;
     }
-    tree_drop_mark(c->rom_text, &size);
+    tree_drop_bom(c->rom_text, &size);
     tree_id(c->dir, folder);
     symbols_read(&c->rom, (const char *)c->rom_text, size, NULL);
     c->manifest = work != NULL && manifest_read((const char *)c->rom_text, size, "rom.lua", folder, &c->m, &c->art,

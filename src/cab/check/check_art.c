@@ -1,6 +1,6 @@
 /*
- * check_art.c - rom.lua and the pictures it names: those that are missing, no PNG, too small for their sprites, or have a
- * colour their bank has not.
+ * check_art.c - rom.lua and the pictures it names: those that are missing, no PNG, too small for their sprites, or have
+ * a colour their bank has not.
  */
 #include "check_parts.h"
 

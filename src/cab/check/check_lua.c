@@ -2,7 +2,7 @@
  * check_lua.c - what is wrong with scripts, before they run.
  *
  * All scripts are read first, for what one of them adds to a table of the API is there for all. A name is only found
- * missing where nobody can have put it: when a table of the API is handed around, or _G is, its names are let through.
+ * missing where no script can have put it: when a table of the API is handed around, or _G is, its names are let through.
  */
 #include "check_parts.h"
 
@@ -75,7 +75,7 @@ static void read_script(struct check *c, const char *path)
     if (!check_load(c, path, TREE_SCRIPT, &s->text, &size))
         return;
     c->n_scripts++;
-    tree_drop_mark(s->text, &size);
+    tree_drop_bom(s->text, &size);
     snprintf(s->name, sizeof s->name, "%.*s", (int)(strlen(path) - strlen(".lua")), path);
     scan(c, s, size);
     compile(c, s, size);
@@ -209,7 +209,7 @@ static void unknown_field(struct check *c, const char *path, const struct symbol
         diagnostics_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }
 
-/* Does a script that cannot be read to its end have the word? What it does with it nobody knows. */
+/* Does a script that cannot be read to its end have the word? What it does with it is not known. */
 static bool in_broken_script(const struct check *c, const char *word)
 {
     for (int i = 0; i < c->n_scripts; i++)

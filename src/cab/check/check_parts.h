@@ -1,6 +1,6 @@
 /*
  * check_parts.h - what the files of `curtain check` share.
- * floor: cab    used by: check.c check_lua.c check_art.c check_run.c
+ * floor: cab
  */
 #ifndef CAB_CHECK_PARTS_H
 #define CAB_CHECK_PARTS_H

@@ -1,6 +1,7 @@
 /*
- * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game that
- * nobody plays; then every stage and every phase of a boss by itself. What faults, what does not hold, and how much Lua RAM was in use at most.
+ * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game
+ * without input; then every stage and every phase of a boss by itself. What faults, what does not hold, and how
+ * much Lua RAM was in use at most.
  */
 #include "check_parts.h"
 
@@ -33,9 +34,9 @@ struct run {
     struct guard guard;
     struct demo demo;
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_again */
-    size_t most;  /* bytes of Lua RAM, of all runs so far */
-    char who[TREE_PATH];
+    void *copies;            /* of board_hashes_again */
+    size_t most;             /* bytes of Lua RAM, of all runs so far */
+    char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
 };
 
@@ -70,7 +71,7 @@ static bool is_watched(const struct check *c, const char *part)
     return false;
 }
 
-/* Pools that are full for the first time. Sparks are for the eye: one that is not there nobody misses. */
+/* Pools that are full for the first time. Sparks do not count: no script depends on one. */
 static void note_full(struct run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->fulls; i++)
@@ -106,7 +107,7 @@ static void finish(struct run *r)
         note_fault(r, board_last(r->guard.board)->fault);
     if (most > r->most) {
         r->most = most;
-        snprintf(r->who, sizeof r->who, "%s", r->what);
+        snprintf(r->most_in, sizeof r->most_in, "%s", r->what);
     }
     guard_close(&r->guard);
 }
@@ -146,8 +147,8 @@ static bool section_over(const struct board_out *out)
     return false;
 }
 
-/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are sections
- * too: what a stage's phase ends does not end the stage. */
+/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are
+ * sections too: what a stage's phase ends does not end the stage. */
 static void run_section(struct run *r, const struct section *section)
 {
     static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
@@ -281,8 +282,8 @@ static void judge_memory(struct run *r)
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                    "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
-                    r->most / 1024, MOST_LUA);
+                    "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib,
+                    r->most_in, r->most / 1024, MOST_LUA);
 }
 
 static void run_all(struct run *r)

@@ -1,9 +1,9 @@
 /*
- * check_unused.c - what is in the folder and nobody asks for.
+ * check_unused.c - files, pictures and names of the folder that the game does not use.
  *
- * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch of
- * rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..` leads
- * to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
+ * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch
+ * of rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..`
+ * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
  */
 #include "check_parts.h"
 
@@ -241,7 +241,7 @@ static void read_texts(struct check *c)
     }
 }
 
-/* Of scripts that cannot be read whole nobody knows what they use. */
+/* A script that cannot be read whole may use anything. */
 void check_unused(struct check *c)
 {
     bool whole = all_whole(c);

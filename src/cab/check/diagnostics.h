@@ -1,6 +1,6 @@
 /*
  * diagnostics.h - a list of what is wrong with a game: file, line, sentence.
- * floor: cab    used by: check
+ * floor: cab
  */
 #ifndef CAB_DIAGNOSTICS_H
 #define CAB_DIAGNOSTICS_H
@@ -20,7 +20,8 @@ struct diagnostics {
 };
 
 /* Adds one, unless the same stands there already. */
-void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...);
+void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* Adds the sentence of a loader or a fault: "FILE:LINE: what", "FILE: what"; file is that of one that names none. */
 void diagnostics_add_sentence(struct diagnostics *f, const char *file, const char *sentence);

@@ -1,8 +1,8 @@
 /*
- * symbols.c - see symbols.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of look-ahead,
- * priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An expression that may
- * still become the target of an assignment is pending: `value` notes that it was read, `store` that it was written.
- * Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
+ * symbols.c - see symbols.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of
+ * look-ahead, priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An
+ * expression that may still become the target of an assignment is pending: `value` notes that it was read, `store` that
+ * it was written. Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
  */
 #include "symbols.h"
 

@@ -1,7 +1,7 @@
 /*
  * symbols.h - the symbol table of a Lua script, made without running it: the globals and fields it names, its strings,
  * calls and tables, and what is wrong on its face.
- * floor: cab    used by: check tests/
+ * floor: cab
  *
  * One pass over Lua 5.4's grammar that resolves every name to a local, an upvalue or a global. Lines are those of the
  * Lua compiler. All texts are in the arena, or "" for one that holds a zero byte.
@@ -32,7 +32,7 @@ struct symbol_global {
 
 /* Where a value comes from. */
 struct symbol_origin {
-    const char *space, *name; /* the function space.name, or name (space NULL); name NULL: nobody knows */
+    const char *space, *name; /* the function space.name, or name (space NULL); name NULL: not known */
     const char *key;          /* of its table argument, at any depth, or NULL */
     int arg;                  /* which argument, from 1; 0: it is what the call returns */
     int param;                /* ...is a function whose param-th parameter this is, from 1 */
@@ -107,8 +107,8 @@ struct symbols {
     bool whole;                     /* false: not Lua, nested too deep, or out of memory; then symbols up to there */
 };
 
-/* Fills f; free it whatever this returns. is_builtin: globals that are sure to be there (no near local is looked for), or
- * NULL. Returns f->whole: true for every text the Lua compiler accepts. */
+/* Fills f; free it whatever this returns. is_builtin: globals that are sure to be there (no near local is looked for),
+ * or NULL. Returns f->whole: true for every text the Lua compiler accepts. */
 bool symbols_read(struct symbols *f, const char *text, size_t n, bool (*is_builtin)(const char *name));
 void symbols_free(struct symbols *f);
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "demo_parts.h"
-#include "../pack/tree.h"
+#include "../host/files.h"
 
 /* ---- room ---- */
 
@@ -70,7 +70,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     size_t size;
 
     memset(d, 0, sizeof *d);
-    if (!tree_load(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
+    if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
     bool ok = demo_read(d, data, size, why, sizeof why);
     if (!ok)
@@ -158,12 +158,12 @@ static bool read_points(const char *text, int64_t *points)
 
 bool demo_points(const struct demo *d, int player, int64_t *points)
 {
-    char who[16];
-    int n = snprintf(who, sizeof who, DEMO_POINTS, player + 1);
+    char start[16];
+    int n = snprintf(start, sizeof start, DEMO_POINTS, player + 1);
 
     for (uint32_t i = d->n_markers; d->complete && i-- > 0 && d->markers[i].frame == d->frames;) {
         const struct board_marker *m = &d->markers[i].marker;
-        if (m->kind == MARKER_LISTED && strncmp(m->name, who, (size_t)n) == 0)
+        if (m->kind == MARKER_LISTED && strncmp(m->name, start, (size_t)n) == 0)
             return read_points(m->name + n, points);
     }
     return false;

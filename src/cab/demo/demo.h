@@ -1,6 +1,6 @@
 /*
  * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
- * floor: cab    used by: cab/ tests/
+ * floor: cab
  *
  * The file is described byte by byte in docs/demos.md. In short: a header, then a record a second with pads and hashes,
  * a record a marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
@@ -83,8 +83,8 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 /* The whole hashes after a frame, in the order of .part, if it has a row of the track; else NULL. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
 
-/* The checksums after a frame, in the order of .part (only those of .checksum_parts are known), or NULL for a frame that has
- * none: the first and one that faulted. */
+/* The checksums after a frame, in the order of .part (only those of .checksum_parts are known), or NULL for a frame
+ * that has none: the first and one that faulted. */
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
@@ -92,12 +92,13 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
                     uint64_t hashes[MAX_PARTS]);
 
-/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their checksums, and where
- * there is a row by the whole hashes. A difference that a checksum does not show (one in 65536) shows in a later frame's.
- * 0 where there is neither: in the frame that faulted, after the end. */
+/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their checksums, and
+ * where there is a row by the whole hashes. A difference that a checksum does not show (one in 65536) shows in a later
+ * frame's. 0 where there is neither: in the frame that faulted, after the end. */
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
-/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not say. */
+/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not
+ * say. */
 bool demo_points(const struct demo *d, int player, int64_t *points);
 
 /* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's

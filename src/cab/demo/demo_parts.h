@@ -1,6 +1,6 @@
 /*
  * demo_parts.h - what reading and writing a demo's file share: docs/demos.md as constants, and room that grows.
- * floor: cab    used by: demo demo_read demo_write
+ * floor: cab
  */
 #ifndef CAB_DEMO_PARTS_H
 #define CAB_DEMO_PARTS_H
@@ -17,8 +17,8 @@ enum {
 
 #define DEMO_MAGIC "CDEM"
 
-/* Points at the end of a recording: the name of a marker of kind MARKER_LISTED, which has none of its own, is this (with the
- * player, 1 or 2) and the number. */
+/* Points at the end of a recording: the name of a marker of kind MARKER_LISTED, which has none of its own, is this
+ * (with the player, 1 or 2) and the number. */
 #define DEMO_POINTS "points %d "
 
 /* Room for so many more; false: no memory, nothing changed. */

@@ -476,7 +476,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     return write_all(w);
 }
 
-/* What everybody had in the end: which hashes cannot tell once the core is another. */
+/* The points of all players in the end: hashes cannot tell them once the core is another. */
 static bool take_points(struct demo *d, const struct board *b)
 {
     for (int p = 0; p < PADS && d->seconds; p++) {

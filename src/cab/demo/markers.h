@@ -1,6 +1,6 @@
 /*
  * markers.h - the markers of two recordings of one run, compared.
- * floor: cab    used by: verify tests/
+ * floor: cab
  */
 #ifndef CAB_MARKERS_H
 #define CAB_MARKERS_H

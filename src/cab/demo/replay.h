@@ -1,6 +1,6 @@
 /*
  * replay.h - a demo played again and compared, frame by frame, with what it was recorded with.
- * floor: cab    used by: verify tests/ tools/
+ * floor: cab
  */
 #ifndef CAB_REPLAY_H
 #define CAB_REPLAY_H
@@ -34,8 +34,8 @@ struct replay {
 
 /* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in
  * memory, for it to be saved in the newest format; may be NULL. Returns RESULT_DONE, or with one sentence
- * RESULT_REFUSED (its board cannot be powered) or RESULT_HOST (no memory). r is zeroes before the first replay; all replays of
- * a struct are of one ROM. */
+ * RESULT_REFUSED (its board cannot be powered) or RESULT_HOST (no memory). r is zeroes before the first replay; all
+ * replays of a struct are of one ROM. */
 enum result replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                        struct verdict *v, char *err, size_t err_size);
 

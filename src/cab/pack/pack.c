@@ -99,7 +99,7 @@ static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **da
 
     if (!tree_join(path, p->dir, name))
         return err_set(p->err, p->err_size, "%s: the path is too long", name);
-    return tree_load(path, name, max, data, size, p->err, p->err_size);
+    return files_read(path, name, max, data, size, p->err, p->err_size);
 }
 
 static bool ends_with(const char *s, const char *tail)
@@ -122,7 +122,7 @@ static bool read_manifest(struct packer *p)
 
     if (!load_in(p, "rom.lua", TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_mark(text, &size);
+    tree_drop_bom(text, &size);
     tree_id(p->dir, folder);
     void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
@@ -275,7 +275,7 @@ static bool add_script(struct packer *p, const char *path)
         return err_set(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
     if (!load_in(p, path, TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_mark(text, &size);
+    tree_drop_bom(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
     void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
@@ -422,7 +422,7 @@ static bool load_file(const char *path, struct rom_image *out, char *err, size_t
 {
     char why[256];
 
-    if (!tree_load(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
+    if (!files_read(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
         return false;
     if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
         return true;

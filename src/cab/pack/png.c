@@ -1,9 +1,10 @@
 /*
  * png.c - see png.h. Chunks are ours, compression and the pixel formats are stb's.
  *
- * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel data
- * that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a short
- * palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up here.
+ * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel
+ * data that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a
+ * short palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up
+ * here.
  */
 #include "png.h"
 
@@ -16,8 +17,8 @@
 
 enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
 
-/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here. One
- * picture is read at a time. */
+/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here.
+ * One picture is read at a time. */
 static struct {
     void *piece[8];
     bool shortage; /* a piece was refused */
@@ -315,7 +316,8 @@ static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
     return w && h ? (size_t)h * (1 + ((size_t)w * channels[l->colour] * l->bits + 7) / 8) : 0;
 }
 
-/* Bytes the pixel data inflates to. An interlaced picture is seven: every dx-th pixel of every dy-th row from (x, y). */
+/* Bytes the pixel data inflates to. An interlaced picture is seven, each of every dx-th pixel in every dy-th row
+ * from (x, y). */
 static size_t inflated_size(const struct layout *l)
 {
     static const uint8_t x[7] = { 0, 4, 0, 2, 0, 1, 0 }, y[7] = { 0, 0, 4, 0, 2, 0, 1 };

@@ -113,32 +113,7 @@ bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size)
     return good;
 }
 
-bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err, size_t err_size)
-{
-    long n = files_size(path);
-
-    *data = NULL;
-    *size = 0;
-    if (n < 0) {
-        files_absent(name, "file", err, err_size);
-        return false;
-    }
-    if ((unsigned long)n > max)
-        return err_set(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
-    uint8_t *bytes = malloc((size_t)n + 1);
-    if (bytes == NULL)
-        return err_set(err, err_size, "%s: out of memory", name);
-    if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
-        free(bytes);
-        return false;
-    }
-    bytes[n] = 0;
-    *data = bytes;
-    *size = (size_t)n;
-    return true;
-}
-
-void tree_drop_mark(uint8_t *data, size_t *size)
+void tree_drop_bom(uint8_t *data, size_t *size)
 {
     if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
         *size -= 3;

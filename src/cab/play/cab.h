@@ -27,8 +27,8 @@ struct cab_options {
     bool nearest;            /* as pack: for a folder that is packed again when it changes */
 };
 
-/* Plays until quit. RESULT_REFUSED: a script fault or a bad settings file; RESULT_HOST: the host failed. With these a line
- * that says why has gone to plat_log; after a script fault its traceback too. */
+/* Plays until quit. RESULT_REFUSED: a script fault or a bad settings file; RESULT_HOST: the host failed. With these a
+ * line that says why has gone to plat_log; after a script fault its traceback too. */
 enum result cab_play(const struct cab_options *options);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls, so
- * it fits every screen; names are cut before they reach the column of numbers.
+ * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls,
+ * so it fits every screen; names are cut before they reach the column of numbers.
  */
 #include "practice.h"
 

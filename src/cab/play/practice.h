@@ -1,14 +1,15 @@
 /*
- * practice.h - the cabinet's practice menu: every section of the game, how it is to be started, and how often it was tried
- * and captured.
+ * practice.h - the cabinet's practice menu: every section of the game, how it is to be started, and how often it was
+ * tried and captured.
  * floor: cab    used by: cab tests/
  *
- * The menu lies over the picture and the board stands still. Player 1's pad works it: up and down, left and right change
- * a setting (ten steps at a time while focus is held), fire starts a section, bomb goes back to the game.
+ * The menu lies over the picture and the board stands still. Player 1's pad works it: up and down, left and right
+ * change a setting (ten steps at a time while focus is held), fire starts a section, bomb goes back to the game.
  *
- * Counting. An attempt of a section is counted when a practice start of it begins: chosen in the menu, again, or anew by
- * itself. A capture, when it ends well without a death since it began: a phase is beaten; a stage, from its start or from a
- * mark, comes to its end. Neither is counted with invincible, nor after time was run backwards (until the next start).
+ * Counting. An attempt of a section is counted when a practice start of it begins: chosen in the menu, again, or anew
+ * by itself. A capture, when it ends well without a death since it began: a phase is beaten; a stage, from its start or
+ * from a mark, comes to its end. Neither is counted with invincible, nor after time was run backwards (until the next
+ * start).
  */
 #ifndef CAB_PRACTICE_H
 #define CAB_PRACTICE_H
@@ -64,8 +65,8 @@ void practice_open(struct practice_menu *m, int slow);
 /* A sixtieth of a second of the open menu with these buttons held by player 1. */
 enum practice_choice practice_poll(struct practice_menu *m, uint16_t pad);
 
-/* The start that was chosen: the present run's with another difficulty and practice; or that of the game from its title,
- * which has no practice.section. Its nvram is the caller's business. */
+/* The start that was chosen: the present run's with another difficulty and practice; or that of the game from its
+ * title, which has no practice.section. Its nvram is the caller's business. */
 void practice_chosen(const struct practice_menu *m, struct board_start *out);
 
 /* Draws the open menu over a whole picture. */

@@ -7,9 +7,9 @@
  *
  *     CAPTURES ATTEMPTS DIFFICULTY MARK        3 12 normal queen/held
  *
- * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's, up
- * to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A file
- * that is not so is damaged: nothing of it is used, and it is not written.
+ * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's,
+ * up to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A
+ * file that is not so is damaged: nothing of it is used, and it is not written.
  */
 #ifndef CAB_RECORDS_H
 #define CAB_RECORDS_H
@@ -39,8 +39,8 @@ struct records {
     char file[96];
 };
 
-/* Reads a whole file's text into *r, which holds nothing yet. False and one sentence without the file's name; r is empty
- * then. */
+/* Reads a whole file's text into *r, which holds nothing yet. False and one sentence without the file's name; r is
+ * empty then. */
 bool records_read(struct records *r, const char *text, size_t size, char *err, size_t err_size);
 
 /* The file's text, malloc'ed; NULL: no memory. */

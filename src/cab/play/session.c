@@ -251,7 +251,7 @@ bool session_touch(struct session *s)
 
     session_stop(s);
     rewind_drop(&s->now->guard.past, frame);
-    guard_mark(&s->now->guard);
+    guard_forget(&s->now->guard);
     return wrote(s, demo_flag(w, DEMO_TOUCHED) && good);
 }
 

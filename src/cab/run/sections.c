@@ -1,6 +1,6 @@
 /*
- * sections.c - see sections.h. Marks come after all stages and bosses were told (so that these are known whatever happens
- * when a stage is run through), and are put where they belong.
+ * sections.c - see sections.h. Marks come after all stages and bosses were told (so that these are known whatever
+ * happens when a stage is run through), and are put where they belong.
  */
 #include "sections.h"
 
