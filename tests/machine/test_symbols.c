@@ -766,7 +766,7 @@ static void put_block(struct writer *w)
  * have neither. */
 static void test_programs(void **state)
 {
-    char dir[] = "/tmp/facts-XXXXXX", path[64];
+    char dir[] = "/tmp/names-XXXXXX", path[64];
     struct writer w = { .text = malloc(TEXT) };
 
     (void)state;
