@@ -1,7 +1,7 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
-FRONT := all null play install test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
+FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy bench bench-fx prove cross demos
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
@@ -25,7 +25,7 @@ GAME    := roms/glasstide
 
 # -fwrapv and -ffp-contract=off are semantics: results may not depend on overflow rules or fused multiplications.
 SEMANTIC := -std=c11 -fwrapv -ffp-contract=off
-WARN     := -Wall -Wextra -Wshadow -Wconversion
+WARN     := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
 LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
 LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
@@ -57,11 +57,12 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: FORCE all null play install deps format clean help programs test golden demos
+.PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
 .PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
 
-all: deps-play
-	@$(MAKE) --no-print-directory build/curtain build/curtain-null
+# These build and install nothing: what is missing they say. play, test and deps get it.
+all: say-play
+	@$(MAKE) --no-print-directory build/curtain build/curtain-null build/curtain.1 build/curtain-null.1
 
 help:
 	@echo "make play     build and play the built-in game (without a display: render its demo to PNG)"
@@ -76,20 +77,31 @@ help:
 	@echo "make accuracy measure docs/accuracy.md anew"
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
-	@echo "make bench    measure docs/speed.md anew              make install PREFIX=...   make deps   make format   make clean"
+	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
+	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
 	@tools/deps.sh
 deps-%:
 	@tools/deps.sh $(subst -, ,$*)
+say-%:
+	@tools/deps.sh --say $(subst -, ,$*)
 
-null: deps-null
+null: say-null
 	@$(MAKE) --no-print-directory build/curtain-null
 
 build/curtain: $(OUT)/curtain
 	@cp $< $@
 build/curtain-null: $(OUT)/curtain-null
 	@cp $< $@
+
+# The manual pages: one, and another name for it.
+build/curtain.1: $(OUT)/curtain-bare tools/manpage.sh
+	$(SAY) "  MAKE  $@"
+	$(Q)tools/manpage.sh "$(RUN) $<" > $@
+build/curtain-null.1:
+	@mkdir -p $(@D)
+	@echo '.so man1/curtain.1' > $@
 
 # ---- programs ----
 
@@ -100,6 +112,8 @@ $(OUT)/%.o: %.c
 
 $(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
+# -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
+$(OUT)/machine/test_fine: ALL_C += -Wno-pedantic
 
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
@@ -149,7 +163,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := board/vm board/vm_count board/board board/eval cab/run/guard
+SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"
@@ -164,13 +178,11 @@ play: deps-play
 	@$(MAKE) --no-print-directory build/curtain
 	@tools/play.sh
 
+# PREFIX=/usr, DESTDIR=/where/a/package/is/made.
 install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/curtain
-	install -m 755 build/curtain build/curtain-null $(DESTDIR)$(PREFIX)/bin
-	install -m 644 README.md docs/*.md docs/*.txt $(DESTDIR)$(PREFIX)/share/doc/curtain
-	cp -R docs/accuracy docs/images docs/speed $(DESTDIR)$(PREFIX)/share/doc/curtain
-	install -d $(DESTDIR)$(PREFIX)/share/curtain
-	cp -R examples roms $(DESTDIR)$(PREFIX)/share/curtain
+	@DESTDIR="$(DESTDIR)" PREFIX="$(PREFIX)" tools/install.sh install
+uninstall:
+	@DESTDIR="$(DESTDIR)" PREFIX="$(PREFIX)" tools/install.sh uninstall
 
 # ---- art: the pictures of the games in roms/ are made by a program ----
 

@@ -5,6 +5,9 @@
  * colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into vector
  * instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7 pixels, whose
  * `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
+ *
+ * `unroll 1` keeps the loops over sixteen bytes loops: gcc's -O3 would unroll them first and then find no vectors in what
+ * is left. A 24 px picture took 180 ns instead of 33. tests/house/levels.sh reads the compilers' output for it.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -42,6 +45,7 @@ static inline void over(uint8_t *d, const uint8_t *keep, const uint8_t *colour)
 
 static inline void over_pair(uint8_t *restrict d, const uint8_t *restrict keep, const uint8_t *restrict colour)
 {
+#pragma GCC unroll 1
     for (int k = 0; k < 16; k++)
         d[k] = (uint8_t)((d[k] & keep[k]) | colour[k]);
 }
@@ -55,6 +59,7 @@ static inline void under(uint8_t *d, uint64_t colour)
 
 static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colour)
 {
+#pragma GCC unroll 1
     for (int k = 0; k < 16; k++)
         d[k] = (uint8_t)(d[k] | (colour[k] & (uint8_t)(0 - (d[k] == 0))));
 }

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # run.sh - runs test programs, two at a time, and counts every single test case.
 #
-#     OUT=build/release tests/run.sh [all|torture|sanitizer]
+#     OUT=build/release tests/run.sh [all|unit|torture|sanitizer]
 #
-# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; torture:
-# only what has torture in its name, at length; sanitizer: the C programs, where any finding ends the program.
+# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; unit: the C
+# programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where any
+# finding ends the program.
 # Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
 # output of a program stays in $OUT/results, and is shown when something in it failed. Exit 1: something failed. No verdict
 # depends on the time: what hangs is told from what is slow by its own progress.
@@ -74,6 +75,7 @@ case $what in
 all) # the longest first
     add tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/house/*.sh "$OUT"/unit/test_*
     ;;
+unit) add "$OUT"/unit/test_* ;;
 torture)
     export CURTAIN_LONG=1
     cpu=3600
@@ -85,7 +87,7 @@ sanitizer)
     add "$OUT"/machine/test_* "$OUT"/unit/test_*
     ;;
 *)
-    echo "tests/run.sh: \"$what\" is none of all, torture, sanitizer" >&2
+    echo "tests/run.sh: \"$what\" is none of all, unit, torture, sanitizer" >&2
     exit 2
     ;;
 esac

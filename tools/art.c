@@ -1,6 +1,6 @@
 /*
  * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
- * OUTDIR bench` the bench's; and `art OUTDIR glow` what the sandbox has of its own.
+ * OUTDIR bench` the bench's; `art OUTDIR glow` what the sandbox has of its own; and `art OUTDIR icon` the program's icons.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
@@ -88,17 +88,40 @@ static bool write_contact(const char *dir, const char *name, const struct sheet 
     return ok;
 }
 
+/* The icon in three sizes: 48 is drawn as it is, 128 and 256 are 64 magnified. */
+static bool write_icons(const char *dir, const uint32_t rgb[256])
+{
+    static const struct {
+        const char *name;
+        int size, scale;
+    } icons[] = { { "48", 48, 1 }, { "128", 64, 2 }, { "256", 64, 4 } };
+    bool ok = true;
+
+    for (int i = 0; i < 3 && ok; i++) {
+        struct sheet small = art_icon(icons[i].size);
+        struct sheet s = sheet_new(small.w * icons[i].scale, small.h * icons[i].scale, small.bank);
+        for (int k = 0; k < s.w * s.h; k++)
+            s.px[k] = (uint8_t)sheet_get(&small, k % s.w / icons[i].scale, k / s.w / icons[i].scale);
+        ok = write_sheet(dir, icons[i].name, &s, rgb);
+        sheet_free(&s);
+        sheet_free(&small);
+    }
+    return ok;
+}
+
 int main(int argc, char **argv)
 {
     uint32_t rgb[256];
     if (argc < 2 || argc > 3) {
-        fprintf(stderr, "usage: art OUTDIR [card | bench | glow | sheet]\n");
+        fprintf(stderr, "usage: art OUTDIR [card | bench | glow | icon | sheet]\n");
         return 2;
     }
     const char *dir = argv[1];
     bool card = argc == 3 && !strcmp(argv[2], "card"), look = argc == 3 && !strcmp(argv[2], "sheet"), ok = true;
     bool bench = argc == 3 && !strcmp(argv[2], "bench"), glow = argc == 3 && !strcmp(argv[2], "glow");
     art_palette(rgb);
+    if (argc == 3 && !strcmp(argv[2], "icon"))
+        return write_icons(dir, rgb) ? 0 : 3;
     for (const struct picture *p = card ? CARD : bench ? BENCH : glow ? LIGHT : GAME; p->name && ok; p++) {
         struct sheet s = p->make();
         ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);

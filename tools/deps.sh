@@ -1,15 +1,24 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [null] [play] [test] [fuzz] [nightly] [bench] [cross]     without arguments: all but nightly and cross
+#     tools/deps.sh [--say] [null] [play] [test] [fuzz] [nightly] [bench] [cross]
 #
-# null: what curtain-null is built with; play: that, and SDL2.
+# null: what curtain-null is built with; play: that, and SDL2. Without arguments: all but nightly and cross. With --say it
+# installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
+say=""
+if [ "${1:-}" = --say ]; then
+    say=yes
+    shift
+fi
 [ $# -gt 0 ] || set -- play test fuzz bench
 
 missing=""
 have() { command -v "$1" >/dev/null 2>&1; }
 header() { [ -e "/usr/include/$1" ]; }
+library() { # NAME HEADER: the Makefile asks pkg-config for it
+    if have pkg-config; then pkg-config --exists "$1"; else header "$2"; fi
+}
 need() { # PACKAGE...: these are missing
     missing="$missing $*"
 }
@@ -20,8 +29,8 @@ for what; do
         have cc || need gcc
         header stdio.h || need libc6-dev
         have pkg-config || need pkg-config
-        header lua5.4/lua.h || need liblua5.4-dev
-        [ "$what" = null ] || header SDL2/SDL.h || need libsdl2-dev
+        library lua5.4 lua5.4/lua.h || need liblua5.4-dev
+        [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
         ;;
     test)
@@ -42,6 +51,9 @@ for what; do
         have openbox || need openbox
         have identify || need imagemagick
         [ -e /usr/share/i18n/locales/de_DE ] || need locales
+        have desktop-file-validate || need desktop-file-utils
+        have appstreamcli || need appstream
+        have mandoc || need mandoc
         ;;
     fuzz)
         have clang || need clang
@@ -90,10 +102,12 @@ if ! have apt-get; then
     exit 3
 fi
 root=""
-if [ "$(id -u)" != 0 ]; then
-    have sudo || { echo "curtain: please run as root: apt-get install$missing" >&2; exit 3; }
-    root=sudo
+[ "$(id -u)" = 0 ] || root=sudo
+if [ "$say" ]; then
+    echo "curtain: something is missing; this installs it: ${root:+sudo }apt-get install$missing" >&2
+    exit 3
 fi
+[ -z "$root" ] || have sudo || { echo "curtain: please run as root: apt-get install$missing" >&2; exit 3; }
 echo "curtain: installing$missing"
 $root apt-get update -qq
 # shellcheck disable=SC2086

@@ -72,7 +72,7 @@ static inline fx fx_sat(int64_t v)
 static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 {
 #if defined(__SIZEOF_INT128__) && !defined(FX_NO_INT128)
-    return (uint64_t)((unsigned __int128)a * b >> 64);
+    return (uint64_t)(__extension__(unsigned __int128) a * b >> 64);
 #else
     uint64_t al = a & 0xffffffffu, ah = a >> 32, bl = b & 0xffffffffu, bh = b >> 32;
     uint64_t mid = ah * bl + (al * bl >> 32), mid2 = al * bh + (mid & 0xffffffffu);

@@ -44,7 +44,8 @@ static const struct {
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
-    [COMMAND_VERSION] = { "version", "", 0, 0, "core version, compiler, flags, Lua release (also --version)" },
+    [COMMAND_VERSION] = { "version", "", 0, 0,
+                          "release, core version, Lua release, compiler and flags (also --version)" },
 };
 
 enum option {

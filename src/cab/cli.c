@@ -22,6 +22,7 @@
 #include "host/keys.h"
 #include "host/report.h"
 #include "verify.h"
+#include "version.h"
 
 #ifndef CURTAIN_CFLAGS
 #define CURTAIN_CFLAGS "unknown"
@@ -202,11 +203,10 @@ static const char *byte_order(void)
 
 static enum result version(void)
 {
-    printf("curtain core version %d\n", CORE_VERSION);
+    printf("curtain %s (core %d, %s)\n", CURTAIN_VERSION, CORE_VERSION, LUA_RELEASE);
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
-    puts(LUA_RELEASE);
     return report_stdout(RESULT_DONE);
 }
 

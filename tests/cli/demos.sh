@@ -10,7 +10,7 @@
 #                                          $OUT/bot, and writes both tables
 . "$(dirname "$0")/../check.sh"
 program=$OUT/curtain-null
-core=$("$program" version | sed -n 's/^curtain core version //p')
+core=$("$program" version | sed -n 's/^curtain .*(core \([0-9]*\),.*/\1/p')
 
 # The ROM a demo is played on: of roms/NAME/demos/X.demo the folder, of tests/demos/NAME-X.demo the ROM.
 rom_of() {

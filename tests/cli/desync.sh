@@ -94,6 +94,8 @@ bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 198 to 200' trace 
 same 'standard input' '0 parts and standard input are equal: 201 frames, 0 to 200' "$? $(cat out)"
 sed '101s/ ./ g/' whole >bad
 bisect 'no hash' 2 'curtain: bad:101: not a line of "hash" or "hash --trace"' whole bad
+sed '101s/ pal=\([0-9a-f]*\)/& pal=\1/' parts >bad
+bisect 'a part named twice' 2 'curtain: bad:101: not a line of "hash" or "hash --trace"' parts bad
 sed '101s/ [0-9a-f]\{4\}/ 0000/' whole >other
 hash=$(sed -n '101s/^100 //p' whole)
 bisect 'a track without parts' 1 "frame 100 is the first that differs

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# install.sh - what make install puts where: the programs, the documents, and the examples and games that README says to
-# copy, which the installed program checks and packs. One file for a friend, with another game in it. make null asks for no
-# SDL2.
+# install.sh - what make install puts where: the programs, the documents, the examples and games that README says to copy,
+# which the installed program checks and packs; the manual page and the desktop's entry, which their checkers pass; and
+# make uninstall takes all of it away. One file for a friend, with another game in it. What is missing is said by make and
+# make all, which install nothing, and installed by make play; make null asks for no SDL2.
 . "$(dirname "$0")/../check.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -9,7 +10,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS
 # A copy of the tree, with what is built of the release.
 tree=$scratch/tree
 mkdir -p "$tree/build/release"
-cp -a Makefile README.md docs examples fb platform roms scripts src tools "$tree"
+cp -a Makefile README.md CHANGELOG.md LICENSE docs examples fb platform roms scripts share src tools "$tree"
 mkdir "$tree/tests"
 for part in src fb platform gen embed curtain-bare curtain curtain-null game.rom game.is; do
     [ ! -e "build/release/$part" ] || cp -a "build/release/$part" "$tree/build/release/"
@@ -31,6 +32,57 @@ check 'an installed example, copied, is fine' "$installed" check mygame
 check 'and packs' "$installed" pack mygame -o mygame.rom
 check 'and runs' "$installed" hash mygame.rom --frames 60
 cd "$repo" || exit 2
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
+named() { "$installed" version | grep -q "^curtain $release "; }
+check 'it says which release it is' named
+
+# What the desktop and man look for.
+usr=$scratch/root/usr
+page() { # NAME: as man shows it
+    man -l "$usr/share/man/man1/$1.1" 2>&1 | tr -s ' \n' ' ' >"$scratch/page"
+    grep -q 'NAME curtain, curtain-null - play, record and verify' "$scratch/page" || { cat "$scratch/page"; return 1; }
+}
+read_page() { (cd "$usr/share/man" && page curtain); }
+if command -v man >/dev/null; then check 'man shows the page' read_page; else echo '# no man here'; fi
+other_name() { [ "$(cat "$usr/share/man/man1/curtain-null.1")" = '.so man1/curtain.1' ]; }
+check 'curtain-null has the same page' other_name
+entry=$usr/share/applications/curtain.desktop
+check 'the entry of the menu is valid' desktop-file-validate "$entry"
+starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=//p' "$entry")" ]; }
+check 'it starts the installed program' starts
+icons() { # of three sizes
+    local size
+    for size in 48 128 256; do
+        identify -format '%wx%h' "$usr/share/icons/hicolor/${size}x$size/apps/$(sed -n 's/^Icon=//p' "$entry").png" |
+            grep -qx "${size}x$size" || return 1
+    done
+}
+check 'its icon is there, of each size' icons
+data=$usr/share/metainfo/org.curtain.Curtain.metainfo.xml
+check 'the data for software centres are valid' appstreamcli validate --no-net "$data"
+sed 's/<id>.*</<id></' "$data" >"$scratch/org.curtain.Curtain.metainfo.xml"
+refuse 'planted: without an id' 'Validation failed' appstreamcli validate --no-net "$scratch/org.curtain.Curtain.metainfo.xml"
+sed '/^Type=/d' "$entry" >"$scratch/curtain.desktop"
+refuse 'planted: an entry of no type' 'Type' desktop-file-validate "$scratch/curtain.desktop"
+
+# Away again: all that was put there, and nothing else.
+gone() { # what is left is FILE..., and no folder of ours is without a file
+    local left
+    left=$(cd "$usr" && find . -type f | sort)
+    [ "$left" = "$*" ] || { echo "left: $left"; return 1; }
+    [ -z "$(find "$usr" -type d -name curtain -empty)" ]
+}
+echo 'return 1' >"$share/examples/first/mine.lua"
+touch "$usr/bin/other"
+uninstall() { makes uninstall DESTDIR="$scratch/root" PREFIX=/usr; }
+check 'make uninstall' uninstall
+check 'what others put there stays' gone "./bin/other
+./share/curtain/examples/first/mine.lua"
+rm "$share/examples/first/mine.lua" "$usr/bin/other"
+check 'once more' uninstall
+check 'nothing is left' gone
+ours() { [ ! -e "$share" ] && [ ! -e "$usr/share/doc/curtain" ]; }
+check 'nor any folder of its own' ours
 
 # The game that is built in is the one asked for, whatever was built in before, and follows its files.
 built_in() { # GAME [ARGUMENT]...: of make
@@ -58,17 +110,42 @@ not_again() { # nothing that is there is made once more
 check 'nothing is built twice' not_again
 check 'it is one file' bash -c 'cd / && exec "$1" hash --frames 1' - "$tree/build/curtain"
 
-# What make null asks for, on a machine that has nothing.
-asks() { # WHAT: with no programs and no headers
-    mkdir -p "$scratch/bin"
-    ln -sf "$(command -v dirname)" "$(command -v sh)" "$scratch/bin/"
-    sed 's,/usr/include/,/none/,' tools/deps.sh >"$scratch/deps.sh"
-    PATH=$scratch/bin sh "$scratch/deps.sh" "$1" 2>&1
+# A machine that has make and the plainest programs, apt-get, which writes down that it was asked, and no headers.
+bare=$scratch/bin
+mkdir -p "$bare"
+for word in dirname env find id make mkdir sh sort; do ln -sf "$(command -v $word)" "$bare/"; done
+printf '#!/bin/sh\necho "$@" >>"%s/asked"\n' "$scratch" >"$bare/apt-get"
+printf '#!/bin/sh\nexec "$@"\n' >"$bare/sudo"
+chmod +x "$bare/apt-get" "$bare/sudo"
+sed -i 's,/usr/include/,/none/,' "$tree/tools/deps.sh"
+asks() { # GOAL: of make there; what it says is in $scratch/says, what apt-get is asked in $scratch/asked
+    : >"$scratch/asked"
+    PATH=$bare make --no-print-directory -C "$tree" "$1" >"$scratch/says" 2>&1
 }
-without_sdl() { asks null | grep -q 'gcc .*liblua5.4-dev' && ! asks null | grep -q sdl; }
-check 'what is needed without a window has no SDL2' without_sdl
-with_sdl() { asks play | grep -q libsdl2-dev; }
-check 'with one it has' with_sdl
-asks_null() { make -n null | grep -qx 'tools/deps.sh null'; }
-check 'make null asks for the former' asks_null
+says() { # GOAL PACKAGES: make fails with one line to paste; apt-get is not asked
+    asks "$1" && { echo "make $1 does not fail"; return 1; }
+    cat "$scratch/says"
+    grep -qE "^curtain: something is missing; this installs it: (sudo )?apt-get install $2\$" "$scratch/says" && [ ! -s "$scratch/asked" ]
+}
+check 'make says what is missing, and installs nothing' says all 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
+check 'make null does, and asks for no SDL2' says null 'gcc libc6-dev pkg-config liblua5.4-dev libstb-dev'
+check 'make install does' says install 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
+installs() { # GOAL PACKAGE...: each of them asked of apt-get
+    local package
+    asks "$1"
+    cat "$scratch/says"
+    for package in "${@:2}"; do grep -q "^install .* $package\b" "$scratch/asked" || return 1; done
+}
+check 'make play installs it' installs play gcc libsdl2-dev
+check 'make test does, and what the tests need' installs test gcc libsdl2-dev libcmocka-dev appstream desktop-file-utils
+check 'make deps does' installs deps gcc libsdl2-dev libcmocka-dev
+refuse 'planted: a goal that installs' 'curtain: installing' says play 'gcc .*'
+lua_only() { # a machine whose pkg-config has no Lua
+    printf '#!/bin/sh\ncase "$*" in *lua*) exit 1 ;; esac\n' >"$bare/pkg-config"
+    chmod +x "$bare/pkg-config"
+    for word in cc gcc; do ln -sf "$(command -v $word)" "$bare/"; done
+    cp tools/deps.sh "$tree/tools/deps.sh"
+    says all liblua5.4-dev
+}
+check 'one library that is missing is one word' lua_only
 done_testing

@@ -1,6 +1,14 @@
 #!/usr/bin/env bash
 # losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is closed, a
 # score file that is damaged. In SDL's own dummy window.
+
+# Under nohup SIGHUP is ignored, here and in all that is started from here, and a shell cannot undo that.
+python3 - "$0" <<'PY' || exec python3 -c 'import os, signal, sys
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
+os.execv(sys.argv[1], sys.argv[1:])' "$0" "$@"
+import signal, sys
+sys.exit(signal.getsignal(signal.SIGHUP) == signal.SIG_IGN)
+PY
 . "$(dirname "$0")/../tap.sh"
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 windowed=$OUT/curtain

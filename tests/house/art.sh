@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/ and the sandbox's own are what tools/art.c draws, pixel by pixel, with gcc and clang.
+# art.sh - the pictures in roms/, the sandbox's own and the icons are what tools/art.c draws, pixel by pixel, with gcc and clang.
 . "$(dirname "$0")/../tap.sh"
 
 compare() { # WHAT ROM MODE
@@ -18,6 +18,14 @@ glow() { # WHAT
         python3 "$repo/tests/golden/png.py" "$repo/examples/sandbox/art/glow.png" "$1-glow/glow.png" difference.png
 }
 
+icons() { # WHAT
+    local size
+    mkdir -p "$1-icon" && "./$1" "$1-icon" icon || return
+    for size in 48 128 256; do
+        python3 "$repo/tests/golden/png.py" "$repo/share/icons/$size.png" "$1-icon/$size.png" difference.png || return
+    done
+}
+
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
@@ -26,5 +34,6 @@ for cc in gcc clang; do
     compare art-$cc testcard card
     compare art-$cc bench bench
     holds "the sandbox's glow is what art-$cc draws" glow art-$cc
+    holds "the icons are what art-$cc draws" icons art-$cc
 done
 finish

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# docs.sh - the manual's API section is what the program says, and the program's help covers what it offers.
+# docs.sh - the manual's API section is what the program says, and the program's help covers what it offers. README has the
+# figures of docs/proof.txt, says what is not there yet, and offers no key for it.
 . "$(dirname "$0")/../check.sh"
 curtain=$OUT/curtain-null
 
@@ -22,4 +23,30 @@ commands() {
     done
 }
 check "every command has its help" commands
+
+# As docs/proof.txt says it: "prove: 24 functions, 124238115279 inputs, 0 misrounded", with commas.
+figures() { # README
+    local said
+    said=$(sed -n 's/^prove: //p' docs/proof.txt | sed -E ':a; s/([0-9])([0-9]{3})($|[ ,])/\1,\2\3/; ta')
+    tr '\n' ' ' <"$1" | grep -qF "$said" || { echo "$1 does not say: $said"; return 1; }
+}
+check "README has the proofs' figures" figures README.md
+sed 's/24 functions/23 functions/' README.md >"$scratch/readme.md"
+refuse "planted: older figures" "24 functions, 124,238,115,279 inputs, 0 misrounded" figures "$scratch/readme.md"
+
+# What docs/design.md lists under "Not there yet" and a player would look for.
+missing() { # README
+    local word top
+    top=$(sed '/^## /,$d' "$1")
+    for word in sound lasers items; do
+        sed -n '/^## Not there yet/,$p' docs/design.md | grep -q "\`$word\`" || { echo "$word is there: say so"; return 1; }
+        grep -q "^\*\*What does not yet:.*\b$word\b" <<<"$top" || { echo "$1 does not say that $word is missing"; return 1; }
+        ! grep -E '^\| ' "$1" | grep -v 'plat_' | grep -w "$word" || { echo "$1 offers $word"; return 1; }
+    done
+}
+check "README says what is missing, and offers no key for it" missing README.md
+sed 's/| F2 | .* |$/| M | sound off and on |/' README.md >"$scratch/readme.md"
+refuse "planted: a key for sound" "offers sound" missing "$scratch/readme.md"
+sed 's/; lasers/; beams/' README.md >"$scratch/readme.md"
+refuse "planted: one is not named" "lasers is missing" missing "$scratch/readme.md"
 done_testing

@@ -1,6 +1,8 @@
-"""Checks the #include lines of the files named: every file includes its own floor or below.
+"""Checks the #include lines of the files named: every file includes its own floor or below, and rooms, which are the
+folders, include each other in no circle. Prints each room with how many files it has and what rooms it includes.
 
-Floors: src/base 0, fb 1, src/chips 2, src/board 3, src/cab 4, platform 5. Besides:
+Floors: src/base 0, fb 1, src/chips 2, src/board and the rooms in it 3, src/cab and the rooms in it 4, platform 5.
+Besides:
   - a chip includes of the chips only its own header, slots.h (what a chip is made of) and motion.h (how things move);
   - Lua's headers are seen in src/board alone; stb in src/cab/pack/png.c alone;
   - platform.h is included by src/cab; a port includes that header and nothing else of ours;
@@ -11,6 +13,7 @@ import re
 import sys
 
 FLOORS = {"src/base": 0, "fb": 1, "src/chips": 2, "src/board": 3, "src/cab": 4, "platform": 5}
+BIGGEST_ROOM = 25  # files in a room of src
 SHARED = {"src/chips/slots.h", "src/chips/motion.h"}
 LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
 # stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
@@ -20,13 +23,22 @@ HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
+def house(folder):
+    """The folder of FLOORS that a room belongs to, or None."""
+    return next((f for f in FLOORS if folder == f or folder.startswith(f + "/") and f in ("src/board", "src/cab")), None)
+
+
+def target_of(path, name):
+    return os.path.normpath(os.path.join(os.path.dirname(path), name))
+
+
 def own(path, name):
     """What is wrong with including our file `name` in `path`."""
-    folder, target = os.path.dirname(path), os.path.normpath(os.path.join(os.path.dirname(path), name))
-    there = os.path.dirname(target)
+    folder, target = house(os.path.dirname(path)), target_of(path, name)
+    there = house(os.path.dirname(target))
     if not os.path.exists(target):
         return "there is no " + target
-    if there not in FLOORS:
+    if there is None:
         return target + " is on no floor"
     if folder == "platform" and target != "platform/platform.h":
         return "a port includes platform.h and nothing else of ours"
@@ -43,7 +55,7 @@ def own(path, name):
 
 def system(path, name):
     """What is wrong with including the system's file `name` in `path`."""
-    folder = os.path.dirname(path)
+    folder = house(os.path.dirname(path))
     if name in LUA:
         return None if folder == "src/board" else "only src/board sees Lua"
     if name.startswith("stb"):
@@ -67,11 +79,58 @@ def check(path):
     return found
 
 
+def arrows(paths):
+    """The rooms each room includes, as {room: {other: a line that does}}."""
+    rooms = {}
+    for path in paths:
+        room = rooms.setdefault(os.path.dirname(path), {})
+        with open(path, encoding="utf-8") as f:
+            for number, line in enumerate(f, 1):
+                m = INCLUDE.match(line)
+                other = os.path.dirname(target_of(path, m[2])) if m and m[1] == '"' else None
+                if other and other != os.path.dirname(path):
+                    room.setdefault(other, "%s:%d" % (path, number))
+    return rooms
+
+
+def circle(rooms):
+    """A circle of arrows, as a list of rooms, or None."""
+    done, way = set(), []
+
+    def walk(room):
+        if room in way:
+            return way[way.index(room):] + [room]
+        if room in done:
+            return None
+        way.append(room)
+        found = next(filter(None, (walk(other) for other in sorted(rooms.get(room, {})))), None)
+        way.pop()
+        done.add(room)
+        return found
+
+    return next(filter(None, (walk(room) for room in sorted(rooms))), None)
+
+
+def check_rooms(paths):
+    """What is wrong with the rooms; prints them."""
+    rooms, found = arrows(paths), []
+    for room in sorted(rooms):
+        files = sum(os.path.dirname(p) == room for p in paths)
+        print("%-18s %2d files -> %s" % (room, files, " ".join(sorted(rooms[room])) or "none"))
+        if room.startswith("src/") and files > BIGGEST_ROOM:
+            found.append("%s: %d files; a room has %d at most" % (room, files, BIGGEST_ROOM))
+    round_and_round = circle(rooms)
+    if round_and_round:
+        found.append("rooms in a circle: " + ", ".join(
+            "%s -> %s (%s)" % (a, b, rooms[a][b]) for a, b in zip(round_and_round, round_and_round[1:])))
+    return found
+
+
 def main(paths):
-    ours = [p for p in paths if os.path.dirname(p) in FLOORS]
+    ours = [p for p in paths if house(os.path.dirname(p))]
     strange = [p + ": is in no folder of the house" for p in paths
                if p.split("/")[0] in ("src", "fb", "platform") and p not in ours]
-    found = strange + [line for p in ours for line in check(p)]
+    found = strange + [line for p in ours for line in check(p)] + check_rooms(ours)
     print("\n".join(found) if found else "%d files" % len(ours))
     return 1 if found or not ours else 0
 

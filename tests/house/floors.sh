@@ -3,14 +3,15 @@
 . "$(dirname "$0")/../check.sh"
 
 floors() { tree '*.c' '*.h' | xargs python3 tests/house/floors.py; }
-check "every include is of its own floor or below" floors
+check "every include is of its own floor or below, and no room is large or in a circle" floors
+floors | sed 's/^/# /'
 
 # planted FILE INCLUDE: the same checks in a copy of the house with one line more
 cp -r --parents src fb platform "$scratch"
 planted() {
     cp "$1" "$scratch/kept"
     echo "#include $2" >>"$scratch/$1"
-    (cd "$scratch" && python3 "$OLDPWD/tests/house/floors.py" "$1")
+    (cd "$scratch" && find src fb platform -name '*.[ch]' | xargs python3 "$OLDPWD/tests/house/floors.py")
     local rc=$?
     cp "$scratch/kept" "$scratch/$1"
     return $rc
@@ -22,9 +23,14 @@ refuse "planted: a chip includes another" "no other chip" planted src/chips/spar
 refuse "planted: a chip sees Lua" "only src/board sees Lua" planted src/chips/fix.c '<lua.h>'
 refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab/pack/pack.c '<lauxlib.h>'
 refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c '"../../platform/platform.h"'
-refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/keys.h"'
+refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/host/keys.h"'
 refuse "planted: stb in the board" "stb is for" planted src/board/draw/video.c '<stb/stb_image.h>'
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
 refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'
+refuse "planted: rooms in a circle" "rooms in a circle: src/board -> src/board/api (src/board/board.c:" \
+    planted src/board/board.c '"api/api_parts.h"'
+for i in $(seq 26); do echo >"$scratch/src/board/rom/more$i.c"; done
+refuse "planted: a room too large" "src/board/rom: 31 files; a room has 25 at most" planted src/board/rom/cart.c '"../../base/bytes.h"'
+rm "$scratch"/src/board/rom/more*.c
 refuse "planted: a clock below the cabinet" "there is no <time.h>" planted src/base/rng.h '<time.h>'
 done_testing

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# format.sh - every C file is as clang-format leaves it; no text has tabs, blanks at line ends or DOS line ends.
+# format.sh - every C file is as clang-format leaves it; no text has tabs, blanks at line ends or DOS line ends; and
+# .editorconfig says the same.
 . "$(dirname "$0")/../check.sh"
 
 formatted() { clang-format --style=file --dry-run -Werror "$@"; }
@@ -17,4 +18,26 @@ clean() {
 check "no tabs, no blanks at line ends" clean $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .ci/run | grep -v /seeds/)
 printf 'a line \n' >"$scratch/line.md"
 refuse "planted: a blank at a line's end" "line.md" clean "$scratch/line.md" /dev/null
+
+# setting FILE-PATTERN NAME: what .editorconfig says in that section
+setting() { sed -n "/^\[$1\]$/,/^$/s/^$2 = //p" "$editor"; }
+style() { sed -n "s/^$1: //p" .clang-format; }
+editor=.editorconfig
+agrees() {
+    [ "$(setting '\*' indent_size)" = "$(style IndentWidth)" ] || { echo "indent_size is not IndentWidth"; return 1; }
+    [ "$(setting '\*' max_line_length)" = "$(style ColumnLimit)" ] || { echo "max_line_length is not ColumnLimit"; return 1; }
+    [ "$(setting '\*' indent_style)" = space ] && [ "$(setting Makefile indent_style)" = tab ]
+}
+check ".editorconfig agrees with .clang-format" agrees
+sed 's/^indent_size = 4/indent_size = 8/' .editorconfig >"$scratch/editorconfig"
+editor=$scratch/editorconfig
+refuse "planted: another indent" "indent_size" agrees
+editor=.editorconfig
+ends() { # FILE...: each ends in a line end
+    local f
+    for f in "$@"; do [ -z "$(tail -c 1 "$f")" ] || { echo "$f does not end in a line end"; return 1; }; done
+}
+check "every text ends in a line end" ends $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .editorconfig '*.desktop' '*.xml' | grep -v /seeds/)
+printf 'no end' >"$scratch/end.md"
+refuse "planted: a last line without its end" "end.md" ends "$scratch/end.md"
 done_testing

@@ -3,7 +3,7 @@
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
 . "$(dirname "$0")/../check.sh"
 
-sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c; }
+sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c src/board/*/*.c; }
 linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
 
 all_linked() {
@@ -31,7 +31,7 @@ memcpy memmove memset memcmp memchr: bytes
 strlen strcmp strncmp strcpy strchr strstr strspn strpbrk: text
 snprintf vsnprintf: messages, into the caller's buffer
 strtod: correctly rounded; host.c puts the locale aside
-fegetenv fesetenv newlocale uselocale freelocale: host.c, which puts aside what the host has set
+fegetenv fesetenv newlocale uselocale freelocale: host.h, which puts aside what the host has set
 qsort: of names that all differ, so that how it sorts cannot show
 sqrt fmod ldexp frexp floor fabs: exact or correctly rounded by IEEE 754
 __assert_fail abort: the C programmer was wrong
@@ -60,7 +60,7 @@ low_calls() {
 
 # What the host has set is known to host.c alone.
 host_calls() {
-    nm -uA $(linked | grep -v /src/board/host.o) "$@" |
+    nm -uA $(linked | grep -v /src/base/host.o) "$@" |
         awk '$NF ~ /^(fe(get|set|test|clear|raise|hold|update).*|.*locale|localeconv)$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
 }
 
@@ -72,7 +72,7 @@ check "what the host has set is for host.c alone" host_calls
 
 # planted WHAT TEXT: hit.c with the text at its end, compiled and looked at
 planted() {
-    sed "s,\"\.\./,\"$PWD/src/,;s,\"hit\([a-z_]*\).h\",\"$PWD/src/board/hit\1.h\"," src/board/hits/hit.c >"$scratch/planted.c"
+    sed "s,#include \",&$PWD/src/board/hits/," src/board/hits/hit.c >"$scratch/planted.c"
     echo "$2" >>"$scratch/planted.c"
     ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" -o "$scratch/planted.o" || return 0
     case $1 in

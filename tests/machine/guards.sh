@@ -146,7 +146,7 @@ both 'memory: a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end' "
 both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' \
     'a text of 131072 bytes: a text has 65536 at most'
 both 'memory: many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(60000) .. #t end' "$MEMORY"
-both 'memory: string.rep' 'local s = ("x"):rep(1 << 27)' "$MEMORY"
+both 'a text too long by string.rep' 'local s = ("x"):rep(1 << 17)' 'a text of 131072 bytes: a text has 65536 at most'
 both 'memory: closures' 'local f while true do local g = f f = function() return g end end' "$MEMORY"
 both 'memory: many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end' "$MEMORY"
 both 'memory: table.concat' 'local t = {} for i = 1, 2000 do t[i] = ("x"):rep(200) end local u = {} while true do u[#u + 1] = table.concat(t, #u) end' "$MEMORY"
@@ -183,7 +183,7 @@ both 'a fault in pcall' 'pcall(function() return nil + 1 end)' 'attempt to perfo
 both 'a fault in __close while an error passes' \
     'pcall(function() local t <close> = setmetatable({}, { __close = function() return nil + 1 end }) error("boo") end)' \
     'attempt to perform arithmetic on a nil value'
-both 'lines in a message' 'error("one\ntwo\tthree\27[2J")' 'one two three [2J'
+both 'lines in a message' 'error("one\ntwo\tthree\27[2J")' $'one two\tthree [2J'
 bomb 'error in a handler' 'main.lua:2: boo' <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) error("boo") end)

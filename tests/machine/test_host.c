@@ -8,7 +8,7 @@
 #include <locale.h>
 #include <math.h>
 #include <unistd.h>
-#include "../../src/board/eval.h"
+#include "../../src/board/api/eval.h"
 #include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
 #include "../../src/cab/cli.h"

@@ -363,7 +363,7 @@ static void stamps_are_sprites(void **state)
     long drawn = 0, refused = 0;
 
     for (int k = 0; k < 6000; k++) {
-        size_t n = rng_below(&b->r, PLACES + 1);
+        size_t n = (size_t)rng_below(&b->r, PLACES + 1);
         random_image(b, 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE),
                      k % 3 ? 8 : 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE));
         random_clip(b);

@@ -15,6 +15,7 @@
 #include "../../platform/platform.h"
 #include "../../src/cab/args.h"
 #include "../../src/cab/cli.h"
+#include "../../src/cab/version.h"
 
 enum { MOST_WORDS = 32 };
 
@@ -517,8 +518,8 @@ static void test_rom_commands(void **state)
     runs("unpack @/g.rom @/un", EXIT_INPUT);
     says(log_text, "is already there");
     runs("--version", EXIT_DONE);
-    says(out, "curtain core version ");
-    says(out, "\nLua 5.4.");
+    says(out, "curtain " CURTAIN_VERSION " (core ");
+    says(out, ", Lua 5.4.");
     says(out, "-endian\n");
     runs("help play", EXIT_DONE);
     says(out, "p1.fire");

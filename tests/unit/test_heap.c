@@ -47,11 +47,11 @@ static size_t some_size(struct rng *r)
 {
     switch (rng_below(r, 8)) {
     case 0:
-        return 1 + rng_below(r, 8000);
+        return 1 + (size_t)rng_below(r, 8000);
     case 1:
-        return 1 + rng_below(r, 700);
+        return 1 + (size_t)rng_below(r, 700);
     default:
-        return 1 + rng_below(r, 120);
+        return 1 + (size_t)rng_below(r, 120);
     }
 }
 
@@ -60,7 +60,7 @@ static size_t step(struct model *m)
 {
     struct thing *t = &m->things[rng_below(&m->rng, THINGS)];
     bool drop = t->p && rng_below(&m->rng, 3) == 0;
-    size_t size = drop ? 0 : some_size(&m->rng), old = t->p ? t->size : rng_below(&m->rng, 9);
+    size_t size = drop ? 0 : some_size(&m->rng), old = t->p ? t->size : (size_t)rng_below(&m->rng, 9);
     unsigned char fill = (unsigned char)rng_next(&m->rng);
 
     if (t->p)

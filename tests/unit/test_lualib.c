@@ -182,7 +182,7 @@ static void fails_for_good(struct pair **p, const char *chunk, const char *what)
 static size_t random_subject(struct rng *r, char *out)
 {
     static const char letters[] = "aaabbbcx01 (){}[].%-^$Z\n";
-    size_t n = rng_below(r, 24);
+    size_t n = (size_t)rng_below(r, 24);
 
     for (size_t i = 0; i < n; i++)
         out[i] = rng_below(r, 40) ? letters[rng_below(r, sizeof letters - 1)] : (char)rng_below(r, 256);
@@ -290,7 +290,7 @@ static void refuses_malformed_patterns(void **state)
     int refused = 0, accepted = 0;
 
     for (int i = 0; i < 20000; i++) {
-        size_t n = rng_below(&p->rng, 9), sn = random_subject(&p->rng, s);
+        size_t n = (size_t)rng_below(&p->rng, 9), sn = random_subject(&p->rng, s);
         for (size_t k = 0; k < n; k++)
             pat[k] = letters[rng_below(&p->rng, sizeof letters - 1)];
         bool stock = run(p->stock, "return string.find(...)", ARGS(text(s, sn), text(pat, n)), a);

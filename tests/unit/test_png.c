@@ -238,7 +238,8 @@ static uint8_t *make(const struct kind *k, const uint8_t *raw, size_t raw_size, 
     p = put_chunk(p + 8, "IHDR", head, 13);
     if (n_colours)
         p = put_chunk(p, "PLTE", palette, 3 * n_colours);
-    p = put_chunk(p, "IDAT", packed, n / 2); /* in two pieces */
+    p = put_chunk(p, "IDAT", packed, 0); /* in an empty piece and two more */
+    p = put_chunk(p, "IDAT", packed, n / 2);
     p = put_chunk(p, "IDAT", packed + n / 2, n - n / 2);
     p = put_chunk(p, "IEND", NULL, 0);
     free(packed);

@@ -155,7 +155,7 @@ static void test_anything(void **state)
     (void)state;
     rng_seed(&rng, 3);
     for (int i = 0; i < 200000; i++) {
-        size_t n = 11 + rng_below(&rng, 40), size;
+        size_t n = 11 + (size_t)rng_below(&rng, 40), size;
         memcpy(text, "practice 1\n", 11);
         for (size_t k = 11; k < n; k++)
             text[k] = some[rng_below(&rng, rng_below(&rng, 3) ? 24 : sizeof some)];

@@ -90,7 +90,8 @@ static void test_crc_of_pieces(void **state)
     (void)state;
     rng_seed(&r, 3);
     for (int k = 0; k < 5000; k++) {
-        size_t from = rng_below(&r, 16), n = rng_below(&r, sizeof bytes - from + 1), half = rng_below(&r, n + 1);
+        size_t from = (size_t)rng_below(&r, 16), n = (size_t)rng_below(&r, sizeof bytes - from + 1),
+               half = (size_t)rng_below(&r, n + 1);
         uint32_t want = 0xffffffffu;
         for (size_t i = 0; i < sizeof bytes; i++)
             bytes[i] = (uint8_t)rng_next(&r);

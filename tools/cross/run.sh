@@ -161,6 +161,9 @@ one() { # BUILD: its line; $dir/good when it agrees
 fact() { # BUILD WORD: what its version line that begins so goes on with
     sed -n "s/^$2 //p" "$cross/$1/version"
 }
+lua_of() { # BUILD
+    sed -n 's/^curtain .*, Lua \([0-9.]*\))$/\1/p' "$cross/$1/version"
+}
 
 table() {
     local name key keys
@@ -168,7 +171,7 @@ table() {
     echo "| build | \`file\` | words, bytes | compiler | Lua |"
     echo "|---|---|---|---|---|"
     for name in $builds; do
-        echo "| $name | $(file -b "$cross/$name/curtain-null" | sed 's/, BuildID[^,]*//; s/, with debug_info//; s/, for GNU.*//; s/, not stripped//') | $(fact "$name" machine) | $(fact "$name" compiler) | $(fact "$name" Lua) |"
+        echo "| $name | $(file -b "$cross/$name/curtain-null" | sed 's/, BuildID[^,]*//; s/, with debug_info//; s/, for GNU.*//; s/, not stripped//') | $(fact "$name" machine) | $(fact "$name" compiler) | $(lua_of "$name") |"
     done
     echo
     echo "The state's hash after the last frame:"

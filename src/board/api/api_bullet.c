@@ -319,31 +319,42 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
     case P_X:
     case P_Y:
         bullets_place(s, i, &x, &y);
-        return push_q32(L, p == P_X ? x : y);
+        push_q32(L, p == P_X ? x : y);
+        break;
     case P_DIR:
-        return lua_pushnumber(L, trig_to_degrees(s->dir[i]));
+        lua_pushnumber(L, trig_to_degrees(s->dir[i]));
+        break;
     case P_SPEED:
-        return push_q32(L, bullets_speed(s, i));
+        push_q32(L, bullets_speed(s, i));
+        break;
     case P_VX:
     case P_VY:
         bullets_velocity(s, i, &x, &y);
-        return push_q32(L, p == P_VX ? x : y);
+        push_q32(L, p == P_VX ? x : y);
+        break;
     case P_KIND:
-        return names_push(L, names, s->kind[i]);
+        names_push(L, names, s->kind[i]);
+        break;
     case P_BANK:
-        return lua_pushinteger(L, s->bank[i]);
+        lua_pushinteger(L, s->bank[i]);
+        break;
     case P_TAG:
-        return api_push_tag(L, s->tag[i]);
+        api_push_tag(L, s->tag[i]);
+        break;
     case P_MOTION:
         if (s->motion[i])
-            return lua_pushinteger(L, handle_of(H_MOTION, 1, s->motion[i] - 1u));
-        return lua_pushnil(L);
+            lua_pushinteger(L, handle_of(H_MOTION, 1, s->motion[i] - 1u));
+        else
+            lua_pushnil(L);
+        break;
     case P_AGE:
-        return lua_pushinteger(L, b->core.clock - s->born[i]);
+        lua_pushinteger(L, b->core.clock - s->born[i]);
+        break;
     default:
         if (s->player[i])
-            return lua_pushinteger(L, board_handle(b, H_PLAYER, s->player[i] - 1));
-        return lua_pushnil(L);
+            lua_pushinteger(L, board_handle(b, H_PLAYER, s->player[i] - 1));
+        else
+            lua_pushnil(L);
     }
 }
 

@@ -207,21 +207,28 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
 
     switch (p) {
     case P_X:
-        return lua_pushnumber(L, fx_to_double(e->x[i]));
+        lua_pushnumber(L, fx_to_double(e->x[i]));
+        break;
     case P_Y:
-        return lua_pushnumber(L, fx_to_double(e->y[i]));
+        lua_pushnumber(L, fx_to_double(e->y[i]));
+        break;
     case P_HP:
-        return lua_pushinteger(L, e->hp[i]);
+        lua_pushinteger(L, e->hp[i]);
+        break;
     case P_BANK:
-        return lua_pushinteger(L, e->bank[i]);
+        lua_pushinteger(L, e->bank[i]);
+        break;
     case P_TAG:
-        return api_push_tag(L, e->tag[i]);
+        api_push_tag(L, e->tag[i]);
+        break;
     case P_SAFE:
-        return lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
+        lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
+        break;
     case P_KIND:
-        return names_push(L, N_ENEMY, e->kind[i]);
+        names_push(L, N_ENEMY, e->kind[i]);
+        break;
     default:
-        return lua_pushinteger(L, b->core.clock - e->born[i]);
+        lua_pushinteger(L, b->core.clock - e->born[i]);
     }
 }
 

@@ -232,23 +232,31 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
 
     switch (p) {
     case P_X:
-        return lua_pushnumber(L, fx_to_double(s->x[i]));
+        lua_pushnumber(L, fx_to_double(s->x[i]));
+        break;
     case P_Y:
-        return lua_pushnumber(L, fx_to_double(s->y[i]));
+        lua_pushnumber(L, fx_to_double(s->y[i]));
+        break;
     case P_LIVES:
-        return lua_pushinteger(L, s->lives[i]);
+        lua_pushinteger(L, s->lives[i]);
+        break;
     case P_SAFE:
-        return lua_pushinteger(L, s->safe[i]);
+        lua_pushinteger(L, s->safe[i]);
+        break;
     case P_FOCUS:
-        return lua_pushboolean(L, s->focus[i]);
+        lua_pushboolean(L, s->focus[i]);
+        break;
     case P_GRAZES:
-        return lua_pushinteger(L, s->grazes[i]);
+        lua_pushinteger(L, s->grazes[i]);
+        break;
     case P_SCORE:
-        return lua_pushinteger(L, s->score[i]);
+        lua_pushinteger(L, s->score[i]);
+        break;
     case P_INDEX:
-        return lua_pushinteger(L, i + 1);
+        lua_pushinteger(L, i + 1);
+        break;
     default:
-        return names_push(L, N_PLAYER, s->kind[i]);
+        names_push(L, N_PLAYER, s->kind[i]);
     }
 }
 

@@ -68,22 +68,25 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
 
     switch (p) {
     case P_X:
-        return lua_pushnumber(L, fx_to_double(s->x[i]));
+        lua_pushnumber(L, fx_to_double(s->x[i]));
+        break;
     case P_Y:
-        return lua_pushnumber(L, fx_to_double(s->y[i]));
+        lua_pushnumber(L, fx_to_double(s->y[i]));
+        break;
     case P_SPRITE:
         lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
-        return;
+        break;
     case P_BANK:
-        return lua_pushinteger(L, s->bank[i]);
+        lua_pushinteger(L, s->bank[i]);
+        break;
     case P_BLEND:
         if (s->flags[i] & SPRITE_BLEND)
             lua_pushstring(L, cart_blend_name(&b->cart, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
         else
             lua_pushnil(L);
-        return;
+        break;
     default:
-        return lua_pushboolean(L, s->flags[i] & flag_of[p]);
+        lua_pushboolean(L, s->flags[i] & flag_of[p]);
     }
 }
 

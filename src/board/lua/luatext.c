@@ -174,7 +174,7 @@ static bool prepare(lua_State *L, const struct spec *f, int arg)
     bool is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
     bool number = strchr("eEfgG", *f->letter) != NULL;
     lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
-    size_t n = is_text ? lua_rawlen(L, arg) : 0;
+    size_t n = is_text ? (size_t)lua_rawlen(L, arg) : 0;
 
     vm_charge(L, number ? 500 : 16 + (*f->letter == 'q' ? n / 2 : 0));
     if (*f->letter == 's') {

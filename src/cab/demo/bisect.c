@@ -73,12 +73,28 @@ static bool take_number(const char *word, uint32_t *out)
     return v <= UINT32_MAX;
 }
 
-/* Are these words NAME=VALUE, each value made of such characters? */
+/* The value of a NAME=VALUE, its length in *n; NULL: there is none of that name. */
+static const char *value_of(const char *values, const char *name, size_t name_n, size_t *n)
+{
+    for (const char *p = values; *p;) {
+        size_t word = strcspn(p, " ");
+        if (word > name_n && p[name_n] == '=' && memcmp(p, name, name_n) == 0) {
+            *n = word - name_n - 1;
+            return p + name_n + 1;
+        }
+        p += word + (p[word] == ' ');
+    }
+    return NULL;
+}
+
+/* Are these words NAME=VALUE, each name given once and each value made of such characters? */
 static bool good_values(const char *p, const char *set)
 {
+    const char *values = p;
+
     while (*p) {
         size_t name = strspn(p, "abcdefghijklmnopqrstuvwxyz0123456789_"), n;
-        if (name == 0 || p[name] != '=')
+        if (name == 0 || p[name] != '=' || value_of(values, p, name, &n) != p + name + 1)
             return false;
         p += name + 1;
         n = strcspn(p, " ");
@@ -171,20 +187,6 @@ static bool next_both(struct bisect *s)
 }
 
 /* ---- what differs ---- */
-
-/* The value of a NAME=VALUE, its length in *n; NULL: there is none of that name. */
-static const char *value_of(const char *values, const char *name, size_t name_n, size_t *n)
-{
-    for (const char *p = values; *p;) {
-        size_t word = strcspn(p, " ");
-        if (word > name_n && p[name_n] == '=' && memcmp(p, name, name_n) == 0) {
-            *n = word - name_n - 1;
-            return p + name_n + 1;
-        }
-        p += word + (p[word] == ' ');
-    }
-    return NULL;
-}
 
 /* Counts a difference, and says the frame before the first; false: enough is printed. */
 static bool found(struct bisect *s, uint32_t frame)

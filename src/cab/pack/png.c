@@ -365,11 +365,12 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
     return false;
 }
 
-/* The same picture with grey i for index i, and nothing that stb need not know. */
-static uint8_t *grey_file(const uint8_t *data, const struct layout *l, const uint8_t *packed, size_t *size)
+/* The same picture with all its data in one chunk, and nothing that stb need not know: of indices with grey i for index
+ * i. (stb's reader cannot take an empty chunk of data before the others.) */
+static uint8_t *plain_file(const uint8_t *data, const struct layout *l, const uint8_t *packed, size_t *size)
 {
-    uint32_t greys[256];
-    uint8_t *file = malloc(sizeof signature + 4 * 12 + 13 + 768 + l->pixels), *p = file;
+    uint32_t greys[256], opacities = l->colour == 3 ? 0 : l->opacities;
+    uint8_t *file = malloc(sizeof signature + 5 * 12 + 13 + 768 + opacities + l->pixels), *p = file;
 
     if (!file)
         return NULL;
@@ -377,7 +378,10 @@ static uint8_t *grey_file(const uint8_t *data, const struct layout *l, const uin
         greys[i] = i * 0x010101u;
     memcpy(p, signature, sizeof signature);
     p = chunk(p + sizeof signature, "IHDR", data + sizeof signature + 8, 13);
-    p = palette_chunk(p, greys);
+    if (l->colour == 3)
+        p = palette_chunk(p, greys);
+    else if (l->opacity)
+        p = chunk(p, "tRNS", l->opacity, opacities);
     p = chunk(p, "IDAT", packed, (uint32_t)l->pixels);
     p = chunk(p, "IEND", NULL, 0);
     *size = (size_t)(p - file);
@@ -418,11 +422,11 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     return NULL;
 }
 
-static uint8_t *decode_indices(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,
-                               size_t err_size)
+static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,
+                             size_t err_size)
 {
     size_t size;
-    uint8_t *file = grey_file(data, l, packed, &size), *rgba;
+    uint8_t *file = plain_file(data, l, packed, &size), *rgba;
 
     if (!file) {
         err_set(err, err_size, "out of memory");
@@ -430,7 +434,7 @@ static uint8_t *decode_indices(const uint8_t *data, const struct layout *l, cons
     }
     rgba = decode(file, size, err, err_size);
     free(file);
-    if (rgba && !look_up(l, rgba, err, err_size)) {
+    if (rgba && l->colour == 3 && !look_up(l, rgba, err, err_size)) {
         free(rgba);
         return NULL;
     }
@@ -453,7 +457,7 @@ bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, cha
     if (!packed)
         return err_set(err, err_size, "out of memory");
     if (check_pixels(&l, packed, err, err_size))
-        *rgba = l.colour == 3 ? decode_indices(data, &l, packed, err, err_size) : decode(data, n, err, err_size);
+        *rgba = decode_plain(data, &l, packed, err, err_size);
     free(packed);
     *w = (int)l.w;
     *h = (int)l.h;

@@ -8,12 +8,12 @@
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
-#include "api.h"
-#include "api/api_parts.h"
-#include "events_run.h"
-#include "../base/host.h"
-#include "lualib.h"
-#include "script.h"
+#include "../api.h"
+#include "api_parts.h"
+#include "../events_run.h"
+#include "../../base/host.h"
+#include "../lualib.h"
+#include "../script.h"
 
 static const char chunk[] = "=console", place[] = "console:1: ";
 

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# man.sh - the manual page, which tools/manpage.sh makes of what `curtain help` says: all of it is there, no checker finds
+# anything in it, and its examples run.
+. "$(dirname "$0")/../check.sh"
+curtain=$OUT/curtain-null
+page=$scratch/curtain.1
+
+check "the page is made" bash -c "tools/manpage.sh '$curtain' >'$page'"
+# As a reader sees it: one line, single blanks, plain hyphens.
+shown() { mandoc -T ascii "$1" | sed $'s/.\b//g' | tr -s ' \n' '  '; }
+
+# What the help has in its tables, a line each: its first word.
+words() { sed -nE 's/^  (curtain )?([^ ]+) .*/\2/p'; }
+has() { # PAGE: every command, option, key, setting and exit code
+    local word text n=0
+    text=$(shown "$1")
+    for word in $({ "$curtain" help; "$curtain" help play; } | words | sort -u); do
+        n=$((n + 1))
+        case $text in *" $word "*) ;; *) echo "$word is not on the page"; return 1 ;; esac
+    done
+    [ $n -gt 70 ] || { echo "only $n words"; return 1; }
+}
+check "all of the help's tables are on it" has "$page"
+sed '/rerecord/d' "$page" >"$scratch/short.1"
+refuse "planted: an option is missing" "--rerecord is not on the page" has "$scratch/short.1"
+explains() { # PAGE: what stands behind an option, a key, a setting, an exit code
+    local words text
+    text=$(shown "$1")
+    for words in '--seed N seed of the random streams, 0 to 2^64 - 1' 'with --stage: nothing hits the player [play, render, hash]' \
+        'p1.fire z pad.south fire; yes in menus' 'p2.down s kp5 kp2 pad.down pad.ldown the second player' \
+        'volume 100 (0 to 100) percent' '3 the host failed'; do
+        case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
+    done
+}
+check "and what they mean" explains "$page"
+release() { sed -n 's/^curtain \([^ ]*\) .*/\1/p' <<<"$("$curtain" version)"; }
+check "it says which release it is of" grep -q "^\.TH CURTAIN 1 .* \"Curtain $(release)\"" "$page"
+
+quiet() { # COMMAND...: finds nothing
+    local said
+    said=$("$@" 2>&1 >/dev/null; "$@" 2>/dev/null | grep -E '(STYLE|WARNING|ERROR|UNSUPP|BASE):')
+    echo "$said"
+    [ -z "$said" ]
+}
+check "mandoc finds nothing in it" quiet mandoc -T lint -W all "$page"
+{ cat "$page"; echo '.XX'; } >"$scratch/bad.1"
+refuse "planted: an unknown macro, for mandoc" "unknown macro" quiet mandoc -T lint -W all "$scratch/bad.1"
+if command -v man >/dev/null && man --version 2>/dev/null | grep -q 'man 2'; then
+    check "man does not warn of it" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$page"
+    printf '.TP\n.foo bar\n' >>"$scratch/bad.1"
+    refuse "planted: an unknown macro, for man" "warning" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$scratch/bad.1"
+else
+    echo "# no man of man-db here: its warnings are not looked at"
+fi
+
+# The examples, in a folder with a game; a run without a window takes the place of `play`, which needs one.
+examples() ( # PAGE
+    local line n=0
+    mkdir -p "$scratch/here" && cp -r examples/first "$scratch/here/mygame" && cd "$scratch/here" || return
+    curtain() {
+        [ "$1" != play ] || set -- hash "${@:2}" --frames 60
+        "$program" "$@" >/dev/null
+    }
+    while read -r line; do
+        eval "$line" || { echo "$line"; return 1; }
+        n=$((n + 1))
+    done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
+    [ $n = 3 ] && [ -s one.png ]
+)
+program=$(realpath "$curtain")
+check "its examples run" examples "$page"
+done_testing

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# version.sh - `curtain version` names the release, which src/cab/version.h has and CHANGELOG.md begins with; the core
+# version, which src/board/board.h has; and the release of Lua.
+. "$(dirname "$0")/../check.sh"
+curtain=$OUT/curtain-null
+
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
+core=$(sed -n 's/^ *CORE_VERSION = \([0-9]*\),.*/\1/p' src/board/board.h)
+lua=$(printf '#include <lua.h>\nLUA_RELEASE\n' | ${CC:-cc} -E -P $(pkg-config --cflags lua5.4) - | tail -1 | tr -d '"' | sed 's, *\. *,.,g; s,  *, ,g')
+first() { "$curtain" "$@" | head -n 1; }
+says() { # WORDS WORD...: the first line
+    [ "$(first "${@:2}")" = "$1" ] || { echo "expected $1, got $(first "${@:2}")"; return 1; }
+}
+check "the release is a number of three parts" grep -qxE '[0-9]+\.[0-9]+\.[0-9]+' <<<"$release"
+check "version" says "curtain $release (core $core, $lua)" version
+check "--version is the same" says "curtain $release (core $core, $lua)" --version
+check "with a command too" says "curtain $release (core $core, $lua)" play --version
+refuse "planted: another core version" "expected curtain $release (core $((core + 1))" \
+    says "curtain $release (core $((core + 1)), $lua)" version
+same() { [ "$("$curtain" version)" = "$("$OUT/curtain" version)" ]; }
+check "the program with a window says the same" same
+helps() { "$curtain" help | grep -qE '^  curtain version  .*release' && "$curtain" help | grep -qE '^  --version '; }
+check "help lists it" helps
+
+newest() { # FILE: its first heading of a version is the release's
+    local top
+    top=$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$1" | head -n 1)
+    [ "$top" = "$release" ] || { echo "$1 begins with $top, expected $release"; return 1; }
+}
+check "CHANGELOG.md begins with it" newest CHANGELOG.md
+sed 's/^## [0-9.]*/## 9.9.9/' CHANGELOG.md >"$scratch/changes.md"
+refuse "planted: another release" "begins with 9.9.9" newest "$scratch/changes.md"
+cores() { # FILE: has a line for every core version
+    local v
+    for v in $(seq "$core"); do
+        grep -q "^| $v | " "$1" || { echo "$1 has no core version $v"; return 1; }
+    done
+}
+check "CHANGELOG.md has every core version" cores CHANGELOG.md
+sed "/^| $core | /d" CHANGELOG.md >"$scratch/changes.md"
+refuse "planted: one is missing" "no core version $core" cores "$scratch/changes.md"
+done_testing

@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# contributing.sh - what CONTRIBUTING.md shows works: files it names are there, its function of the API, its chip and its
+# tests compile without a warning and do what is said, and its commit message follows its own rule.
+. "$(dirname "$0")/../check.sh"
+page=CONTRIBUTING.md
+
+names() { # PAGE: files that are not the examples' own
+    local file bad=0
+    for file in $(grep -oE '`(src|fb|docs|roms|scripts|tests|tools)/[A-Za-z0-9_./-]+`' "$1" | tr -d '`' | sort -u); do
+        case $file in *ripples.[ch] | *NAME* | *GAME*) continue ;; esac
+        [ -e "$file" ] || { echo "$1: there is no $file"; bad=1; }
+    done
+    return $bad
+}
+check "the files it names are there" names $page
+echo 'See `src/chips/gone.c`.' >"$scratch/page.md"
+refuse "planted: one is not" "src/chips/gone.c" names "$scratch/page.md"
+
+# The n-th block of C or shell, without its indent, into a file.
+block() { # KIND N
+    awk -v kind="$1" -v want="$2" '
+        $0 ~ "^ *```" kind "$" { on = ++n == want; match($0, /^ */); indent = RLENGTH; next }
+        /^ *```$/ { on = 0 }
+        on { print substr($0, indent + 1) }' $page
+}
+# Each example by something that only it has.
+find_block() { # WORDS
+    local n
+    for n in $(seq 30); do
+        block c "$n" | grep -qF -- "$1" && { block c "$n"; return; }
+    done
+    echo "there is no block with $1" >&2
+    return 1
+}
+
+# The sample of style is a function as it is.
+sample() {
+    find_block 'void pal_fade' >"$scratch/sample" &&
+        python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' "$scratch/sample" "$1"
+}
+check "the sample of code is src/chips/pal.c's" sample src/chips/pal.c
+
+# What the examples add, in a copy of the source.
+copy=$scratch/copy
+mkdir -p "$copy/tests"
+cp -r src fb platform "$copy/"
+cp -r tests/machine "$copy/tests/"
+lua=$(pkg-config --cflags lua5.4)
+compile() { # ARGUMENT...: by the Makefile's flags, without a warning
+    # shellcheck disable=SC2046
+    gcc -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE $(sed -n 's/^WARN *:= //p' Makefile) -Werror ${lua//-I/-isystem } "$@"
+}
+# The program's objects, but for those named, which are the copy's.
+objects() { # NAME...
+    local not
+    not=$(printf -- '-e /%s ' cab/main.o gen/rom.o "$@")
+    # shellcheck disable=SC2086
+    sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v $not
+}
+libraries() { pkg-config --libs lua5.4; echo -lm -pthread; }
+
+chip() {
+    { echo '#ifndef R'; echo '#define R'; echo '#include "../base/fx.h"'; echo '#include "slots.h"'; find_block 'struct ripples {'; echo '#endif'; } \
+        >"$copy/src/chips/ripples.h" && { echo '#include "ripples.h"'; find_block 'COLUMN(ripples, x)'; } >"$copy/src/chips/ripples.c" &&
+        compile -c "$copy/src/chips/ripples.c" -o "$scratch/ripples.o" &&
+        clang-format --style=file:.clang-format --dry-run -Werror "$copy/src/chips/ripples.c" "$copy/src/chips/ripples.h"
+}
+check "its chip compiles" chip
+
+# The function of the API, in a program that says what three calls give.
+api() {
+    find_block 'int rng_sign(' >"$scratch/sign.c" && find_block '"rng.sign"' >"$scratch/row" &&
+        awk -v sign="$scratch/sign.c" -v row="$scratch/row" '
+            /^#define NO_PARAMS/ { while ((getline line <sign) > 0) print line }
+            { print }
+            /^static const struct api_entry entries/ { while ((getline line <row) > 0) print line }' \
+            src/board/api/api_rng.c >"$copy/src/board/api/api_rng.c" || return
+    grep -q '^static int rng_sign' "$copy/src/board/api/api_rng.c" || return
+    # shellcheck disable=SC2046
+    compile "$copy/src/board/api/api_rng.c" $(objects board/api/api_rng.o) "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
+        mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
+        echo 'local n = 0 for i = 1, 1000 do local s = rng.sign() assert(s == 1 or s == -1) n = n + s end assert(n > -200 and n < 200)' \
+            >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&
+        "$scratch/curtain" help lua rng.sign | grep -q -- '-1 or 1'
+}
+check "its function of the API does what it says" api
+
+main_of() { sed 's/test_seed/test_leaves/' <<<"$(find_block 'cmocka_unit_test(test_seed)' | sed -n '/^int main/,$p')"; }
+headers='setjmp.h stdarg.h stddef.h stdint.h cmocka.h'
+unit() {
+    { printf '#include <%s>\n' $headers; echo '#include "../src/base/rng.h"'; find_block 'test_seed(void'; } >"$copy/tests/unit.c" &&
+        compile "$copy/tests/unit.c" -lcmocka -o "$scratch/unit" && "$scratch/unit"
+}
+check "its unit test passes" unit
+machine() {
+    { echo '#include "rig.h"'; find_block 'test_leaves(void'; main_of; } >"$copy/tests/machine/leaves.c" &&
+        # shellcheck disable=SC2046
+        compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka -o "$scratch/machine" && "$scratch/machine"
+}
+check "its test of a board passes" machine
+shell() {
+    mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs"
+    cp tests/check.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" && block sh 3 >"$scratch/shell/tests/house/first.sh" &&
+        bash "$scratch/shell/tests/house/first.sh"
+}
+check "its shell test passes" shell
+mutant() { # its entry is one of the list
+    local entry
+    entry=$(sed -n '/^\*\*Mutant/,/^\*\*Fuzz/s/^    //p' $page)
+    [ -n "$entry" ] && python3 -c 'import sys; sys.exit(sys.argv[1] not in open("tests/mutants.list").read())' "$entry"
+}
+check "its mutant is one of the list" mutant
+subject() {
+    local line
+    line=$(sed -n '/^## Commits/,/^## /s/^    //p' $page | head -n 1)
+    [ ${#line} -le 60 ] && [[ $line =~ ^[a-z_-]+:\ .+ ]]
+}
+check "its subject follows its own rule" subject
+done_testing

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# warnings.sh - every C file that make compiles is free of warnings by the Makefile's own flags (WARN and its exceptions).
+. "$(dirname "$0")/../check.sh"
+
+# commands [VARIABLE=VALUE...]: a line for each file that make compiles: its flags and its name
+commands() {
+    local proofs
+    proofs=$(for f in tools/prove/{roots,sines,polar,directions,products,shapes,digest}.c; do basename "$f" .c; done)
+    # shellcheck disable=SC2086
+    make -n -B CONFIG=release V=1 CC=gcc "$@" programs build/release/bot build/release/given/fuzz_rom \
+        $(printf 'build/release/prove/%s ' $proofs) | grep '^gcc ' |
+        sed -E 's/ -o [^ ]+//; s/ [^ ]+\.o\b//g; s/ -(MMD|MP|c|pie|Wl,[^ ]*|l[a-z0-9.]+)\b//g' |
+        grep -E ' [a-z0-9_/]+\.c( |$)' | grep -v ' build/release/gen/' | sort -u
+}
+quiet() { xargs -P 2 -d '\n' -I LINE sh -c 'LINE -Werror -fsyntax-only' <"$1"; }
+all_there() {
+    for f in $(tree 'src/*.c' 'fb/*.c' 'tests/unit/*.c' 'tests/machine/test_*.c' 'tools/bench/*.c' 'tools/lab/*.c'); do
+        grep -q " $f\b" "$scratch/commands" || { echo "make does not compile $f"; return 1; }
+    done
+}
+commands >"$scratch/commands"
+check "make compiles them all" all_there
+check "no warning" quiet "$scratch/commands"
+printf 'void f(void);\nvoid g(void);\nvoid g(void)\n{\n    return f();\n}\n' >"$scratch/planted.c"
+sed -n "s,src/base/hash\.c,$scratch/planted.c,p" "$scratch/commands" >"$scratch/planted"
+refuse "planted: what ISO C forbids" "Werror=pedantic" quiet "$scratch/planted"
+grep ' tests/machine/test_fine\.c' "$scratch/commands" | sed 's/ -Wno-pedantic//' >"$scratch/fine"
+refuse "planted: without the exception" "test_fine.c" quiet "$scratch/fine"
+done_testing

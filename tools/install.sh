@@ -1,0 +1,49 @@
+#!/bin/sh
+# install.sh - puts what make built, and what belongs to it, below $DESTDIR$PREFIX, or takes it away again.
+#
+#     DESTDIR=... PREFIX=/usr/local tools/install.sh install|uninstall
+#
+# One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own.
+set -eu
+cd "$(dirname "$0")/.."
+root=${DESTDIR:-}${PREFIX:-/usr/local}
+bin=bin man=share/man/man1 doc=share/doc/curtain data=share/curtain
+
+# MODE FILE TARGET, a line each, the target below the prefix. No name has a blank.
+list() {
+    echo "755 build/curtain $bin/curtain"
+    echo "755 build/curtain-null $bin/curtain-null"
+    echo "644 build/curtain.1 $man/curtain.1"
+    echo "644 build/curtain-null.1 $man/curtain-null.1"
+    echo "644 share/curtain.desktop share/applications/curtain.desktop"
+    echo "644 share/org.curtain.Curtain.metainfo.xml share/metainfo/org.curtain.Curtain.metainfo.xml"
+    for size in 48 128 256; do
+        echo "644 share/icons/$size.png share/icons/hicolor/${size}x$size/apps/curtain.png"
+    done
+    for page in README.md CHANGELOG.md LICENSE docs/*.md docs/*.txt; do
+        echo "644 $page $doc/${page##*/}"
+    done
+    find docs/accuracy docs/images docs/speed -type f | sort | sed "s,^docs/\(.*\),644 & $doc/\1,"
+    find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
+}
+
+case ${1:-} in
+install)
+    list | while read -r mode file target; do
+        install -d "$root/${target%/*}"
+        install -m "$mode" "$file" "$root/$target"
+    done
+    ;;
+uninstall)
+    list | while read -r mode file target; do
+        rm -f "$root/$target"
+    done
+    for own in "$root/$doc" "$root/$data"; do
+        [ ! -d "$own" ] || find "$own" -depth -type d -exec rmdir --ignore-fail-on-non-empty {} +
+    done
+    ;;
+*)
+    echo "tools/install.sh: expected install or uninstall, got \"${1:-}\"" >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,156 @@
+#!/bin/sh
+# manpage.sh - writes curtain(1) from the tables behind `curtain help`: commands, options and what they go with, keys,
+# settings, exit codes. Only the text around them stands here.
+#
+#     tools/manpage.sh "CURTAIN" >curtain.1      CURTAIN: the program, after what runs it if it is another machine's
+set -eu
+curtain=$1
+date=2026-11-22 # of the text below
+
+# Text made safe for roff: no escapes, hyphens that can be copied, no line that is a request.
+roff() {
+    sed -e 's/\\/\\e/g' -e 's/-/\\-/g' -e 's/\^/\\(ha/g' -e 's/~/\\(ti/g' -e 's/`/\\(ga/g' -e "s/^[.']/\\\\\&&/"
+}
+# Standard input's lines "NAME<tab>VALUE<tab>WHAT" as entries; VALUE in italics. Lines of at most 78 letters.
+entries() {
+    roff | awk -F '\t' '
+        function line(s) { print s ~ /^[.\x27]/ ? "\\&" s : s }
+        {
+            print ".TP"
+            print $2 == "" ? ".B \"" $1 "\"" : ".BI \"" $1 " \" \"" $2 "\""
+            what = $3 == "" ? what : $3 # the same as above
+            n = split(what, word, / /)
+            text = word[1]
+            for (i = 2; i <= n; i++) {
+                if (length(text) + 1 + length(word[i]) > 77) {
+                    line(text)
+                    text = word[i]
+                } else
+                    text = text " " word[i]
+            }
+            line(text)
+        }'
+}
+# Three kinds of table of the help, as such lines. Columns are two blanks apart; an option and its value are one.
+commands() {
+    sed -nE 's/^  curtain ([a-z]+) ([^ ]+( [^ ]+)*)?  +([^ ].*)$/curtain \1\t\2\t\4/p'
+}
+options() {
+    sed -nE -e 's/^  (-[^ ]+) ([^ ]+) +([^ ].*)$/\1\t\2\t\3/p' -e 't' -e 's/^  (-[^ ]+)  +(.*)$/\1\t\t\2/p'
+}
+columns() {
+    sed -nE 's/^  ([^ ]+) +([^ ]+( [^ ]+)*)(  +(.*))?$/\1\t\2\t\5/p'
+}
+# The commands that an option goes with.
+goes_with() { # OPTION
+    for command in $names; do
+        $curtain help "$command" | grep -q "^  $1 " && printf '%s\n' "$command"
+    done | sed ':a;N;$!ba;s/\n/, /g'
+}
+part() { # FROM [TO]: lines of `help play` after one that begins so, up to an empty one
+    $curtain help play | sed -n "/^$1/,/^\$/p" | sed 1d
+}
+
+names=$($curtain help | commands | sed -E 's/^curtain ([a-z]+).*/\1/')
+release=$($curtain version | sed -nE 's/^curtain ([^ ]+) .*/\1/p')
+
+cat <<END
+.\\" Made by tools/manpage.sh from what curtain help says.
+.TH CURTAIN 1 $date "Curtain $release" "Games"
+.SH NAME
+curtain, curtain\\-null \\- play, record and verify bullet\\-hell games
+.SH SYNOPSIS
+END
+$curtain help | commands | roff | awk -F '\t' '{ if (NR > 1) print ".br"; print $2 == "" ? ".B " $1 : ".BI \"" $1 " \" \"" $2 "\"" }'
+cat <<'END'
+.SH DESCRIPTION
+.B curtain
+runs bullet\-hell games, which are folders of Lua scripts and PNG pictures or
+.I .rom
+files made of these.
+The same game and the same buttons give the same run on every machine,
+so a run can be recorded as a
+.IR demo ,
+replayed, verified, and rendered without a window.
+The word
+.B play
+may be left out; without any word the built\-in game is played.
+.PP
+.B curtain\-null
+is the same program without a window.
+.SH COMMANDS
+END
+$curtain help | commands | entries
+cat <<'END'
+.SH OPTIONS
+Behind each stand the commands that it goes with, in brackets.
+END
+$curtain help | options | while IFS= read -r line; do
+    option=$(printf '%s\n' "$line" | cut -f 1)
+    with=$(goes_with "$option")
+    case $option in --help | --version) with=all ;; esac
+    printf '%s [%s]\n' "$line" "$with"
+done | entries
+cat <<'END'
+.SH KEYS
+Of a player, as
+.BR p1.fire ,
+and of the program.
+A name is followed by the switches it has without settings:
+keys by their place on a keyboard of the United States, and, as
+.BR pad.south ,
+switches of a controller.
+END
+part 'Keys' | columns | entries
+cat <<'END'
+.SH SETTINGS
+Lines
+.IB "name " = " value"
+of the file
+.IR curtain.conf ;
+a key's name takes a list of switches.
+A name is followed by its value without settings, and by others it takes.
+END
+part 'Settings' | columns | entries
+cat <<'END'
+.SH FILES
+.TP
+.I $XDG_DATA_HOME/curtain/curtain.conf
+The settings.
+Without
+.BR XDG_DATA_HOME ,
+the folder is
+.IR $HOME/.local/share/curtain .
+.TP
+.I $XDG_DATA_HOME/curtain/GAME.nv
+A game's score tables and saves.
+.TP
+.I $XDG_DATA_HOME/curtain/GAME.practice
+What was tried and captured in practice.
+.SH EXIT STATUS
+END
+$curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries
+cat <<'END'
+.SH EXAMPLES
+Play a game's folder and record it, then see whether the recording holds:
+.PP
+.nf
+.RS
+curtain play mygame \-\-record my.demo
+curtain verify mygame my.demo
+.RE
+.fi
+.PP
+Pictures of four moments of a stage on one sheet, without a window:
+.PP
+.nf
+.RS
+curtain render mygame \-\-stage one \-\-frames 60:240:60 \-\-sheet one.png
+.RE
+.fi
+.SH SEE ALSO
+The manual, the Lua functions and the file formats are in
+.IR share/doc/curtain ;
+.B curtain help lua
+lists the functions.
+END
