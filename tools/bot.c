@@ -231,7 +231,7 @@ int main(int argc, char **argv)
         if (!strcmp(argv[i], "--frames"))
             frames = (uint32_t)atoi(more), i++;
         else if (!strcmp(argv[i], "--stage"))
-            snprintf(start.practice.mark, sizeof start.practice.mark, "%s", more), i++;
+            snprintf(start.practice.section, sizeof start.practice.section, "%s", more), i++;
         else if (!strcmp(argv[i], "--seed"))
             start.seed = (uint64_t)atoll(more), i++;
         else if (!strcmp(argv[i], "--deaths"))

@@ -7,26 +7,16 @@
 
 #include <assert.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "bytes.h"
+#include "err.h"
 #include "hash.h"
 
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 0x1a };
 
 /* Where the header's checksum begins to count. */
 enum { CRC_FROM = 16 };
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
 
 static const uint8_t *entry(const struct rom *rom, uint32_t i)
 {
@@ -51,20 +41,20 @@ bool rom_name_ok(const char *name)
 static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_size)
 {
     if (size < ROM_HEADER)
-        return fail(err, err_size, "too short for a ROM (%zu bytes)", size);
+        return err_set(err, err_size, "too short for a ROM (%zu bytes)", size);
     if (memcmp(p, magic, sizeof magic) != 0)
-        return fail(err, err_size, "not a Curtain ROM");
+        return err_set(err, err_size, "not a Curtain ROM");
     if (bytes_get32(p + 8) != ROM_VERSION)
-        return fail(err, err_size, "ROM format %" PRIu32 " is not known (this program reads %d)", bytes_get32(p + 8),
-                    ROM_VERSION);
+        return err_set(err, err_size, "ROM format %" PRIu32 " is not known (this program reads %d)", bytes_get32(p + 8),
+                       ROM_VERSION);
     if (bytes_get32(p + 20) != size)
-        return fail(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
+        return err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
     if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))
-        return fail(err, err_size, "damaged: the checksum does not match");
+        return err_set(err, err_size, "damaged: the checksum does not match");
     if (bytes_get64(p + 24) != 0)
-        return fail(err, err_size, "reserved header bytes are not zero");
+        return err_set(err, err_size, "reserved header bytes are not zero");
     if (bytes_get32(p + 16) > (size - ROM_HEADER) / ROM_ENTRY)
-        return fail(err, err_size, "the directory of %" PRIu32 " lumps runs past the end", bytes_get32(p + 16));
+        return err_set(err, err_size, "the directory of %" PRIu32 " lumps runs past the end", bytes_get32(p + 16));
     return true;
 }
 
@@ -73,11 +63,11 @@ static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_
     size_t at = bytes_get32(entry(rom, i)), names = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
 
     if (at < names || at >= rom->size || memchr(rom->data + at, 0, rom->size - at) == NULL)
-        return fail(err, err_size, "lump %" PRIu32 ": its name is outside the file", i);
+        return err_set(err, err_size, "lump %" PRIu32 ": its name is outside the file", i);
     if (!rom_name_ok(name_of(rom, i)))
-        return fail(err, err_size, "lump %" PRIu32 ": its name is empty, too long or not plain ASCII", i);
+        return err_set(err, err_size, "lump %" PRIu32 ": its name is empty, too long or not plain ASCII", i);
     if (i > 0 && strcmp(name_of(rom, i - 1), name_of(rom, i)) >= 0)
-        return fail(err, err_size, "lump %" PRIu32 " \"%s\" is not in the order of names", i, name_of(rom, i));
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is not in the order of names", i, name_of(rom, i));
     return true;
 }
 
@@ -89,13 +79,13 @@ static bool check_data(const struct rom *rom, uint32_t i, size_t *end, char *err
     const char *name = name_of(rom, i);
 
     if (at % ROM_ALIGN != 0)
-        return fail(err, err_size, "lump %" PRIu32 " \"%s\" is not aligned to %d bytes", i, name, ROM_ALIGN);
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is not aligned to %d bytes", i, name, ROM_ALIGN);
     if (at > rom->size || size > rom->size - at)
-        return fail(err, err_size, "lump %" PRIu32 " \"%s\" runs past the end", i, name);
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" runs past the end", i, name);
     if (at < *end)
-        return fail(err, err_size, "lump %" PRIu32 " \"%s\" overlaps what stands before it", i, name);
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" overlaps what stands before it", i, name);
     if (hash_crc32(rom->data + at, size) != bytes_get32(e + 12))
-        return fail(err, err_size, "lump %" PRIu32 " \"%s\" is damaged: its checksum does not match", i, name);
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is damaged: its checksum does not match", i, name);
     *end = at + size;
     return true;
 }

@@ -209,7 +209,7 @@ static bool practice_fits(const struct practice *p, char *err, size_t err_size)
     else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
         snprintf(err, err_size, "a practice start with %d registers: expected 0 to %d", (int)p->registers,
                  PRACTICE_REGISTERS);
-    else if (!p->mark[0] && (p->lives || p->invincible || p->registers))
+    else if (!p->section[0] && (p->lives || p->invincible || p->registers))
         snprintf(err, err_size, "lives, registers or invincibility without a practice start");
     else
         return true;
@@ -237,7 +237,7 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
 /* The caller's texts may have no NUL. */
 static void end_texts(struct practice *p)
 {
-    p->mark[sizeof p->mark - 1] = 0;
+    p->section[sizeof p->section - 1] = 0;
     for (int i = 0; i < PRACTICE_REGISTERS; i++)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
@@ -533,14 +533,14 @@ static void copy_plain(char *to, size_t size, const char *from)
             *to = '?';
 }
 
-void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
-                int32_t value)
+void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
+                      int32_t value)
 {
     struct board_out *out = &b->output->out;
 
-    if (out->marks == MARKS)
+    if (out->markers == BOARD_MARKERS)
         return;
-    struct board_mark *m = &out->mark[out->marks++];
+    struct board_marker *m = &out->marker[out->markers++];
     m->kind = kind;
     m->value = value;
     copy_plain(m->name, sizeof m->name, name);
@@ -550,7 +550,7 @@ void board_mark(struct board *b, enum board_mark_kind kind, const char *name, co
 
 bool board_lists(const struct board *b)
 {
-    return strcmp(b->start.practice.mark, PRACTICE_LIST) == 0;
+    return strcmp(b->start.practice.section, PRACTICE_LIST) == 0;
 }
 
 void board_score(struct board *b, uint32_t i, int64_t points)

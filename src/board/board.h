@@ -42,15 +42,15 @@ struct board_fault {
     char trace[2048];  /* Lua traceback, lines separated by \n */
 };
 
-/* A practice start: one piece of the game, again and again, as @std/boot plays it. Zero: the game from its title. With
- * PRACTICE_LIST as its mark nothing is played: from the first tick on the board tells every piece there is, as marks,
- * and then MARK_LISTED. The other fields need a mark. */
+/* A practice start: one section of the game, again and again, as @std/boot plays it. Zero: the game from its title.
+ * With PRACTICE_LIST as its section nothing is played: from the first tick on the board tells every section there is,
+ * as markers, and then MARKER_LISTED. The other fields need a section. */
 enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
 #define PRACTICE_LIST "?"
 struct practice {
-    char mark[64];   /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
-    int32_t lives;   /* so many in all, 1 to PRACTICE_LIVES, as player.def counts them; 0: as the ship's kind says */
-    bool invincible; /* nothing hits a player; bullets pass through, and grazes count */
+    char section[64]; /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
+    int32_t lives;    /* so many in all, 1 to PRACTICE_LIVES, as player.def counts them; 0: as the ship's kind says */
+    bool invincible;  /* nothing hits a player; bullets pass through, and grazes count */
     int32_t registers;
     struct {
         char name[32];
@@ -71,29 +71,29 @@ struct board_start {
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
 
-/* Moments of a run, as marks for the player; and what PRACTICE_LIST tells. Telling one changes no RAM. */
-enum board_mark_kind {
-    MARK_STAGE, /* a stage starts; its name */
-    MARK_POINT, /* stage.mark; its name, of the stage */
-    MARK_WAVE,  /* stage.wave; the kind of its enemies */
-    MARK_BOSS,  /* a boss flies in; its name and title */
-    MARK_PHASE, /* one of its phases starts; the phase's id, of the boss, and its spell */
-    MARK_DEATH, /* a player dies; "1" or "2" */
-    MARK_CLEAR, /* a stage has come to its end; its name */
-    MARK_WON,   /* a phase was beaten; its id, of the boss */
-    MARK_LOST,  /* a phase is over and was not beaten; its id, of the boss */
-    MARK_START, /* a practice start's piece begins, for the first time or anew */
+/* Markers by which a player finds their way in a run; and what PRACTICE_LIST tells. Telling one changes no RAM. */
+enum board_marker_kind {
+    MARKER_STAGE, /* a stage starts; its name */
+    MARKER_MARK,  /* stage.mark; its name, of the stage */
+    MARKER_WAVE,  /* stage.wave; the kind of its enemies */
+    MARKER_BOSS,  /* a boss flies in; its name and title */
+    MARKER_PHASE, /* one of its phases starts; the phase's id, of the boss, and its spell */
+    MARKER_DEATH, /* a player dies; "1" or "2" */
+    MARKER_CLEAR, /* a stage has come to its end; its name */
+    MARKER_WON,   /* a phase was beaten; its id, of the boss */
+    MARKER_LOST,  /* a phase is over and was not beaten; its id, of the boss */
+    MARKER_START, /* a practice start's section begins, for the first time or anew */
 
-    /* of PRACTICE_LIST, which tells stages, points, bosses and phases too */
-    MARK_SHIP,     /* the ship practice is played with; its kind, and its lives in all */
-    MARK_REGISTER, /* one of its registers; name and value */
-    MARK_LISTED,   /* the list is complete */
-    MARK_KINDS
+    /* of PRACTICE_LIST, which tells stages, marks, bosses and phases too */
+    MARKER_SHIP,     /* the ship practice is played with; its kind, and its lives in all */
+    MARKER_REGISTER, /* one of its registers; name and value */
+    MARKER_LISTED,   /* the list is complete */
+    MARKER_KINDS
 };
 
-enum { MARKS = 16 /* of a tick; what is more is not told */ };
-struct board_mark {
-    enum board_mark_kind kind;
+enum { BOARD_MARKERS = 16 /* of a tick; what is more is not told */ };
+struct board_marker {
+    enum board_marker_kind kind;
     int32_t value;
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
@@ -113,8 +113,8 @@ struct board_out {
     const char *log;      /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
                              lines end in \n */
     size_t log_size;
-    struct board_mark mark[MARKS];
-    int marks;
+    struct board_marker marker[BOARD_MARKERS];
+    int markers;
     struct board_full full[FULLS];
     int fulls;
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */

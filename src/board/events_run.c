@@ -272,7 +272,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
     board_event(b, EV_DEATH, e->a, 0);
-    board_mark(b, MARK_DEATH, p ? "2" : "1", "", "", 0);
+    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
     b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
     if (b->player.safe[p] == 0)
         b->player.safe[p] = 1;

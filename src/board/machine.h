@@ -128,11 +128,11 @@ void board_move(struct board *b);
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Adds a moment to the marks of board_out. */
-void board_mark(struct board *b, enum board_mark_kind kind, const char *name, const char *of, const char *title,
-                int32_t value);
+/* Tells the cabinet of a marker. */
+void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
+                      int32_t value);
 
-/* Was this board started to tell what can be practised (PRACTICE_LIST)? */
+/* Is this board there to tell the list of its sections? */
 bool board_lists(const struct board *b);
 
 /* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */

@@ -433,9 +433,9 @@ int vm_boot(lua_State *L)
     lua_call(L, 0, 0);
     if (board_lists(b) && !b->vm.asked)
         vm_fault(L, FAULT_SCRIPT, "practice: nothing can be chosen: %s.lua does not call boot.run", b->cart.m.entry);
-    if (b->start.practice.mark[0] && !b->vm.asked)
+    if (b->start.practice.section[0] && !b->vm.asked)
         vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
-                 b->start.practice.mark, b->cart.m.entry);
+                 b->start.practice.section, b->cart.m.entry);
     return 0;
 }
 

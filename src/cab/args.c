@@ -6,10 +6,10 @@
  */
 #include "args.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../base/err.h"
 #include "../base/int.h"
 
 enum {
@@ -128,16 +128,6 @@ static const struct {
     [OPTION_VERSION] = { "--version", NULL, FOR_ALL, "what this program is" },
 };
 
-static bool fail(char *err, size_t err_size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, err_size, format, args);
-    va_end(args);
-    return false;
-}
-
 /* ---- near words ---- */
 
 enum { NEAR_MOST = 31 };
@@ -225,8 +215,8 @@ static bool number_from(const char *option, const char *text, uint64_t low, uint
 {
     if (number(text, text + strlen(text), most, out) && *out >= low)
         return true;
-    return fail(err, err_size, "%s: expected a whole number from %llu to %llu, got \"%s\"", option,
-                (unsigned long long)low, (unsigned long long)most, text);
+    return err_set(err, err_size, "%s: expected a whole number from %llu to %llu, got \"%s\"", option,
+                   (unsigned long long)low, (unsigned long long)most, text);
 }
 
 static bool read_span(struct span *s, const char *p, const char *end)
@@ -256,13 +246,13 @@ bool args_frames(struct args *a, const char *text, char *err, size_t err_size)
         size_t n = strcspn(p, ",");
         struct span s;
         if (!read_span(&s, p, p + n))
-            return fail(err, err_size,
-                        "--frames: expected frames from 0 to %d like 600 or 1,60,600 or 0:600:60, got \"%s\"",
-                        ARGS_MAX_FRAME, text);
+            return err_set(err, err_size,
+                           "--frames: expected frames from 0 to %d like 600 or 1,60,600 or 0:600:60, got \"%s\"",
+                           ARGS_MAX_FRAME, text);
         if (s.last < s.first)
-            return fail(err, err_size, "--frames: %u:%u ends before it starts", (unsigned)s.first, (unsigned)s.last);
+            return err_set(err, err_size, "--frames: %u:%u ends before it starts", (unsigned)s.first, (unsigned)s.last);
         if (a->n_spans == ARGS_MAX_SPANS)
-            return fail(err, err_size, "--frames: more than %d parts", ARGS_MAX_SPANS);
+            return err_set(err, err_size, "--frames: more than %d parts", ARGS_MAX_SPANS);
         a->spans[a->n_spans++] = s;
         more = p[n] == ',';
         p += n + 1;
@@ -301,9 +291,9 @@ static bool add_setting(const char **list, int *n, int most, enum option o, cons
     const char *equals = strchr(value, '=');
 
     if (!equals || equals == value || !equals[1])
-        return fail(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", options[o].name, value);
+        return err_set(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", options[o].name, value);
     if (*n == most)
-        return fail(err, err_size, "%s: more than %d", options[o].name, most);
+        return err_set(err, err_size, "%s: more than %d", options[o].name, most);
     list[(*n)++] = value;
     return true;
 }
@@ -311,7 +301,7 @@ static bool add_setting(const char **list, int *n, int most, enum option o, cons
 static bool set_trace(struct args *a, const char *value, char *err, size_t err_size)
 {
     if (a->n_traces == ARGS_MAX_TRACES)
-        return fail(err, err_size, "--trace: more than %d", ARGS_MAX_TRACES);
+        return err_set(err, err_size, "--trace: more than %d", ARGS_MAX_TRACES);
     a->traces[a->n_traces++] = value;
     return true;
 }
@@ -340,7 +330,7 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
 static bool set_string(const char **to, enum option o, const char *value, char *err, size_t err_size)
 {
     if (!value[0])
-        return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
+        return err_set(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
     *to = value;
     return true;
 }
@@ -439,8 +429,8 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     snprintf(name, sizeof name, "%.*s", (int)(n < sizeof name ? n : sizeof name - 1), word);
     const char *meant = n < sizeof name ? args_near(name, names, OPTIONS) : NULL;
     if (meant)
-        return fail(err, err_size, "unknown option %s (did you mean %s?)", name, meant);
-    return fail(err, err_size, "unknown option %s (curtain help lists them)", name);
+        return err_set(err, err_size, "unknown option %s (did you mean %s?)", name, meant);
+    return err_set(err, err_size, "unknown option %s (curtain help lists them)", name);
 }
 
 /* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
@@ -453,14 +443,14 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned 
     if (o == OPTIONS)
         return unknown_option(word, n, err, err_size);
     if (!options[o].value && equals)
-        return fail(err, err_size, "%s takes no value, got \"%s\"", options[o].name, equals + 1);
+        return err_set(err, err_size, "%s takes no value, got \"%s\"", options[o].name, equals + 1);
     if (options[o].value) {
         if (!equals && *i + 1 >= argc)
-            return fail(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
+            return err_set(err, err_size, "%s: expected %s, got nothing", options[o].name, options[o].value);
         value = equals ? equals + 1 : argv[++*i];
     }
     if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER && o != OPTION_TRACE)
-        return fail(err, err_size, "%s is given twice", options[o].name);
+        return err_set(err, err_size, "%s is given twice", options[o].name);
     *seen |= 1u << o;
     return set(a, o, value, err, err_size);
 }
@@ -486,7 +476,7 @@ static bool check_verify(unsigned seen, char *err, size_t err_size)
         if (!(seen >> ways[i] & 1))
             continue;
         if (first)
-            return fail(err, err_size, "%s does not go with %s", options[ways[i]].name, first);
+            return err_set(err, err_size, "%s does not go with %s", options[ways[i]].name, first);
         first = options[ways[i]].name;
     }
     return true;
@@ -504,13 +494,13 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
             continue;
         if (!(options[o].commands >> a->command & 1)) {
             goes_with(options[o].commands, with, sizeof with);
-            return fail(err, err_size, "%s does not go with %s (it goes with %s)", options[o].name,
-                        commands[a->command].name, with);
+            return err_set(err, err_size, "%s does not go with %s (it goes with %s)", options[o].name,
+                           commands[a->command].name, with);
         }
         if (a->demo && fixed >> o & 1)
-            return fail(err, err_size, "%s does not go with --demo, which holds its own", options[o].name);
+            return err_set(err, err_size, "%s does not go with --demo, which holds its own", options[o].name);
         if (!a->stage && practice >> o & 1)
-            return fail(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
+            return err_set(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
     return check_verify(seen, err, err_size);
 }
@@ -526,8 +516,8 @@ static bool check_command(const struct args *a, unsigned seen, char *err, size_t
     if (fits || (!meant && a->n_words == 1))
         return true;
     if (meant)
-        return fail(err, err_size, "unknown command \"%s\" (did you mean %s?)", word, meant);
-    return fail(err, err_size, "unknown command \"%s\" (curtain help lists them)", word);
+        return err_set(err, err_size, "unknown command \"%s\" (did you mean %s?)", word, meant);
+    return err_set(err, err_size, "unknown command \"%s\" (curtain help lists them)", word);
 }
 
 static bool check_words(const struct args *a, char *err, size_t err_size)
@@ -535,10 +525,10 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
     const char *name = commands[a->command].name;
 
     if (a->n_words < commands[a->command].least)
-        return fail(err, err_size, "%s: expected %s (curtain help %s)", name, commands[a->command].words, name);
+        return err_set(err, err_size, "%s: expected %s (curtain help %s)", name, commands[a->command].words, name);
     if (a->n_words > commands[a->command].most)
-        return fail(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
-                    a->words[commands[a->command].most], name);
+        return err_set(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
+                       a->words[commands[a->command].most], name);
     return true;
 }
 
@@ -560,8 +550,8 @@ static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 {
     for (int i = 1; i < argc; i++)
         if (strlen(argv[i]) > ARGS_MAX_WORD)
-            return fail(err, err_size, "an argument is longer than %d characters: \"%.32s...\"", ARGS_MAX_WORD,
-                        argv[i]);
+            return err_set(err, err_size, "an argument is longer than %d characters: \"%.32s...\"", ARGS_MAX_WORD,
+                           argv[i]);
     return true;
 }
 

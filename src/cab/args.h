@@ -1,6 +1,6 @@
 /*
  * args.h - the command line as data: commands, options, what goes with what, and their help.
- * floor: cab    used by: cli tests/
+ * floor: cab
  *
  * One table each for commands and options gives parsing, help and error messages. Nothing here touches a file.
  */

@@ -20,6 +20,7 @@
 #include "game.h"
 #include "headless.h"
 #include "host/keys.h"
+#include "host/report.h"
 #include "verify.h"
 #include "version.h"
 
@@ -35,13 +36,6 @@
 #define COMPILER "unknown"
 #endif
 
-static int stdout_done(int code)
-{
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return code;
-    return game_report(EXIT_HOST, "standard output cannot be written");
-}
-
 /* ---- play ---- */
 
 static void ignore_file(void *user, const struct plat_file *file)
@@ -56,34 +50,34 @@ static bool is_nothing(const char *word)
     return files_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
 }
 
-static int no_such_word(const char *word, bool after_play)
+static enum result no_such_word(const char *word, bool after_play)
 {
     const char *meant = args_near_command(word);
     char err[1024];
 
     if (after_play)
-        return game_report(EXIT_INPUT, "%s", files_absent(word, "file or folder", err, sizeof err));
+        return report_line(RESULT_REFUSED, "%s", files_absent(word, "file or folder", err, sizeof err));
     if (meant)
-        return game_report(EXIT_INPUT, "%s: no such command, file or folder (did you mean %s?)", word, meant);
-    return game_report(EXIT_INPUT, "%s: no such command, file or folder (curtain help lists the commands)", word);
+        return report_line(RESULT_REFUSED, "%s: no such command, file or folder (did you mean %s?)", word, meant);
+    return report_line(RESULT_REFUSED, "%s: no such command, file or folder (curtain help lists the commands)", word);
 }
 
 /* named: the command was. */
-static int play(const struct args *a, bool named)
+static enum result play(const struct args *a, bool named)
 {
     char err[1024];
     struct game *g = malloc(sizeof *g);
     const char *path = a->n_words ? a->words[0] : NULL;
 
     if (!g)
-        return game_report(EXIT_HOST, "out of memory");
+        return report_line(RESULT_HOST, "out of memory");
     if (path && is_nothing(path)) {
         free(g);
         return no_such_word(path, named);
     }
-    int code;
+    enum result result;
     if (!game_open(g, path, a, err, sizeof err)) {
-        code = game_refuse(err);
+        result = report_error(err);
     } else {
         struct cab_options o = { .cart = &g->cart, .path = path, .start = g->start, .seeded = a->seeded };
         o.demo = g->has_demo ? &g->demo : NULL;
@@ -92,16 +86,16 @@ static int play(const struct args *a, bool named)
         o.fullscreen = a->fullscreen;
         o.mute = a->mute;
         o.nearest = a->nearest;
-        code = cab_play(&o);
+        result = cab_play(&o);
         game_close(g);
     }
     free(g);
-    return code;
+    return result;
 }
 
 /* ---- ROMs ---- */
 
-static int pack(const struct args *a)
+static enum result pack(const struct args *a)
 {
     struct rom_image image;
     struct cart cart;
@@ -109,20 +103,20 @@ static int pack(const struct args *a)
     const char *dir = a->words[0], *out = a->out;
 
     if (plat_size(dir) >= 0)
-        return game_report(EXIT_INPUT, "%s: is a file; pack takes a game's folder", dir);
+        return report_line(RESULT_REFUSED, "%s: is a file; pack takes a game's folder", dir);
     if (!rom_image_load(dir, a->nearest, &image, err, sizeof err))
-        return game_refuse(err);
-    int code = EXIT_DONE;
+        return report_error(err);
+    enum result result = RESULT_DONE;
     if (!cart_open(&cart, &image.rom, err, sizeof err))
-        code = game_report(EXIT_INPUT, "%s: %s", dir, err);
-    if (code == EXIT_DONE && !out) {
+        result = report_line(RESULT_REFUSED, "%s: %s", dir, err);
+    if (result == RESULT_DONE && !out) {
         snprintf(name, sizeof name, "%s.rom", cart.m.id);
         out = name;
     }
-    if (code == EXIT_DONE && !files_save(out, image.bytes, image.size, err, sizeof err))
-        code = game_report(EXIT_HOST, "%s", err);
+    if (result == RESULT_DONE && !files_save(out, image.bytes, image.size, err, sizeof err))
+        result = report_line(RESULT_HOST, "%s", err);
     rom_image_free(&image);
-    return code;
+    return result;
 }
 
 static void print_line(void *user, const char *line)
@@ -131,32 +125,32 @@ static void print_line(void *user, const char *line)
     puts(line);
 }
 
-static int list(const struct args *a)
+static enum result list(const struct args *a)
 {
     struct rom_image image;
     char err[1024];
 
     if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
-        return game_refuse(err);
+        return report_error(err);
     pack_list(&image.rom, print_line, NULL);
     printf("game %016llx\nrom %016llx\n", (unsigned long long)rom_game_hash(&image.rom),
            (unsigned long long)rom_hash(&image.rom));
     rom_image_free(&image);
-    return stdout_done(EXIT_DONE);
+    return report_stdout(RESULT_DONE);
 }
 
-static int unpack(const struct args *a)
+static enum result unpack(const struct args *a)
 {
     struct rom_image image;
     char err[1024];
-    int code = EXIT_DONE;
+    enum result result = RESULT_DONE;
 
     if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
-        return game_refuse(err);
+        return report_error(err);
     if (!pack_unpack(&image.rom, a->words[1], err, sizeof err))
-        code = game_refuse(err);
+        result = report_error(err);
     rom_image_free(&image);
-    return code;
+    return result;
 }
 
 /* ---- help ---- */
@@ -166,14 +160,14 @@ static void say(const char *line)
     puts(line);
 }
 
-static int help_lua(const char *name)
+static enum result help_lua(const char *name)
 {
     if (!api_help(name, say))
-        return game_report(EXIT_INPUT, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
-    return stdout_done(EXIT_DONE);
+        return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
+    return report_stdout(RESULT_DONE);
 }
 
-static int help(const struct args *a)
+static enum result help(const struct args *a)
 {
     const char *topic = a->n_words ? a->words[0] : NULL;
     int command = topic ? args_command(topic) : -1;
@@ -183,11 +177,11 @@ static int help(const struct args *a)
     if (topic && command < 0) {
         const char *meant = args_near_command(topic);
         if (meant)
-            return game_report(EXIT_INPUT, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);
-        return game_report(EXIT_INPUT, "help: unknown command \"%s\" (curtain help lists them)", topic);
+            return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);
+        return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (curtain help lists them)", topic);
     }
     if (a->n_words > 1)
-        return game_report(EXIT_INPUT, "help: \"%s\" is one argument too many", a->words[1]);
+        return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
     args_help(command, say);
     if (command == COMMAND_PLAY) {
         say("");
@@ -197,7 +191,7 @@ static int help(const struct args *a)
         say("Settings:");
         config_help(say);
     }
-    return stdout_done(EXIT_DONE);
+    return report_stdout(RESULT_DONE);
 }
 
 static const char *byte_order(void)
@@ -207,25 +201,25 @@ static const char *byte_order(void)
     return *(const uint8_t *)&one ? "little" : "big";
 }
 
-static int version(void)
+static enum result version(void)
 {
     printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
-    return stdout_done(EXIT_DONE);
+    return report_stdout(RESULT_DONE);
 }
 
-static int run(int argc, char **argv)
+static enum result run(int argc, char **argv)
 {
     struct args a;
     char err[512];
 
     if (!args_parse(&a, argc, argv, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s", err);
+        return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
-        return game_report(EXIT_HOST, "%s", wrong);
+        return report_line(RESULT_HOST, "%s", wrong);
     switch (a.command) {
     case COMMAND_RENDER:
         return headless_render(&a);
@@ -240,7 +234,7 @@ static int run(int argc, char **argv)
     case COMMAND_UNPACK:
         return unpack(&a);
     case COMMAND_CHECK:
-        return check_game(&a);
+        return check_game(a.words[0], a.nearest);
     case COMMAND_HELP:
         return help(&a);
     case COMMAND_VERSION:
@@ -250,12 +244,25 @@ static int run(int argc, char **argv)
     }
 }
 
+/* The exit codes that the manual promises. */
+static int exit_code(enum result result)
+{
+    static const int codes[] = {
+        [RESULT_DONE] = EXIT_DONE,
+        [RESULT_DIFFERS] = EXIT_DIFFERS,
+        [RESULT_REFUSED] = EXIT_INPUT,
+        [RESULT_HOST] = EXIT_HOST,
+    };
+
+    return codes[result];
+}
+
 int cli_main(int argc, char **argv)
 {
     struct host host;
 
     host_enter(&host); /* what it prints is the same everywhere, too */
-    int code = run(argc, argv);
+    enum result result = run(argc, argv);
     host_leave(&host);
-    return code;
+    return exit_code(result);
 }

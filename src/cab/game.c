@@ -3,97 +3,24 @@
  */
 #include "game.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../platform/platform.h"
-#include "host/clean.h"
-#include "cli.h"
-
-enum { LINE = 2048 };
-
-/* ---- reports ---- */
-
-static void log_clean(char *s)
-{
-    clean_line(s);
-    fflush(stdout); /* what was printed before comes before, also where both go to one file */
-    plat_log(s);
-}
-
-int game_report(int code, const char *format, ...)
-{
-    char line[LINE] = "curtain: ";
-    size_t n = strlen(line);
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(line + n, sizeof line - n, format, args);
-    va_end(args);
-    log_clean(line);
-    return code;
-}
-
-int game_code(const char *err)
-{
-    static const char memory[] = "out of memory";
-    size_t n = strlen(err), tail = sizeof memory - 1;
-    bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
-
-    return host ? EXIT_HOST : EXIT_INPUT;
-}
-
-int game_refuse(const char *err)
-{
-    return game_report(game_code(err), "%s", err);
-}
-
-static void log_lines(const char *text)
-{
-    char line[LINE];
-
-    while (*text) {
-        size_t n = strcspn(text, "\n");
-        snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), text);
-        log_clean(line);
-        text += n + (text[n] == '\n');
-    }
-}
-
-int game_report_fault(const struct board_fault *fault, bool trace)
-{
-    char line[sizeof fault->message];
-
-    snprintf(line, sizeof line, "%s", fault->message);
-    log_clean(line);
-    if (trace)
-        log_lines(fault->trace);
-    return 2;
-}
+#include "../base/err.h"
+#include "host/report.h"
 
 /* ---- loading ---- */
-
-static bool refuse(char *err, size_t err_size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, err_size, format, args);
-    va_end(args);
-    return false;
-}
 
 static bool load_builtin(struct game *g, char *err, size_t err_size)
 {
     char why[512];
 
     if (builtin_rom_size == 0)
-        return refuse(err, err_size, "no game is built in: name a ROM (curtain help)");
+        return err_set(err, err_size, "no game is built in: name a ROM (curtain help)");
     if (rom_open(&g->rom, builtin_rom, builtin_rom_size, why, sizeof why) &&
         cart_open(&g->cart, &g->rom, why, sizeof why))
         return true;
-    return refuse(err, err_size, "the built-in game: %s", why);
+    return err_set(err, err_size, "the built-in game: %s", why);
 }
 
 static bool load(struct game *g, bool nearest, char *err, size_t err_size)
@@ -107,7 +34,7 @@ static bool load(struct game *g, bool nearest, char *err, size_t err_size)
     g->rom = g->image.rom;
     if (cart_open(&g->cart, &g->rom, why, sizeof why))
         return true;
-    return refuse(err, err_size, "%s: %s", g->path, why);
+    return err_set(err, err_size, "%s: %s", g->path, why);
 }
 
 /* ---- the start ---- */
@@ -131,11 +58,11 @@ static bool unknown(const char *option, const char *what, const char *word, cons
     const char *meant = args_near(word, words, n);
 
     if (n == 0)
-        return refuse(err, err_size, "%s: the game has no %s", option, what);
+        return err_set(err, err_size, "%s: the game has no %s", option, what);
     join(all, sizeof all, words, n);
     if (meant)
-        return refuse(err, err_size, "%s: unknown %s \"%s\" (did you mean \"%s\"?)", option, what, word, meant);
-    return refuse(err, err_size, "%s: unknown %s \"%s\" (expected %s)", option, what, word, all);
+        return err_set(err, err_size, "%s: unknown %s \"%s\" (did you mean \"%s\"?)", option, what, word, meant);
+    return err_set(err, err_size, "%s: unknown %s \"%s\" (expected %s)", option, what, word, all);
 }
 
 static int index_of(const char *word, const char *const *words, int n)
@@ -179,8 +106,8 @@ static bool number_value(const struct dip *dip, const char *text, int32_t *out, 
 {
     if (whole_number(text, dip->lo, dip->hi, out))
         return true;
-    return refuse(err, err_size, "--dip: %s: expected a whole number from %d to %d, got \"%s\"", dip->name, dip->lo,
-                  dip->hi, text);
+    return err_set(err, err_size, "--dip: %s: expected a whole number from %d to %d, got \"%s\"", dip->name, dip->lo,
+                   dip->hi, text);
 }
 
 static bool dip_value(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
@@ -220,13 +147,13 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
 
     for (size_t i = 0; i < n; i++) {
         if (stage[i] < 32 || stage[i] > 126)
-            return refuse(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
+            return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
     }
-    if (n >= sizeof g->start.practice.mark)
-        return refuse(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.mark - 1);
+    if (n >= sizeof g->start.practice.section)
+        return err_set(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.section - 1);
     if (strcmp(stage, PRACTICE_LIST) == 0)
-        return refuse(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE, got \"%s\"", stage);
-    memcpy(g->start.practice.mark, stage, n + 1);
+        return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE, got \"%s\"", stage);
+    memcpy(g->start.practice.section, stage, n + 1);
     return true;
 }
 
@@ -237,16 +164,16 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
     size_t n = (size_t)(equals - setting);
 
     if (n >= sizeof p->reg[0].name)
-        return refuse(err, err_size, "--register: a name longer than %zu characters", sizeof p->reg[0].name - 1);
+        return err_set(err, err_size, "--register: a name longer than %zu characters", sizeof p->reg[0].name - 1);
     char *name = p->reg[p->registers].name;
     snprintf(name, sizeof p->reg[0].name, "%.*s", (int)n, setting);
     for (int i = 0; i < p->registers; i++) {
         if (strcmp(p->reg[i].name, name) == 0)
-            return refuse(err, err_size, "--register: %s is given twice", name);
+            return err_set(err, err_size, "--register: %s is given twice", name);
     }
     if (!whole_number(equals + 1, 0, INT32_MAX, &p->reg[p->registers].value))
-        return refuse(err, err_size, "--register: %s: expected a whole number from 0 to %d, got \"%s\"", name,
-                      INT32_MAX, equals + 1);
+        return err_set(err, err_size, "--register: %s: expected a whole number from 0 to %d, got \"%s\"", name,
+                       INT32_MAX, equals + 1);
     p->registers++;
     return true;
 }
@@ -287,14 +214,15 @@ static bool start_of_demo(struct game *g, const char *path, char *err, size_t er
     if (!demo_load(&g->demo, path, err, err_size))
         return false;
     if (!demo_fits(&g->demo, &g->cart, why, sizeof why))
-        return refuse(err, err_size, "%s: %s", path, why);
+        return err_set(err, err_size, "%s: %s", path, why);
     g->has_demo = true;
     g->start = g->demo.start;
     const char *doubt = demo_doubt(&g->demo, &g->cart, buf, sizeof buf);
     if (doubt)
-        game_report(0, "%s: %s; it may not play as it was", path, doubt);
+        report_line(RESULT_DONE, "%s: %s; it may not play as it was", path, doubt);
     if (!g->demo.complete)
-        game_report(0, "%s: cut short (no end mark); playing the %u frames it has", path, (unsigned)g->demo.frames);
+        report_line(RESULT_DONE, "%s: cut short (no end mark); playing the %u frames it has", path,
+                    (unsigned)g->demo.frames);
     return true;
 }
 

@@ -1,6 +1,6 @@
 /*
  * game.h - a ROM taken from the command line: loaded, checked, and how its board is to start.
- * floor: cab    used by: cli headless
+ * floor: cab
  */
 #ifndef CAB_GAME_H
 #define CAB_GAME_H
@@ -30,23 +30,11 @@ struct game {
  * itself. */
 bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
 
-/* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart. False
- * and one sentence that names the option. */
+/* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart.
+ * False and one sentence that names the option. */
 bool game_start(struct game *g, const struct args *a, char *err, size_t err_size);
 
 /* Gives everything back; a zeroed game is fine. */
 void game_close(struct game *g);
-
-/* One line on plat_log, "curtain: ..." with what is no text blanked; returns code. */
-int game_report(int code, const char *format, ...);
-
-/* The exit code of what game_open, demo_load, packing or unpacking said no with: 3 when the host is why, 2 otherwise. */
-int game_code(const char *err);
-
-/* The same, and the sentence on plat_log. */
-int game_refuse(const char *err);
-
-/* A fault: "FILE:LINE: what" on plat_log, and the traceback if asked. Returns 2. */
-int game_report_fault(const struct board_fault *fault, bool trace);
 
 #endif

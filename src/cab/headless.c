@@ -7,11 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../platform/platform.h"
-#include "host/clean.h"
-#include "cli.h"
 #include "host/files.h"
 #include "game.h"
+#include "host/report.h"
 #include "run/guard.h"
 #include "pack/png.h"
 #include "demo/trace.h"
@@ -27,30 +25,16 @@ struct run {
 
 /* ---- a run ---- */
 
-static void pass_on_log(const struct board_out *out)
-{
-    char line[512];
-
-    for (size_t i = 0; i < out->log_size;) {
-        const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
-        size_t n = end ? (size_t)(end - from) : out->log_size - i;
-        snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), from);
-        clean_line(line);
-        plat_log(line);
-        i += n + 1;
-    }
-}
-
-/* The exit code after a power-on or tick. */
-static int outcome(struct run *r)
+/* The result of a power-on or tick. */
+static enum result outcome(struct run *r)
 {
     const struct board_out *out = board_last(r->guard.board);
 
-    pass_on_log(out);
-    return out->fault ? game_report_fault(out->fault, r->a->verbose) : EXIT_DONE;
+    report_log(out, "");
+    return out->fault ? report_fault(out->fault, r->a->verbose) : RESULT_DONE;
 }
 
-static int run_open(struct run *r, const struct args *a)
+static enum result run_open(struct run *r, const struct args *a)
 {
     const char *path = a->n_words > 0 ? a->words[0] : NULL;
     char err[1024];
@@ -58,15 +42,15 @@ static int run_open(struct run *r, const struct args *a)
     memset(r, 0, sizeof *r);
     r->a = a;
     if (!game_open(&r->game, path, a, err, sizeof err))
-        return game_refuse(err);
+        return report_error(err);
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
-        return game_report(EXIT_INPUT, "%s: %s", path ? path : "the built-in game", err);
+        return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
     if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
-        return game_report(EXIT_HOST, "%s", r->writer.err);
+        return report_line(RESULT_HOST, "%s", r->writer.err);
     return outcome(r);
 }
 
-static int run_tick(struct run *r)
+static enum result run_tick(struct run *r)
 {
     uint16_t pads[PADS] = { 0 };
 
@@ -74,26 +58,19 @@ static int run_tick(struct run *r)
         demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);
     if (!demo_frame(&r->writer, r->guard.board, pads))
-        return game_report(EXIT_HOST, "%s", r->writer.err);
+        return report_line(RESULT_HOST, "%s", r->writer.err);
     return outcome(r);
 }
 
-/* Ends the run; code is what it came to so far. */
-static int run_close(struct run *r, int code)
+/* Ends the run; result is what it came to so far. */
+static enum result run_close(struct run *r, enum result result)
 {
-    if (r->guard.board && !demo_end(&r->writer, r->guard.board) && code == EXIT_DONE)
-        code = game_report(EXIT_HOST, "%s", r->writer.err);
+    if (r->guard.board && !demo_end(&r->writer, r->guard.board) && result == RESULT_DONE)
+        result = report_line(RESULT_HOST, "%s", r->writer.err);
     demo_free(&r->writer.demo);
     guard_close(&r->guard);
     game_close(&r->game);
-    return code;
-}
-
-static int stdout_done(int code)
-{
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return code;
-    return game_report(EXIT_HOST, "standard output cannot be written");
+    return result;
 }
 
 /* ---- render ---- */
@@ -164,7 +141,7 @@ static void studio_close(struct studio *s)
     free(s->sheet.rgb);
 }
 
-static int studio_open(struct studio *s, const struct run *r)
+static enum result studio_open(struct studio *s, const struct run *r)
 {
     int w, h;
 
@@ -173,26 +150,26 @@ static int studio_open(struct studio *s, const struct run *r)
     s->mem = malloc(fb_size(w, h));
     s->scratch = malloc(board_scratch(r->guard.board) + 1);
     if (!s->mem || !s->scratch)
-        return game_report(EXIT_HOST, "out of memory");
+        return report_line(RESULT_HOST, "out of memory");
     fb_init(&s->fb, s->mem, w, h);
     if (r->a->sheet && !sheet_open(&s->sheet, count_wanted(r->a), w, h))
-        return game_report(EXIT_INPUT, "--sheet: too many frames for one picture");
-    return EXIT_DONE;
+        return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
+    return RESULT_DONE;
 }
 
 /* Writes and frees a PNG file; data NULL: it could not be made. */
-static int save(const char *path, uint8_t *data, size_t size)
+static enum result save(const char *path, uint8_t *data, size_t size)
 {
     char err[1200];
     bool made = data != NULL, ok = made && files_save(path, data, size, err, sizeof err);
 
     free(data);
     if (!made)
-        return game_report(EXIT_HOST, "%s: out of memory", path);
-    return ok ? EXIT_DONE : game_report(EXIT_HOST, "%s", err);
+        return report_line(RESULT_HOST, "%s: out of memory", path);
+    return ok ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
-static int picture(struct studio *s, const struct run *r, uint32_t frame)
+static enum result picture(struct studio *s, const struct run *r, uint32_t frame)
 {
     char path[DEMO_PATH];
     const char *dir = r->a->out ? r->a->out : ".";
@@ -203,29 +180,29 @@ static int picture(struct studio *s, const struct run *r, uint32_t frame)
     if (s->sheet.rgb)
         sheet_add(&s->sheet, &s->fb, s->rgb);
     if (r->a->sheet && !r->a->out)
-        return EXIT_DONE;
+        return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
-        return game_report(EXIT_INPUT, "-o: the path is too long");
+        return report_line(RESULT_REFUSED, "-o: the path is too long");
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
 }
 
-static int render_frames(struct studio *s, struct run *r)
+static enum result render_frames(struct studio *s, struct run *r)
 {
     uint32_t last = args_last_frame(r->a);
-    int code = EXIT_DONE;
+    enum result result = RESULT_DONE;
 
-    for (uint32_t f = 0; code == EXIT_DONE; f++) {
+    for (uint32_t f = 0; result == RESULT_DONE; f++) {
         if (args_wants(r->a, f))
-            code = picture(s, r, f);
-        if (f == last || code != EXIT_DONE)
+            result = picture(s, r, f);
+        if (f == last || result != RESULT_DONE)
             break;
-        code = run_tick(r);
+        result = run_tick(r);
     }
-    return code;
+    return result;
 }
 
-static int sheet_save(struct studio *s, const char *path)
+static enum result sheet_save(struct studio *s, const char *path)
 {
     size_t size = 0;
     uint8_t *png;
@@ -234,30 +211,30 @@ static int sheet_save(struct studio *s, const char *path)
     return save(path, png, size);
 }
 
-int headless_render(const struct args *a)
+enum result headless_render(const struct args *a)
 {
     struct run *r = malloc(sizeof *r);
     struct studio s = { 0 };
 
     if (!r)
-        return game_report(EXIT_HOST, "out of memory");
+        return report_line(RESULT_HOST, "out of memory");
     if (!a->n_spans) {
         free(r);
-        return game_report(EXIT_INPUT, "render needs --frames (curtain help render)");
+        return report_line(RESULT_REFUSED, "render needs --frames (curtain help render)");
     }
-    int code = run_open(r, a);
-    if (code == EXIT_DONE)
-        code = studio_open(&s, r);
-    if (code == EXIT_DONE)
-        code = render_frames(&s, r);
+    enum result result = run_open(r, a);
+    if (result == RESULT_DONE)
+        result = studio_open(&s, r);
+    if (result == RESULT_DONE)
+        result = render_frames(&s, r);
     if (s.sheet.count > 0) { /* also of a run that stopped early */
-        int saved = sheet_save(&s, a->sheet);
-        code = code == EXIT_DONE ? saved : code;
+        enum result saved = sheet_save(&s, a->sheet);
+        result = result == RESULT_DONE ? saved : result;
     }
     studio_close(&s);
-    code = run_close(r, code);
+    result = run_close(r, result);
     free(r);
-    return code;
+    return result;
 }
 
 /* ---- hash ---- */
@@ -277,7 +254,7 @@ static void print_hash(struct hashing *h, const struct board *b, bool parts)
     putchar('\n');
 }
 
-static int unknown_part(const struct board *b, const char *name, int n)
+static enum result unknown_part(const struct board *b, const char *name, int n)
 {
     const char *names[MAX_PARTS], *meant;
     char word[64];
@@ -287,8 +264,8 @@ static int unknown_part(const struct board *b, const char *name, int n)
     snprintf(word, sizeof word, "%.*s", n, name);
     meant = args_near(word, names, board_parts(b));
     if (meant)
-        return game_report(EXIT_INPUT, "--trace: unknown part \"%s\" (did you mean \"%s\"?)", word, meant);
-    return game_report(EXIT_INPUT, "--trace: unknown part \"%s\" (hash --parts names them all)", word);
+        return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (did you mean \"%s\"?)", word, meant);
+    return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts names them all)", word);
 }
 
 /* Adds the part of that name, or all, to *set; false: there is none. */
@@ -305,7 +282,7 @@ static bool add_part(const struct board *b, const char *name, size_t n, uint32_t
     return known;
 }
 
-static int read_traces(const struct args *a, const struct board *b, uint32_t *set)
+static enum result read_traces(const struct args *a, const struct board *b, uint32_t *set)
 {
     for (int i = 0; i < a->n_traces; i++) {
         for (const char *p = a->traces[i];; p++) {
@@ -317,7 +294,7 @@ static int read_traces(const struct args *a, const struct board *b, uint32_t *se
                 break;
         }
     }
-    return EXIT_DONE;
+    return RESULT_DONE;
 }
 
 static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
@@ -330,35 +307,36 @@ static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
         trace_frame(stdout, r->guard.board, h->trace);
 }
 
-static int hash_frames(struct run *r, uint32_t frames)
+static enum result hash_frames(struct run *r, uint32_t frames)
 {
     struct hashing h = { .copies = calloc(1, board_hash_cache_size(r->guard.board)) };
-    int code = h.copies ? read_traces(r->a, r->guard.board, &h.trace) : game_report(EXIT_HOST, "out of memory");
+    enum result result =
+        h.copies ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST, "out of memory");
 
-    for (uint32_t f = 0; code == EXIT_DONE; f++) {
+    for (uint32_t f = 0; result == RESULT_DONE; f++) {
         print_frame(&h, r, f);
         if (f == frames || ferror(stdout))
             break;
-        code = run_tick(r);
+        result = run_tick(r);
     }
     free(h.copies);
-    return code;
+    return result;
 }
 
-int headless_hash(const struct args *a)
+enum result headless_hash(const struct args *a)
 {
     struct run *r;
     bool one = a->n_spans == 1 && a->spans[0].first == a->spans[0].last;
 
     if (a->n_spans && !one && !a->n_traces)
-        return game_report(EXIT_INPUT, "--frames: hash takes one number, how many frames to run");
+        return report_line(RESULT_REFUSED, "--frames: hash takes one number, how many frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
-        return game_report(EXIT_HOST, "out of memory");
-    int code = run_open(r, a);
+        return report_line(RESULT_HOST, "out of memory");
+    enum result result = run_open(r, a);
     uint32_t frames = a->n_spans ? args_last_frame(a) : r->game.has_demo ? r->game.demo.frames : HASH_FRAMES;
-    if (code == EXIT_DONE)
-        code = hash_frames(r, frames);
-    code = stdout_done(run_close(r, code));
+    if (result == RESULT_DONE)
+        result = hash_frames(r, frames);
+    result = report_stdout(run_close(r, result));
     free(r);
-    return code;
+    return result;
 }

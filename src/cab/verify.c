@@ -1,6 +1,6 @@
 /*
- * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from one
- * to the next, so a list of names may be as long as it likes.
+ * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from
+ * one to the next, so a list of names may be as long as it likes.
  */
 #include "verify.h"
 
@@ -11,9 +11,9 @@
 #include <string.h>
 #include "demo/bisect.h"
 #include "host/clean.h"
-#include "cli.h"
 #include "game.h"
-#include "demo/moments.h"
+#include "host/report.h"
+#include "demo/markers.h"
 #include "demo/replay.h"
 
 struct verify {
@@ -28,6 +28,11 @@ struct verify {
 
 /* ---- lines ---- */
 
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static void say(const struct verify *v, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* Names may hold anything. */
 static void print_clean(const char *text)
 {
@@ -38,8 +43,8 @@ static void print_clean(const char *text)
     fputs(line, stdout);
 }
 
-/* What keeps a demo from being replayed, with its name in it; returns code. */
-static int refuse(const struct verify *v, int code, const char *format, ...)
+/* What keeps a demo from being replayed, with its name in it; returns result. */
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
 {
     char line[2048];
     va_list args;
@@ -48,10 +53,10 @@ static int refuse(const struct verify *v, int code, const char *format, ...)
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
     if (!v->batch)
-        return game_report(code, "%s", line);
+        return report_line(result, "%s", line);
     print_clean(line);
     putchar('\n');
-    return code;
+    return result;
 }
 
 static void say(const struct verify *v, const char *path, const char *format, ...)
@@ -123,7 +128,7 @@ static void say_verdict(const struct verify *v, const char *path, const struct v
 static void say_hashes(const struct verify *v, const struct verdict *w)
 {
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
-    const uint16_t *prints = demo_prints(&v->demo, w->frame);
+    const uint16_t *checksums = demo_checksums(&v->demo, w->frame);
 
     for (int i = 0; i < v->demo.parts; i++) {
         unsigned long long here = v->replay.hashes[i];
@@ -134,54 +139,54 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         else if (row)
             printf("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
         else
-            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)prints[i],
+            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)checksums[i],
                    (unsigned)(here & 0xffff));
     }
 }
 
-/* The moments a frame lies in: of each kind the last, or NULL when what came after it ended it. */
-static void moments_at(const struct demo *d, uint32_t frame, const struct demo_moment *in[MARK_KINDS])
+/* The markers a frame lies in: of each kind the last, or NULL when what came after it ended it. */
+static void markers_at(const struct demo *d, uint32_t frame, const struct demo_marker *in[MARKER_KINDS])
 {
-    static const unsigned ends[MARK_KINDS] = {
-        [MARK_STAGE] = 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_POINT] = 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_WAVE] = 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_BOSS] = 1 << MARK_WAVE | 1 << MARK_PHASE,
-        [MARK_WON] = 1 << MARK_PHASE,
-        [MARK_LOST] = 1 << MARK_PHASE,
-        [MARK_CLEAR] = 1 << MARK_STAGE | 1 << MARK_POINT | 1 << MARK_WAVE | 1 << MARK_BOSS | 1 << MARK_PHASE,
-        [MARK_START] = (1 << (MARK_DEATH + 1)) - 1,
+    static const unsigned ends[MARKER_KINDS] = {
+        [MARKER_STAGE] = 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_MARK] = 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_WAVE] = 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_BOSS] = 1 << MARKER_WAVE | 1 << MARKER_PHASE,
+        [MARKER_WON] = 1 << MARKER_PHASE,
+        [MARKER_LOST] = 1 << MARKER_PHASE,
+        [MARKER_CLEAR] = 1 << MARKER_STAGE | 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_START] = (1 << (MARKER_DEATH + 1)) - 1,
     };
 
-    memset(in, 0, sizeof in[0] * MARK_KINDS);
-    for (uint32_t i = 0; i < d->moments && d->moment[i].frame <= frame; i++) {
-        enum board_mark_kind kind = d->moment[i].mark.kind;
-        in[kind] = &d->moment[i];
-        for (int k = 0; k < MARK_KINDS; k++)
+    memset(in, 0, sizeof in[0] * MARKER_KINDS);
+    for (uint32_t i = 0; i < d->n_markers && d->markers[i].frame <= frame; i++) {
+        enum board_marker_kind kind = d->markers[i].marker.kind;
+        in[kind] = &d->markers[i];
+        for (int k = 0; k < MARKER_KINDS; k++)
             in[k] = ends[kind] >> k & 1 ? NULL : in[k];
     }
 }
 
 /* "in stage one, boss queen, phase bloom, 12.3 s after it began; player 1 died 2.0 s before" */
-static void say_moment(const struct demo *d, uint32_t frame)
+static void say_place(const struct demo *d, uint32_t frame)
 {
-    static const char *const kinds[MARK_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
-    const struct demo_moment *in[MARK_KINDS], *last = NULL, *death;
+    static const char *const kinds[MARKER_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
+    const struct demo_marker *in[MARKER_KINDS], *last = NULL, *death;
 
-    moments_at(d, frame, in);
-    for (int k = 0; k < MARK_DEATH; k++) {
+    markers_at(d, frame, in);
+    for (int k = 0; k < MARKER_DEATH; k++) {
         if (!in[k])
             continue;
-        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->mark.name);
+        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->marker.name);
         last = !last || in[k]->frame > last->frame ? in[k] : last;
     }
     if (last)
         printf(", %.1f s after it began", (frame - last->frame) / 60.0);
     else
         printf("  %.1f s after power-on", frame / 60.0);
-    death = in[MARK_DEATH];
+    death = in[MARKER_DEATH];
     if (death)
-        printf("; player %s died %.1f s before", death->mark.name, (frame - death->frame) / 60.0);
+        printf("; player %s died %.1f s before", death->marker.name, (frame - death->frame) / 60.0);
     putchar('\n');
 }
 
@@ -223,10 +228,10 @@ static void say_header(const struct demo *d)
     printf("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format, (unsigned)d->core,
            d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
     printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
-           d->start.practice.mark[0] ? "from " : "from power-on", d->start.practice.mark);
+           d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? flags[i] : "");
-    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->moments);
+    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -238,7 +243,7 @@ static void say_more(const struct verify *v, const struct verdict *w)
         return;
     if (w->kind == VERDICT_DIFFERS)
         say_hashes(v, w);
-    say_moment(&v->demo, w->frame);
+    say_place(&v->demo, w->frame);
     say_pads(&v->demo, w->frame);
     if (fault && fault->trace[0])
         say_trace(fault->trace);
@@ -246,32 +251,33 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
-/* Writes the replay as the demo: newest format, this ROM and core version, all prints and moments. */
-static int write_again(struct verify *v, const char *path)
+/* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
+static enum result write_again(struct verify *v, const char *path)
 {
     char err[1200];
 
     if (demo_save(&v->again.demo, path, err, sizeof err))
-        return EXIT_DONE;
-    return refuse(v, EXIT_HOST, "%s", err);
+        return RESULT_DONE;
+    return refuse(v, RESULT_HOST, "%s", err);
 }
 
-static int judge(struct verify *v, const char *path)
+static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
-    int code = replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
+    enum result result =
+        replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
 
-    if (code != EXIT_DONE)
-        return refuse(v, code, "%s: %s", path, err);
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
-        code = write_again(v, path);
-    if (code != EXIT_DONE)
-        return code;
+        result = write_again(v, path);
+    if (result != RESULT_DONE)
+        return result;
     say_verdict(v, path, &w);
     if (v->a->verbose)
         say_more(v, &w);
-    return w.kind == VERDICT_HOLDS ? EXIT_DONE : EXIT_DIFFERS;
+    return w.kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
 /* ---- demos of another core version or build, recorded anew ---- */
@@ -281,6 +287,8 @@ struct tale { /* what became of a run, for a line */
     size_t n;
     bool same; /* all that was told is known to be as it was */
 };
+
+static void tell(struct tale *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void tell(struct tale *t, const char *format, ...)
 {
@@ -332,9 +340,9 @@ static void tell_points(const struct verify *v, const struct rerun *o, struct ta
         tell(t, "; score not told -> %s", now);
 }
 
-enum { MOMENTS_TOLD = 4 }; /* on the line; --verbose prints all */
+enum { MARKERS_TOLD = 4 }; /* on the line; --verbose prints all */
 
-static void tell_moments(const struct verify *v, const struct moment_changes *c, struct tale *t)
+static void tell_markers(const struct verify *v, const struct marker_changes *c, struct tale *t)
 {
     char text[96];
 
@@ -345,12 +353,12 @@ static void tell_moments(const struct verify *v, const struct moment_changes *c,
     }
     t->same &= c->n == 0;
     tell(t, c->n ? "; moments: " : "; moments as before");
-    for (uint32_t i = 0; i < c->n && i < MOMENTS_TOLD; i++) {
-        moments_text(&c->list[i], text, sizeof text);
+    for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
+        markers_text(&c->list[i], text, sizeof text);
         tell(t, "%s%s", i ? ", " : "", text);
     }
-    if (c->n > MOMENTS_TOLD)
-        tell(t, " and %u more", (unsigned)c->n - MOMENTS_TOLD);
+    if (c->n > MARKERS_TOLD)
+        tell(t, " and %u more", (unsigned)c->n - MARKERS_TOLD);
 }
 
 static void tell_end(const struct verify *v, const struct rerun *o, struct tale *t)
@@ -364,30 +372,30 @@ static void tell_end(const struct verify *v, const struct rerun *o, struct tale 
 }
 
 /* The file has been written. */
-static int say_again(const struct verify *v, const char *path, const struct rerun *o)
+static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
 {
     struct tale t = { .same = true };
-    struct moment_changes c;
+    struct marker_changes c;
     char text[1400];
 
-    if (!moments_compare(&c, &v->demo, &v->again.demo)) {
+    if (!markers_compare(&c, &v->demo, &v->again.demo)) {
         free(c.list);
-        return refuse(v, EXIT_HOST, "%s: out of memory", path);
+        return refuse(v, RESULT_HOST, "%s: out of memory", path);
     }
     verdict_text(v, &o->first, text, sizeof text);
     tell(&t, "rerecorded: %s", text);
     if (o->first.kind != VERDICT_HOLDS) {
         tell_points(v, o, &t);
-        tell_moments(v, &c, &t);
+        tell_markers(v, &c, &t);
         tell_end(v, o, &t);
     }
     say(v, path, "%s", t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
-        moments_text(&c.list[i], text, sizeof text);
+        markers_text(&c.list[i], text, sizeof text);
         printf("  %s\n", text);
     }
     free(c.list);
-    return t.same ? EXIT_DONE : EXIT_DIFFERS;
+    return t.same ? RESULT_DONE : RESULT_DIFFERS;
 }
 
 /* Why a replay that differs is not the run on today's core; NULL: it is. */
@@ -400,7 +408,7 @@ static const char *no_rerun(const struct verify *v, const struct rerun *o)
     return o->end.kind == VERDICT_FAULT ? "the rest of it would be lost" : NULL;
 }
 
-static int leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
+static enum result leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
 {
     char text[1400];
 
@@ -410,51 +418,52 @@ static int leave_alone(const struct verify *v, const char *path, const struct re
             why);
     else
         say(v, path, "%s; not rerecorded: %s", text, why);
-    return EXIT_INPUT;
+    return RESULT_REFUSED;
 }
 
-static int rerecord(struct verify *v, const char *path)
+static enum result rerecord(struct verify *v, const char *path)
 {
     struct rerun o;
     char err[512];
-    int code = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
+    enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
-    if (code != EXIT_DONE)
-        return refuse(v, code, "%s: %s", path, err);
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
     if (why)
         return leave_alone(v, path, &o, why);
-    code = write_again(v, path);
-    return code == EXIT_DONE ? say_again(v, path, &o) : code;
+    result = write_again(v, path);
+    return result == RESULT_DONE ? say_again(v, path, &o) : result;
 }
 
-static int verify_loaded(struct verify *v, const char *path)
+static enum result verify_loaded(struct verify *v, const char *path)
 {
     char err[512], doubt[128];
 
     if (!demo_fits(&v->demo, &v->game.cart, err, sizeof err))
-        return refuse(v, EXIT_INPUT, "%s: %s", path, err);
+        return refuse(v, RESULT_REFUSED, "%s: %s", path, err);
     if (!v->demo.complete)
-        return refuse(v, EXIT_INPUT, "%s: cut short: it has %u frames and no end mark", path, (unsigned)v->demo.frames);
+        return refuse(v, RESULT_REFUSED, "%s: cut short: it has %u frames and no end mark", path,
+                      (unsigned)v->demo.frames);
     v->doubt[0] = 0;
     if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
     return v->a->rerecord ? rerecord(v, path) : judge(v, path);
 }
 
-static int verify_demo(struct verify *v, const char *path)
+static enum result verify_demo(struct verify *v, const char *path)
 {
     char err[1200];
-    int code;
+    enum result result;
 
     if (demo_load(&v->demo, path, err, sizeof err))
-        code = verify_loaded(v, path);
+        result = verify_loaded(v, path);
     else
-        code = refuse(v, game_code(err), "%s", err);
+        result = refuse(v, report_cause(err), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
-    return code;
+    return result;
 }
 
 /* ---- names ---- */
@@ -481,55 +490,67 @@ static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
     return n > 0;
 }
 
-static int verify_stdin(struct verify *v)
+static enum result verify_stdin(struct verify *v)
 {
     char name[DEMO_PATH];
-    int worst = EXIT_DONE;
+    enum result worst = RESULT_DONE;
     bool whole;
 
     v->batch = true;
     while (next_name(name, v->a->null, &whole)) {
-        int code = whole ? verify_demo(v, name) : refuse(v, EXIT_INPUT, "%s: the name is too long", name);
-        worst = code > worst ? code : worst;
+        enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: the name is too long", name);
+        worst = result > worst ? result : worst;
     }
     return worst;
 }
 
-static int verify_words(struct verify *v)
+static enum result verify_words(struct verify *v)
 {
-    int worst = EXIT_DONE;
+    enum result worst = RESULT_DONE;
 
     for (int i = 1; i < v->a->n_words; i++) {
-        int code = verify_demo(v, v->a->words[i]);
-        worst = code > worst ? code : worst;
+        enum result result = verify_demo(v, v->a->words[i]);
+        worst = result > worst ? result : worst;
     }
     return worst;
 }
 
-static int verify_all(struct verify *v, const struct args *a)
+static enum result verify_all(struct verify *v, const struct args *a)
 {
     char err[1024];
     bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
 
     v->a = a;
     if (a->null && !listed)
-        return game_report(EXIT_INPUT, "--null goes with names from standard input: verify ROM -");
+        return report_line(RESULT_REFUSED, "--null goes with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
-        return game_refuse(err);
-    int code = listed ? verify_stdin(v) : verify_words(v);
+        return report_error(err);
+    enum result result = listed ? verify_stdin(v) : verify_words(v);
     replay_close(&v->replay);
     game_close(&v->game);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return code;
+    return report_stdout(result);
 }
 
-int verify_run(const struct args *a)
+static enum result bisect(const struct args *a)
+{
+    char err[2200];
+
+    if (a->n_words != 2)
+        return report_line(RESULT_REFUSED, "verify --bisect: expected two files that hash printed");
+    if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
+        return report_line(RESULT_REFUSED, "verify --bisect: only one of the two can be standard input");
+    enum result result = bisect_paths(a->words[0], a->words[1], err, sizeof err);
+    if (result > RESULT_DIFFERS)
+        return report_line(result, "%s", err);
+    return report_stdout(result);
+}
+
+enum result verify_run(const struct args *a)
 {
     if (a->bisect)
-        return bisect_run(a);
+        return bisect(a);
     struct verify *v = calloc(1, sizeof *v); /* large for a stack: it holds several nvram images */
-    int code = v ? verify_all(v, a) : game_report(EXIT_HOST, "out of memory");
+    enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST, "out of memory");
     free(v);
-    return code;
+    return result;
 }

@@ -1,21 +1,21 @@
 /*
  * verify.h - the command `verify`: replays demos and says whether they hold; stamps or records them anew; compares
  * two tracks.
- * floor: cab    used by: cli
+ * floor: cab
  *
  * A demo is a line on standard output, as soon as it is known:
  *
  *     PATH: holds, N frames[, ends in the fault it was recorded with][, restamped][ (DOUBT)]
- *     PATH: frame F: PARTS differ[ (DOUBT)]              or: frames F to G, where there are no prints
+ *     PATH: frame F: PARTS differ[ (DOUBT)]              or: frames F to G, where there are no checksums
  *     PATH: frame F: a fault that is not in the demo: WHAT[ (DOUBT)]
  *     PATH: frame F: the fault it was recorded with does not happen[ (DOUBT)]
  *
  * With --rerecord, when it was written, one of
  *
  *     PATH: rerecorded: holds, N frames[...][ (DOUBT)]
- *     PATH: rerecorded: DIFFERENCE; score A -> B; moments: WHAT F -> G, ...; length N as before[ (DOUBT)]
+ *     PATH: rerecorded: DIFFERENCE; score A -> B; markers: WHAT F -> G, ...; length N as before[ (DOUBT)]
  *
- * and when it was not (code 2)
+ * and when it was not (RESULT_REFUSED)
  *
  *     PATH: DIFFERENCE[; length N -> F]; not rerecorded: WHY[ (DOUBT)]
  *
@@ -25,8 +25,9 @@
 #define CAB_VERIFY_H
 
 #include "args.h"
+#include "host/result.h"
 
-/* Returns the worst exit code of all demos. */
-int verify_run(const struct args *a);
+/* Returns the worst result of all demos. */
+enum result verify_run(const struct args *a);
 
 #endif

@@ -9,25 +9,24 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/demo/bisect.h"
-#include "../../src/cab/cli.h"
 
-static int compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_t b_n)
+static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_t b_n)
 {
     char err[2200] = "";
     FILE *first = a_n ? fmemopen((void *)(uintptr_t)a, a_n, "r") : NULL;
     FILE *second = b_n ? fmemopen((void *)(uintptr_t)b, b_n, "r") : NULL;
-    int code = EXIT_INPUT;
+    enum result result = RESULT_REFUSED;
 
     if (first && second) {
-        code = bisect_files(first, "a", second, "b", err, sizeof err);
-        if (code == EXIT_HOST || (code == EXIT_INPUT) != (err[0] != 0))
+        result = bisect_files(first, "a", second, "b", err, sizeof err);
+        if (result == RESULT_HOST || (result == RESULT_REFUSED) != (err[0] != 0))
             abort();
     }
     if (first)
         fclose(first);
     if (second)
         fclose(second);
-    return code;
+    return result;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -40,12 +39,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
     if (!quiet && (quiet = freopen("/dev/null", "w", stdout)) == NULL)
         abort();
-    if (compare(data, n, data, n) == EXIT_DIFFERS)
+    if (compare(data, n, data, n) == RESULT_DIFFERS)
         abort();
     if (!nul)
         return 0;
-    int there = compare(data, n, nul + 1, size - n - 1), back = compare(nul + 1, size - n - 1, data, n);
-    if ((there == EXIT_DONE) != (back == EXIT_DONE))
+    enum result there = compare(data, n, nul + 1, size - n - 1), back = compare(nul + 1, size - n - 1, data, n);
+    if ((there == RESULT_DONE) != (back == RESULT_DONE))
         abort();
     return 0;
 }

@@ -50,7 +50,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = game.image.size;
     uint8_t *copy = malloc(n);
-    const struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "one" };
+    const struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "one" };
     char err[512] = "";
     struct rom rom;
     bool bad = false;

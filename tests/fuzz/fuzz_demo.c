@@ -37,26 +37,26 @@ static void check(const struct demo *d, size_t file_size)
     uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
     must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
-    must(memchr(d->start.practice.mark, 0, sizeof d->start.practice.mark) != NULL &&
+    must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= file_size && d->seconds <= file_size);
-    must(d->printing != 0 && (d->printed == d->frames || d->printed + 1 == d->frames));
+    must(d->checksum_parts != 0 && (d->checksum_frames == d->frames || d->checksum_frames + 1 == d->frames));
     must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
     must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
     for (int i = 0; i < d->start.practice.registers; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
-    must((d->format == 3 && d->printing == UINT32_MAX) || (d->format == 2 && d->moments == 0));
+    must((d->format == 3 && d->checksum_parts == UINT32_MAX) || (d->format == 2 && d->n_markers == 0));
     for (uint32_t f = 0; f <= d->frames; f++) {
-        must((demo_prints(d, f) != NULL) == (f > 0 && f <= d->printed));
+        must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames));
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
         h += demo_differs(d, f, hashes);
     }
     for (uint32_t i = 0; i < d->seconds * (uint32_t)d->parts; i++)
         h += d->track[i];
-    for (uint32_t i = 0; i < d->moments; i++) {
-        must(d->moment[i].frame <= d->frames && (i == 0 || d->moment[i].frame >= d->moment[i - 1].frame));
-        must(memchr(d->moment[i].mark.name, 0, sizeof d->moment[i].mark.name) != NULL);
+    for (uint32_t i = 0; i < d->n_markers; i++) {
+        must(d->markers[i].frame <= d->frames && (i == 0 || d->markers[i].frame >= d->markers[i - 1].frame));
+        must(memchr(d->markers[i].marker.name, 0, sizeof d->markers[i].marker.name) != NULL);
     }
     for (uint32_t i = 0; i < d->seconds; i++)
         must(demo_row_frame(d, i) <= d->frames);
@@ -82,7 +82,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else
-        must(err[0] != '\0' && d.pads == NULL && d.prints == NULL && d.moment == NULL && d.track == NULL);
+        must(err[0] != '\0' && d.pads == NULL && d.checksums == NULL && d.markers == NULL && d.track == NULL);
     demo_free(&d);
     free(copy);
     return 0;

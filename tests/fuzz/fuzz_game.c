@@ -78,7 +78,7 @@ static void taken(const struct game *g, const struct args *a)
     }
     need(g->start.difficulty >= -1 && g->start.difficulty < m->n_difficulties);
     need(!a->difficulty || strcmp(m->difficulties[g->start.difficulty], a->difficulty) == 0);
-    need(strcmp(p->mark, a->stage ? a->stage : "") == 0 && p->registers == a->n_registers && p->lives == a->lives);
+    need(strcmp(p->section, a->stage ? a->stage : "") == 0 && p->registers == a->n_registers && p->lives == a->lives);
     for (int i = 0; i < p->registers; i++) {
         need((text = given(a->registers, a->n_registers, p->reg[i].name)) && reads(text, p->reg[i].value));
         for (int k = 0; k < i; k++)

@@ -9,8 +9,8 @@
 #include <string.h>
 #include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
-#include "../../src/cab/check/facts.h"
-#include "../../src/cab/check/known.h"
+#include "../../src/cab/check/symbols.h"
+#include "../../src/cab/check/builtins.h"
 
 static void need(bool good)
 {
@@ -55,14 +55,14 @@ static void text(const char *data, size_t size)
 }
 
 /* What the compiler takes, the lint reads to its end. */
-static void facts(const char *data, size_t size, bool compiles)
+static void symbols(const char *data, size_t size, bool compiles)
 {
-    struct facts f;
+    struct symbols f;
 
-    need(facts_read(&f, data, size, known_global) || !compiles);
+    need(symbols_read(&f, data, size, builtins_global) || !compiles);
     for (int i = 0; i < f.n_globals; i++)
         need(f.globals[i].line > 0 && f.globals[i].name != NULL);
-    facts_free(&f);
+    symbols_free(&f);
 }
 
 static void script(const char *data, size_t size)
@@ -72,7 +72,7 @@ static void script(const char *data, size_t size)
 
     if (!script_check(data, size, "@a.lua", work, sizeof work, err, sizeof err))
         need_line(err);
-    facts(data, size, script_compile(data, size, "@a.lua", work, sizeof work, err, sizeof err));
+    symbols(data, size, script_compile(data, size, "@a.lua", work, sizeof work, err, sizeof err));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -20,13 +20,13 @@ static void count(struct records *r)
 {
     for (int i = 0, n = r->n; i < n; i++) {
         const struct record got = r->line[i].r;
-        if (!got.mark[0])
+        if (!got.section[0])
             continue;
-        need(memchr(got.mark, 0, sizeof got.mark) && memchr(got.difficulty, 0, sizeof got.difficulty));
+        need(memchr(got.section, 0, sizeof got.section) && memchr(got.difficulty, 0, sizeof got.difficulty));
         need(got.captures >= 0 && got.captures <= got.attempts && got.attempts <= RECORDS_MOST);
-        records_attempt(r, got.mark, got.difficulty);
-        records_capture(r, got.mark, got.difficulty);
-        const struct record *now = records_find(r, got.mark, got.difficulty);
+        records_attempt(r, got.section, got.difficulty);
+        records_capture(r, got.section, got.difficulty);
+        const struct record *now = records_find(r, got.section, got.difficulty);
         need(now && now->captures <= now->attempts && now->attempts <= RECORDS_MOST && now->attempts >= got.attempts);
         need(r->n == n);
     }

@@ -356,7 +356,7 @@ static void fly(const struct flight *f)
         "end)\n"
         "boot.run { stages = { 's' }, players = { 'ship' } }\n";
     static char code[4096];
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game g;
     struct rig r;
 
@@ -706,7 +706,7 @@ static void test_player(void **state)
         "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
         "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = 2 } })\n"
         "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },
                    slow[PADS] = { PAD_DOWN | PAD_FOCUS }, none[PADS] = { 0 };
     struct rig_game g;

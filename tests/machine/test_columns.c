@@ -354,7 +354,7 @@ static const char scene[] =
 static void test_flips(void **state)
 {
     struct manifest m = rig_manifest();
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game g;
     struct rig r;
     struct rng rng;
@@ -387,7 +387,7 @@ static void test_flips(void **state)
 /* Derived columns are what they say: spoiling those that a frame rewrites changes no frame after. */
 static void test_derived(void **state)
 {
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice.mark = "s" };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game g;
     struct rig a, b;
 

@@ -34,9 +34,9 @@ static int setup(void **state)
     if (!rig_demo(&game, "attract", &attract))
         return -1;
     attract.frames = FRAMES; /* the first of them will do */
-    attract.printed = FRAMES;
+    attract.checksum_frames = FRAMES;
     attract.seconds = FRAMES / DEMO_SECOND + 1;
-    if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != EXIT_DONE || v.kind != VERDICT_HOLDS)
+    if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != RESULT_DONE || v.kind != VERDICT_HOLDS)
         return -1;
     if (!demo_save(&again.demo, path, err, sizeof err))
         return -1;
@@ -234,7 +234,7 @@ static void test_flips(void **state)
         want = lockstep(&a, &original, &b, &flips[i]->demo);
         rig_restore(&a.rig);
         rig_restore(&b.rig);
-        assert_int_equal(replay_run(&r, &game.cart, &flips[i]->demo, NULL, &got, err, sizeof err), EXIT_DONE);
+        assert_int_equal(replay_run(&r, &game.cart, &flips[i]->demo, NULL, &got, err, sizeof err), RESULT_DONE);
         same_verdict(&got, &want, "flip", (uint64_t)i);
         demo_free(&flips[i]->demo);
         free(flips[i]);
@@ -258,7 +258,7 @@ static void test_seed(void **state)
         start(&b, &game, &seeded);
         want = lockstep(&a, &original, &b, &original);
         original.start.seed = seeded.seed;
-        assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+        assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
         original.start.seed ^= 1ull << bit;
         same_verdict(&got, &want, "seed bit", (uint64_t)bit);
         assert_int_equal(got.kind, VERDICT_DIFFERS);
@@ -278,10 +278,10 @@ static void test_parts(void **state)
     (void)state;
     memcpy(was, original.part[3], sizeof was);
     snprintf(original.part[3], sizeof was, "lasers");
-    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_DIFFERS && got.frame == 0 && got.parts == 1u << 3 && got.missing == 1u << 3);
     memcpy(original.part[3], was, sizeof was);
-    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+    assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_HOLDS && got.missing == 0);
     replay_close(&r);
 }
@@ -329,7 +329,7 @@ static enum verdict_kind changed(int script, uint32_t at, uint8_t c)
     start(&a, &game, &original.start);
     start(&b, &other, &original.start);
     want = lockstep(&a, &original, &b, &original);
-    assert_int_equal(replay_run(&r, &other.cart, &original, NULL, &got, err, sizeof err), EXIT_DONE);
+    assert_int_equal(replay_run(&r, &other.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     same_verdict(&got, &want, "script byte", at);
     replay_close(&r);
     stop(&a);

@@ -121,7 +121,7 @@ static void going_back(void **state)
         tick(&g, i);
     board_restore(g.board, at);
     free(at);
-    guard_mark(&g);
+    guard_forget(&g);
     for (int i = 70; i < 80; i++) {
         g.ms = i == 75 ? 1 : 1000000;
         assert_true(tick(&g, i) == plain[i + 1]);

@@ -1,11 +1,11 @@
 /*
  * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, the list of all
- * pieces of a game; and the cabinet's menu of them.
+ * sections of a game; and the cabinet's menu of them.
  */
 #include "rig.h"
 #include "../../src/cab/play/practice.h"
 
-/* ---- a game that has a piece of every sort ---- */
+/* ---- a game that has a section of every sort ---- */
 
 /* Bullets fly across the ship at once; the queen breaks by herself, the knight does not. */
 static const char game_text[] =
@@ -71,7 +71,7 @@ static struct board_start start_at(const char *mark)
 {
     struct board_start s = { .seed = 1, .difficulty = -1 };
 
-    snprintf(s.practice.mark, sizeof s.practice.mark, "%s", mark);
+    snprintf(s.practice.section, sizeof s.practice.section, "%s", mark);
     return s;
 }
 
@@ -95,25 +95,25 @@ static int said(const struct rig *r, const char *what)
 }
 
 /* So many marks of a kind, and of that name if one is given, did the last tick tell. */
-static int told(const struct rig *r, enum board_mark_kind kind, const char *name)
+static int told(const struct rig *r, enum board_marker_kind kind, const char *name)
 {
     const struct board_out *out = board_last(r->b);
     int n = 0;
 
-    for (int i = 0; i < out->marks; i++)
-        n += out->mark[i].kind == kind && (!name || !strcmp(out->mark[i].name, name));
+    for (int i = 0; i < out->markers; i++)
+        n += out->marker[i].kind == kind && (!name || !strcmp(out->marker[i].name, name));
     return n;
 }
 
 /* ---- lives and registers ---- */
 
-/* Runs until the piece has begun for the n-th time. */
+/* Runs until the section has begun for the n-th time. */
 static void until_round(struct rig *r, int n)
 {
     for (int f = 0; n > 0; f++) {
         assert_true(f < 20000);
         rig_run(r, 1);
-        n -= told(r, MARK_START, NULL);
+        n -= told(r, MARKER_START, NULL);
     }
 }
 
@@ -146,8 +146,8 @@ static int deaths_in_round(int32_t lives)
     until_round(&r, 1);
     do {
         rig_run(&r, 1);
-        deaths += told(&r, MARK_DEATH, "1");
-    } while (!told(&r, MARK_START, NULL));
+        deaths += told(&r, MARKER_DEATH, "1");
+    } while (!told(&r, MARKER_START, NULL));
     rig_free(&r);
     return deaths;
 }
@@ -236,7 +236,7 @@ static void test_ranges(void **state)
     start.practice.registers = -1;
     expect_refusal(&start, "a practice start with -1 registers: expected 0 to 16");
     start.practice.registers = 0;
-    start.practice.mark[0] = 0;
+    start.practice.section[0] = 0;
     start.practice.invincible = true;
     expect_refusal(&start, "lives, registers or invincibility without a practice start");
 }
@@ -260,7 +260,7 @@ static struct hits suffer(const char *mark, bool invincible)
         rig_run(&r, 1);
         h.hits += said(&r, "hit");
         h.grazes += said(&r, "graze");
-        h.deaths += told(&r, MARK_DEATH, NULL);
+        h.deaths += told(&r, MARKER_DEATH, NULL);
         h.lived += r.b->player.in[0] && !r.b->player.safe[0];
     }
     h.grazes = (int)r.b->player.grazes[0] == h.grazes ? h.grazes : -1;
@@ -317,8 +317,8 @@ static void test_both_invincible(void **state)
 /* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
 static void tell(const char *mark, int frames, char *out, size_t size)
 {
-    static const char *const kinds[MARK_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
-                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+    static const char *const kinds[MARKER_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
+                                                     "won",   "lost",  "start", "ship", "register", "listed" };
     struct board_start start = start_at(mark);
     struct rig r;
     size_t n = 0;
@@ -329,8 +329,8 @@ static void tell(const char *mark, int frames, char *out, size_t size)
     for (int f = 0; f < frames; f++) {
         rig_run(&r, 1);
         const struct board_out *now = board_last(r.b);
-        for (int i = 0; i < now->marks; i++) {
-            const struct board_mark *m = &now->mark[i];
+        for (int i = 0; i < now->markers; i++) {
+            const struct board_marker *m = &now->marker[i];
             n += (size_t)snprintf(out + n, size - n, "%s %s%s%s%s%s%s\n", kinds[m->kind], m->name,
                                   m->of[0] ? " of " : "", m->of, m->title[0] ? " \"" : "", m->title,
                                   m->title[0] ? "\"" : "");
@@ -362,7 +362,7 @@ static void test_marks(void **state)
 
 /* ---- the list ---- */
 
-/* A line a piece; frames: how many it took. */
+/* A line a section; frames: how many it took. */
 static void list(const struct rig_game *g, char *out, size_t size, int *frames)
 {
     struct board_start start = start_at(PRACTICE_LIST);
@@ -378,21 +378,21 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
         assert_true(*frames < 1000);
         rig_run(&r, 1);
         const struct board_out *now = board_last(r.b);
-        assert_true(now->marks < MARKS); /* or some may not have been told */
-        for (int i = 0; i < now->marks; i++) {
-            const struct board_mark *m = &now->mark[i];
-            done |= m->kind == MARK_LISTED;
-            if (m->kind == MARK_SHIP || m->kind == MARK_REGISTER)
+        assert_true(now->markers < BOARD_MARKERS); /* or some may not have been told */
+        for (int i = 0; i < now->markers; i++) {
+            const struct board_marker *m = &now->marker[i];
+            done |= m->kind == MARKER_LISTED;
+            if (m->kind == MARKER_SHIP || m->kind == MARKER_REGISTER)
                 n += (size_t)snprintf(out + n, size - n, "%s=%d\n", m->name, (int)m->value);
-            else if (m->kind == MARK_POINT || m->kind == MARK_PHASE)
-                n += (size_t)snprintf(out + n, size - n, "%s%s%s %s\n", m->of, m->kind == MARK_POINT ? ":" : "/",
+            else if (m->kind == MARKER_MARK || m->kind == MARKER_PHASE)
+                n += (size_t)snprintf(out + n, size - n, "%s%s%s %s\n", m->of, m->kind == MARKER_MARK ? ":" : "/",
                                       m->name, m->title);
-            else if (m->kind != MARK_LISTED)
+            else if (m->kind != MARKER_LISTED)
                 n += (size_t)snprintf(out + n, size - n, "%s %s\n", m->name, m->title);
         }
     }
     rig_run(&r, 5); /* and then nothing */
-    assert_int_equal(board_last(r.b)->marks, 0);
+    assert_int_equal(board_last(r.b)->markers, 0);
     rig_free(&r);
 }
 
@@ -453,11 +453,11 @@ static void test_list_of_none(void **state)
     rig_game_free(&g);
 }
 
-/* Every piece that is told can be started. */
+/* Every section that is told can be started. */
 static void test_list_starts(void **state)
 {
     char all[4096], *line = all;
-    int frames, pieces = 0;
+    int frames, sections = 0;
 
     (void)state;
     list(&game, all, sizeof all, &frames);
@@ -473,9 +473,9 @@ static void test_list_starts(void **state)
         rig_power(&r, &game, &start);
         until_round(&r, 1);
         rig_free(&r);
-        pieces++;
+        sections++;
     }
-    assert_int_equal(pieces, 4 + 3 + 4);
+    assert_int_equal(sections, 4 + 3 + 4);
 }
 
 /* ---- what is skipped for ever ---- */
@@ -509,7 +509,7 @@ static void test_endless_in_list(void **state)
 
     (void)state;
     rig_power(&r, &game, &start);
-    for (bool done = false; !done; done = told(&r, MARK_LISTED, NULL)) {
+    for (bool done = false; !done; done = told(&r, MARKER_LISTED, NULL)) {
         rig_run(&r, 1);
         one += said(&r, "stage \"one\"");
         ever += said(&r, "stage \"ever\" waits for ever when it is skipped: marks after that are not known");
@@ -585,21 +585,21 @@ static void test_reset(void **state)
 
 /* ---- the cabinet's list and menu ---- */
 
-static void expect_piece(const struct pieces *p, int i, enum piece_kind kind, const char *mark, const char *title)
+static void expect_section(const struct sections *p, int i, enum section_kind kind, const char *mark, const char *title)
 {
     assert_true(i < p->n);
-    assert_int_equal(p->piece[i].kind, kind);
-    assert_string_equal(p->piece[i].mark, mark);
-    assert_string_equal(p->piece[i].title, title);
+    assert_int_equal(p->section[i].kind, kind);
+    assert_string_equal(p->section[i].id, mark);
+    assert_string_equal(p->section[i].title, title);
 }
 
-static void test_pieces(void **state)
+static void test_sections(void **state)
 {
-    static struct pieces p;
+    static struct sections p;
     struct board_start start = start_at("");
 
     (void)state;
-    pieces_list(&p, &game.image.rom, &start, true);
+    sections_list(&p, &game.image.rom, &start, true);
     assert_string_equal(p.why, "");
     assert_string_equal(p.ship, "ship");
     assert_int_equal(p.lives, 3);
@@ -607,23 +607,23 @@ static void test_pieces(void **state)
     assert_string_equal(p.reg[1].name, "power");
     assert_int_equal(p.reg[1].value, 7);
     assert_int_equal(p.n, 14);
-    expect_piece(&p, 0, PIECE_STAGE, "one", "");
-    expect_piece(&p, 1, PIECE_POINT, "one:guard", "");
-    expect_piece(&p, 2, PIECE_POINT, "one:end", "");
-    expect_piece(&p, 3, PIECE_STAGE, "rain", "");
-    expect_piece(&p, 5, PIECE_STAGE, "ever", "");
-    expect_piece(&p, 6, PIECE_POINT, "ever:before", "");
-    expect_piece(&p, 8, PIECE_POINT, "waits:round", "");
-    expect_piece(&p, 9, PIECE_BOSS, "queen", "The Queen");
-    expect_piece(&p, 10, PIECE_PHASE, "queen/first", "");
-    expect_piece(&p, 11, PIECE_PHASE, "queen/second", "Sign of Rain");
-    expect_piece(&p, 13, PIECE_PHASE, "knight/stand", "");
+    expect_section(&p, 0, SECTION_STAGE, "one", "");
+    expect_section(&p, 1, SECTION_MARK, "one:guard", "");
+    expect_section(&p, 2, SECTION_MARK, "one:end", "");
+    expect_section(&p, 3, SECTION_STAGE, "rain", "");
+    expect_section(&p, 5, SECTION_STAGE, "ever", "");
+    expect_section(&p, 6, SECTION_MARK, "ever:before", "");
+    expect_section(&p, 8, SECTION_MARK, "waits:round", "");
+    expect_section(&p, 9, SECTION_BOSS, "queen", "The Queen");
+    expect_section(&p, 10, SECTION_PHASE, "queen/first", "");
+    expect_section(&p, 11, SECTION_PHASE, "queen/second", "Sign of Rain");
+    expect_section(&p, 13, SECTION_PHASE, "knight/stand", "");
 }
 
 /* A stage that faults when it is run through: what was told before is kept. */
-static void test_pieces_of_the_wrong(void **state)
+static void test_sections_of_the_wrong(void **state)
 {
-    static struct pieces p;
+    static struct sections p;
     static const char wrong[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
                                 "stage.def('good', function() stage.mark 'a' end)\n"
                                 "stage.def('bad', function() stage.mark 'b' error 'boo' end)\n"
@@ -633,14 +633,14 @@ static void test_pieces_of_the_wrong(void **state)
 
     (void)state;
     rig_script(&g, NULL, wrong);
-    pieces_list(&p, &g.image.rom, &start, true);
+    sections_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "main.lua:3: boo");
     assert_int_equal(p.n, 3);
-    expect_piece(&p, 1, PIECE_POINT, "good:a", "");
-    expect_piece(&p, 2, PIECE_STAGE, "bad", "");
+    expect_section(&p, 1, SECTION_MARK, "good:a", "");
+    expect_section(&p, 2, SECTION_STAGE, "bad", "");
     rig_game_free(&g);
     rig_script(&g, NULL, "task.go(function() end)");
-    pieces_list(&p, &g.image.rom, &start, true);
+    sections_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "practice: nothing can be chosen: main.lua does not call boot.run");
     assert_int_equal(p.n, 0);
     rig_game_free(&g);
@@ -679,10 +679,10 @@ static void test_menu(void **state)
 
     (void)state;
     start.seed = 77;
-    open_menu(&start); /* on the first piece */
+    open_menu(&start); /* on the first section */
     assert_int_equal(TAP(down, fire), PRACTICE_START);
     practice_chosen(&menu, &got);
-    assert_string_equal(got.practice.mark, "one:guard");
+    assert_string_equal(got.practice.section, "one:guard");
     assert_int_equal(got.practice.lives, 0);
     assert_int_equal(got.practice.registers, 0);
     assert_false(got.practice.invincible);
@@ -691,7 +691,7 @@ static void test_menu(void **state)
     practice_open(&menu, 2);
     practice_poll(&menu, 0);
     assert_int_equal(menu.slow, 2);
-    /* Over the line between, from the piece that was played: speed, hitbox, invincible, power, bombs, lives. */
+    /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
     assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)),
                      PRACTICE_STAYS);
     assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), PRACTICE_STAYS);
@@ -700,7 +700,7 @@ static void test_menu(void **state)
     assert_int_equal(TAP(up, up, up, fire),
                      PRACTICE_START); /* the title, round the end: the knight's heading is passed over */
     practice_chosen(&menu, &got);
-    assert_string_equal(got.practice.mark, "queen/second");
+    assert_string_equal(got.practice.section, "queen/second");
     assert_int_equal(got.practice.lives, 11);
     assert_true(got.practice.invincible);
     assert_int_equal(got.practice.registers, 2);
@@ -756,7 +756,7 @@ static void test_menu_pictures(void **state)
         struct fb fb;
         open_menu(&start);
         if (s % 2)
-            snprintf(menu.pieces.why, sizeof menu.pieces.why, "%s",
+            snprintf(menu.sections.why, sizeof menu.sections.why, "%s",
                      "one sentence about what went wrong in a stage of this game");
         for (int i = 0; i < 30; i++) {
             struct ink ink;
@@ -780,13 +780,13 @@ static void test_menu_pictures(void **state)
 }
 
 /* What counts, and what does not; the marks are made up. */
-static void told_now(enum board_mark_kind kind, const char *name, const char *of)
+static void told_now(enum board_marker_kind kind, const char *name, const char *of)
 {
     static struct board_out out;
 
-    out = (struct board_out){ .marks = 1, .mark[0] = { .kind = kind } };
-    snprintf(out.mark[0].name, sizeof out.mark[0].name, "%s", name);
-    snprintf(out.mark[0].of, sizeof out.mark[0].of, "%s", of);
+    out = (struct board_out){ .markers = 1, .marker[0] = { .kind = kind } };
+    snprintf(out.marker[0].name, sizeof out.marker[0].name, "%s", name);
+    snprintf(out.marker[0].of, sizeof out.marker[0].of, "%s", of);
     practice_hear(&menu, &out);
 }
 
@@ -805,39 +805,39 @@ static void test_counting(void **state)
     (void)state;
     menu = (struct practice_menu){ .cart = &game.cart };
     practice_began(&menu, &phase);
-    told_now(MARK_WON, "second", "queen"); /* before it began */
-    told_now(MARK_START, "", "");
-    told_now(MARK_WON, "first", "queen");
-    told_now(MARK_WON, "second", "knight");
-    told_now(MARK_CLEAR, "queen/second", "");
-    told_now(MARK_LOST, "second", "queen");
+    told_now(MARKER_WON, "second", "queen"); /* before it began */
+    told_now(MARKER_START, "", "");
+    told_now(MARKER_WON, "first", "queen");
+    told_now(MARKER_WON, "second", "knight");
+    told_now(MARKER_CLEAR, "queen/second", "");
+    told_now(MARKER_LOST, "second", "queen");
     expect_record("queen/second", 0, 1);
-    told_now(MARK_WON, "second", "queen");
-    told_now(MARK_WON, "second", "queen");
+    told_now(MARKER_WON, "second", "queen");
+    told_now(MARKER_WON, "second", "queen");
     expect_record("queen/second", 1, 1);
-    told_now(MARK_START, "", "");
-    told_now(MARK_DEATH, "1", "");
-    told_now(MARK_WON, "second", "queen");
+    told_now(MARKER_START, "", "");
+    told_now(MARKER_DEATH, "1", "");
+    told_now(MARKER_WON, "second", "queen");
     expect_record("queen/second", 1, 2);
-    told_now(MARK_START, "", "");
+    told_now(MARKER_START, "", "");
     practice_void(&menu);
-    told_now(MARK_WON, "second", "queen");
-    told_now(MARK_START, "", "");
+    told_now(MARKER_WON, "second", "queen");
+    told_now(MARKER_START, "", "");
     expect_record("queen/second", 1, 3);
     practice_began(&menu, &stage);
-    told_now(MARK_START, "", "");
-    told_now(MARK_WON, "guard", "one");
-    told_now(MARK_CLEAR, "on", "");
-    told_now(MARK_CLEAR, "one:guard", "");
+    told_now(MARKER_START, "", "");
+    told_now(MARKER_WON, "guard", "one");
+    told_now(MARKER_CLEAR, "on", "");
+    told_now(MARKER_CLEAR, "one:guard", "");
     expect_record("one:guard", 0, 1);
-    told_now(MARK_CLEAR, "one", "");
+    told_now(MARKER_CLEAR, "one", "");
     expect_record("one:guard", 1, 1);
     stage.practice.invincible = true;
     practice_began(&menu, &stage);
-    told_now(MARK_START, "", "");
+    told_now(MARKER_START, "", "");
     practice_began(&menu, &none);
-    told_now(MARK_START, "", "");
-    told_now(MARK_CLEAR, "one", "");
+    told_now(MARKER_START, "", "");
+    told_now(MARKER_CLEAR, "one", "");
     expect_record("one:guard", 1, 1);
     assert_int_equal(menu.records.n, 2);
     records_free(&menu.records);
@@ -862,8 +862,8 @@ int main(void)
         cmocka_unit_test(test_endless_in_list),
         cmocka_unit_test(test_same),
         cmocka_unit_test(test_reset),
-        cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_pieces_of_the_wrong),
+        cmocka_unit_test(test_sections),
+        cmocka_unit_test(test_sections_of_the_wrong),
         cmocka_unit_test(test_menu),
         cmocka_unit_test(test_menu_held),
         cmocka_unit_test(test_menu_pictures),

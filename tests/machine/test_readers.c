@@ -16,7 +16,7 @@ static struct rig_game game;
 
 /* From the title, and right in the stage. */
 static const struct board_start plain = { .seed = 1, .difficulty = -1 };
-static const struct board_start practice = { .seed = 1, .difficulty = -1, .practice.mark = "one" };
+static const struct board_start practice = { .seed = 1, .difficulty = -1, .practice.section = "one" };
 
 static int set_up(void **state)
 {
@@ -245,7 +245,7 @@ static void test_card_mutants(void **state)
 /* A demo of SPOIL_FRAMES frames of the game, of random pads; free it. */
 static uint8_t *record(size_t *size)
 {
-    struct board_start start = { .seed = 5, .difficulty = -1, .practice.mark = "one" };
+    struct board_start start = { .seed = 5, .difficulty = -1, .practice.section = "one" };
     uint16_t pads[PADS] = { 0 };
     struct demo_writer w = { 0 };
     char path[] = "/tmp/curtain-readers-XXXXXX";

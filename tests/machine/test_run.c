@@ -70,7 +70,7 @@ static void test_whole_run(void **state)
     (void)state;
     assert_true(demo_load(&d, "roms/glasstide/demos/run.demo", err, sizeof err));
     assert_true(d.complete);
-    assert_string_equal(d.start.practice.mark, "");
+    assert_string_equal(d.start.practice.section, "");
     power(&g, &d.start);
     assert_false(nvram_row(&g.b->nvram, "normal", 0, name, &score));
     while (board_frame(g.b) < d.frames) {
@@ -117,7 +117,7 @@ static void test_attract(void **state)
 static void test_standing_still(void **state)
 {
     struct game g;
-    struct board_start start = { .difficulty = -1, .practice.mark = "one" };
+    struct board_start start = { .difficulty = -1, .practice.section = "one" };
     const uint16_t pads[PADS] = { PAD_FIRE, 0 };
     uint32_t f = 0;
 
@@ -136,7 +136,7 @@ static void test_standing_still(void **state)
 static void test_practice_rounds(void **state)
 {
     struct game g;
-    struct board_start start = { .difficulty = -1, .practice.mark = "one" };
+    struct board_start start = { .difficulty = -1, .practice.section = "one" };
     const uint16_t pads[PADS] = { PAD_FIRE, 0 };
     uint32_t tasks[3], shots[3], rounds = 0, since = 0;
 
@@ -161,7 +161,7 @@ static void test_practice_rounds(void **state)
 static void test_never_shooting(void **state)
 {
     struct game g;
-    struct board_start start = { .difficulty = -1, .practice.mark = "one" };
+    struct board_start start = { .difficulty = -1, .practice.section = "one" };
     const uint16_t pads[PADS] = { 0, 0 };
     char title[64];
     bool queen = false;

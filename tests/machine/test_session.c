@@ -236,7 +236,7 @@ static void takes_over(void **state)
     get_there(&s);
     session_goto(&s, 400);
     uint32_t n;
-    assert_ptr_equal(session_moments(&s, &n), demo.moments ? demo.moment : s.now->writer.demo.moment);
+    assert_ptr_equal(session_markers(&s, &n), demo.n_markers ? demo.markers : s.now->writer.demo.markers);
     assert_true(session_take_over(&s, path));
     assert_false(session_take_over(&s, path)); /* it is taken */
     at(&s, 400);
@@ -290,7 +290,7 @@ static void starts_anew(void **state)
     open_session(&s, true, NULL);
     session_goto(&s, 100);
     get_there(&s);
-    snprintf(start.practice.mark, sizeof start.practice.mark, "one");
+    snprintf(start.practice.section, sizeof start.practice.section, "one");
     assert_true(session_restart(&s, &start));
     assert_null(s.demo);
     assert_int_equal(board_frame(session_board(&s)), 0);

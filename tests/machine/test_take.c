@@ -416,7 +416,7 @@ enum { PRESSES = 36, LONG = 29 /* frames from press to press: it meets every pha
 static void press_all(const char *page, const char *text, const char *ask, const char *button)
 {
     static const char *const names[] = PAD_NAMES;
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .mark = "drive", .invincible = true } };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "drive", .invincible = true } };
     char words[64];
     int k = 0, n = 0;
 

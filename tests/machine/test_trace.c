@@ -5,7 +5,6 @@
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
 #include <unistd.h>
 #include "../../src/cab/demo/bisect.h"
-#include "../../src/cab/cli.h"
 #include "../../src/cab/demo/trace.h"
 #include "rig.h"
 
@@ -110,26 +109,22 @@ static void print_trace(const char *name, const char *mode, const struct board *
     assert_int_equal(fclose(f), 0);
 }
 
-/* bisect_run of two files; what it prints is in out. */
-static int bisect(const char *a, const char *b)
+/* bisect_paths of two files; what it prints is in out. */
+static enum result bisect(const char *a, const char *b)
 {
-    char first[300], second[300];
-    char *words[] = { first, second };
-    struct args args = { .command = COMMAND_VERIFY, .words = words, .n_words = 2, .bisect = true };
+    char err[2200];
 
-    snprintf(first, sizeof first, "%s", file(a));
-    snprintf(second, sizeof second, "%s", file(b));
     fflush(stdout);
     int was = dup(STDOUT_FILENO);
     assert_non_null(freopen(file("out"), "w", stdout));
-    int code = bisect_run(&args);
+    enum result result = bisect_paths(file(a), file(b), err, sizeof err);
     fflush(stdout);
     dup2(was, STDOUT_FILENO);
     close(was);
     FILE *f = fopen(file("out"), "r");
     out[fread(out, 1, sizeof out - 1, f)] = 0;
     fclose(f);
-    return code;
+    return result;
 }
 
 /* A value as traces have it. */
@@ -197,7 +192,7 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
     store(p, c->width, is);
     print_trace("b", "w", r->b, only);
     store(p, c->width, was);
-    assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+    assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
     if (slot >= 0 && machine_parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
         char start[64];
         snprintf(start, sizeof start, "\n  %s %lld %s", board_part(r->b, part), (long long)slot, c->name);
@@ -228,7 +223,7 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
     int planted = 0;
 
     print_trace("a", "w", r->b, 1u << part);
-    assert_int_equal(bisect("a", "a"), EXIT_DONE);
+    assert_int_equal(bisect("a", "a"), RESULT_DONE);
     for (int k = 0; k < chip->count; k++) {
         const struct column *c = &chip->columns[k];
         int64_t slot = c->reg ? NO_SLOT : some_slot((struct slots *)self, rng);
@@ -292,7 +287,7 @@ static void test_first_frame(void **state)
             }
             rig_free(&r);
         }
-        assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+        assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
         named(at, "bullets", 13, &(struct column){ .name = "x", .width = 4, .n = 1 }, 0, x, x ^ 1 << 4);
     }
     rig_game_free(&g);
@@ -314,7 +309,7 @@ static void test_who_lives(void **state)
     print_trace("a", "w", r.b, UINT32_MAX);
     r.b->bullets.s.gen[4] = 9;
     print_trace("b", "w", r.b, UINT32_MAX);
-    assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+    assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
     snprintf(want, sizeof want, "frame 5 is the first that differs\n  bullets 4 generation: 1 in %s, 9 in %s\n",
              file("a"), file("b"));
     assert_string_equal(out, want);
@@ -323,12 +318,12 @@ static void test_who_lives(void **state)
         r.b->bullets.s.used[0] ^= 1ull << slot;
         print_trace("b", "w", r.b, UINT32_MAX);
         r.b->bullets.s.used[0] ^= 1ull << slot;
-        assert_int_equal(bisect("a", "b"), EXIT_DIFFERS);
+        assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
         snprintf(want, sizeof want,
                  "frame 5 is the first that differs\n  bullets %u is alive in %s only (generation 1)\n", (unsigned)slot,
                  file("a"));
         assert_string_equal(out, want);
-        assert_int_equal(bisect("b", "a"), EXIT_DIFFERS);
+        assert_int_equal(bisect("b", "a"), RESULT_DIFFERS);
         assert_string_equal(out, want);
     }
     rig_free(&r);

@@ -65,7 +65,7 @@ instrumented() {
         not_ok "it builds under MemorySanitizer" "$(tail -n 20 "$tmp/made")"
         return
     fi
-    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_facts fuzz_game fuzz_nvram fuzz_png fuzz_records fuzz_rom; do
+    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_nvram fuzz_png fuzz_records fuzz_rom; do
         clean "$target: $(seeds "$target" | wc -l) files" given "$msan" "$target"
     done
     for name in keys png records rom stdio; do

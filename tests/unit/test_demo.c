@@ -146,15 +146,15 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
         assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
-    assert_int_equal(a->printing, b->printing);
-    assert_int_equal(a->printed, b->printed);
-    if (a->printed)
-        assert_memory_equal(a->prints, b->prints, a->printed * (size_t)a->parts * sizeof a->prints[0]);
-    assert_int_equal(a->moments, b->moments);
-    for (uint32_t i = 0; i < a->moments; i++) {
-        assert_int_equal(a->moment[i].frame, b->moment[i].frame);
-        assert_int_equal(a->moment[i].mark.kind, b->moment[i].mark.kind);
-        assert_string_equal(a->moment[i].mark.name, b->moment[i].mark.name);
+    assert_int_equal(a->checksum_parts, b->checksum_parts);
+    assert_int_equal(a->checksum_frames, b->checksum_frames);
+    if (a->checksum_frames)
+        assert_memory_equal(a->checksums, b->checksums, a->checksum_frames * (size_t)a->parts * sizeof a->checksums[0]);
+    assert_int_equal(a->n_markers, b->n_markers);
+    for (uint32_t i = 0; i < a->n_markers; i++) {
+        assert_int_equal(a->markers[i].frame, b->markers[i].frame);
+        assert_int_equal(a->markers[i].marker.kind, b->markers[i].marker.kind);
+        assert_string_equal(a->markers[i].marker.name, b->markers[i].marker.name);
     }
     assert_int_equal(a->seconds, b->seconds);
     if (a->seconds)
@@ -207,7 +207,7 @@ static void test_round_trip(void **state)
         same(&d, &w.demo);
         assert_true(d.complete);
         assert_int_equal(d.frames, lengths[i]);
-        assert_int_equal(d.printed, lengths[i]);
+        assert_int_equal(d.checksum_frames, lengths[i]);
         assert_int_equal(d.seconds, 1 + (lengths[i] + 59) / 60);
         assert_int_equal(demo_row_frame(&d, d.seconds - 1), lengths[i]);
         demo_free(&d);
@@ -215,7 +215,7 @@ static void test_round_trip(void **state)
     }
 }
 
-/* The track holds what the board said at those frames, the prints what each part said at each. */
+/* The track holds what the board said at those frames, the checksums what each part said at each. */
 static void test_track(void **state)
 {
     struct board_start start = { .seed = 5, .difficulty = -1 };
@@ -236,10 +236,10 @@ static void test_track(void **state)
         }
         assert_int_equal(demo_differs(&d, f, hashes), 0);
         for (int i = 0; i < d.parts; i++) {
-            assert_true(f == 0 || d.prints[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
+            assert_true(f == 0 || d.checksums[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
             hashes[i] ^= 0x8000;
             assert_int_equal(demo_differs(&d, f, hashes), 1u << i);
-            hashes[i] ^= 0x10000 | 0x8000; /* beyond the print: only rows know */
+            hashes[i] ^= 0x10000 | 0x8000; /* beyond the checksum: only rows know */
             assert_int_equal(demo_differs(&d, f, hashes), f % 60 == 0 || f == 130 ? 1u << i : 0);
             hashes[i] ^= 0x10000;
         }
@@ -434,7 +434,7 @@ static void refused(size_t n, const char *part)
     err[0] = 0;
     assert_false(demo_read(&d, file, n, err, sizeof err));
     assert_null(d.pads);
-    assert_null(d.prints);
+    assert_null(d.checksums);
     assert_null(d.track);
     if (strstr(err, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
@@ -527,7 +527,7 @@ static size_t resize(int i, int by)
 }
 
 /* Prints there are too many or too few of, of parts that are none, and no part script. */
-static void test_print_lies(void **state)
+static void test_checksum_lies(void **state)
 {
     static const int by[] = { -2, -1, 1, 2 };
     struct board_start start = { .difficulty = -1 };
@@ -565,7 +565,7 @@ static void test_practice(void **state)
 
     (void)state;
     struct board *b = power(&start);
-    snprintf(p->mark, sizeof p->mark, "%063d", 0);
+    snprintf(p->section, sizeof p->section, "%063d", 0);
     p->lives = 99;
     p->invincible = true;
     p->registers = PRACTICE_REGISTERS;
@@ -601,14 +601,14 @@ static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
         board_tick(b, none);
         uint32_t f = board_frame(b);
         if (f % 7 == 0)
-            board_mark(b, (enum board_mark_kind)(f / 7 % MARK_KINDS), name + f / 7 % sizeof name, "", "", 0);
+            board_add_marker(b, (enum board_marker_kind)(f / 7 % MARKER_KINDS), name + f / 7 % sizeof name, "", "", 0);
         if (f % 21 == 0)
-            board_mark(b, MARK_DEATH, "2", "", "", 0);
+            board_add_marker(b, MARKER_DEATH, "2", "", "", 0);
         assert_true(demo_frame(w, b, none));
     }
 }
 
-static void test_moments(void **state)
+static void test_markers(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .on = false };
@@ -618,18 +618,18 @@ static void test_moments(void **state)
     (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     mark_frames(&w, b, 300);
-    assert_int_equal(w.demo.moments, 300 / 7 + 300 / 21);
+    assert_int_equal(w.demo.n_markers, 300 / 7 + 300 / 21);
     loads(&d); /* not ended yet */
-    assert_int_equal(d.moments, w.demo.moments);
+    assert_int_equal(d.n_markers, w.demo.n_markers);
     demo_free(&d);
     mark_frames(&w, b, 43); /* the last frame has one */
     assert_true(demo_end(&w, b));
     loads(&d);
     same(&d, &w.demo);
-    assert_int_equal(d.moments, 343 / 7 + 343 / 21 + PADS); /* and the points */
-    assert_int_equal(d.moment[0].frame, 7);
-    assert_int_equal(d.moment[3].frame, 21);
-    assert_int_equal(strlen(d.moment[0].mark.name), sizeof d.moment[0].mark.name - 1); /* cut to fit */
+    assert_int_equal(d.n_markers, 343 / 7 + 343 / 21 + PADS); /* and the points */
+    assert_int_equal(d.markers[0].frame, 7);
+    assert_int_equal(d.markers[3].frame, 21);
+    assert_int_equal(strlen(d.markers[0].marker.name), sizeof d.markers[0].marker.name - 1); /* cut to fit */
     demo_free(&d);
     demo_free(&w.demo);
     static const uint32_t back[] = { 0, 60, 63, 120, 126, 169 };
@@ -642,12 +642,12 @@ static void test_moments(void **state)
         for (uint32_t f = 0; f < to; f++)
             board_tick(b, w.demo.pads[f]);
         assert_true(demo_rewind(&w, to));
-        assert_int_equal(w.demo.moments, to / 7 + to / 21);
+        assert_int_equal(w.demo.n_markers, to / 7 + to / 21);
         mark_frames(&w, b, 100);
         assert_true(demo_end(&w, b));
         loads(&d);
         same(&d, &w.demo);
-        assert_int_equal(d.moments, (to + 100) / 7 + (to + 100) / 21 + PADS);
+        assert_int_equal(d.n_markers, (to + 100) / 7 + (to + 100) / 21 + PADS);
         demo_free(&d);
         demo_free(&w.demo);
     }
@@ -697,33 +697,33 @@ static void test_points_lies(void **state)
                                          "points 1 5 ",
                                          "points 1 1234567890123",
                                          "Points 1 5" };
-    struct demo_moment list[3] = { 0 };
-    struct demo d = { .moment = list, .moments = 2, .frames = 9, .complete = true };
+    struct demo_marker list[3] = { 0 };
+    struct demo d = { .markers = list, .n_markers = 2, .frames = 9, .complete = true };
     int64_t got;
 
     (void)state;
-    list[0] = (struct demo_moment){ 8, { .kind = MARK_LISTED, .name = "points 1 5" } };
+    list[0] = (struct demo_marker){ 8, { .kind = MARKER_LISTED, .name = "points 1 5" } };
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-        list[1] = (struct demo_moment){ 9, { .kind = MARK_LISTED } };
-        snprintf(list[1].mark.name, sizeof list[1].mark.name, "%s", texts[i]);
+        list[1] = (struct demo_marker){ 9, { .kind = MARKER_LISTED } };
+        snprintf(list[1].marker.name, sizeof list[1].marker.name, "%s", texts[i]);
         if (demo_points(&d, 0, &got))
             fail_msg("\"%s\" is taken for points", texts[i]);
     }
     list[1] = list[0];
     assert_false(demo_points(&d, 0, &got)); /* not of the last frame */
     list[1].frame = 9;
-    list[1].mark.kind = MARK_REGISTER;
+    list[1].marker.kind = MARKER_REGISTER;
     assert_false(demo_points(&d, 0, &got));
-    list[1].mark.kind = MARK_LISTED;
+    list[1].marker.kind = MARKER_LISTED;
     assert_true(demo_points(&d, 0, &got) && got == 5);
-    list[2] = (struct demo_moment){ 9, { .kind = MARK_WAVE, .name = "wisp" } };
-    d.moments = 3;
+    list[2] = (struct demo_marker){ 9, { .kind = MARKER_WAVE, .name = "wisp" } };
+    d.n_markers = 3;
     assert_true(demo_points(&d, 0, &got) && got == 5);
     d.complete = false;
     assert_false(demo_points(&d, 0, &got));
 }
 
-static void test_moment_lies(void **state)
+static void test_marker_lies(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .on = false };
@@ -742,7 +742,7 @@ static void test_moment_lies(void **state)
     refused_with(n, first, 15, "damaged (a moment)");  /* later than the next */
     refused_with(n, second, 6, "damaged (a moment)");  /* earlier than the one before */
     refused_with(n, second, 61, "damaged (a moment)"); /* before its frame is there */
-    refused_with(n, second + 4, MARK_KINDS, "damaged (a moment)");
+    refused_with(n, second + 4, MARKER_KINDS, "damaged (a moment)");
     refused_with(n, second + 5, 32, "damaged");
     refused_with(n, second + 6, 31, "damaged (size)");
     refused_with(n, record_at(1), 'M', "damaged"); /* before the first second */
@@ -761,15 +761,15 @@ static void test_old_format(void **state)
     if (!demo_load(&d, "tests/demos/frozen-2.demo", err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(d.format, 2);
-    assert_true(d.complete && d.frames == 905 && d.printed == 905 && d.seconds == 17 && d.moments == 0);
-    assert_int_equal(d.printing, 1u << 0); /* script, the first */
+    assert_true(d.complete && d.frames == 905 && d.checksum_frames == 905 && d.seconds == 17 && d.n_markers == 0);
+    assert_int_equal(d.checksum_parts, 1u << 0); /* script, the first */
     assert_string_equal(d.part[0], "script");
     assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.registers == 0);
     for (uint32_t f = 0; f <= d.frames; f++) {
         const uint64_t *row = demo_hashes(&d, f);
         assert_int_equal(row != NULL, f % 60 == 0 || f == d.frames);
         memset(hashes, 0, sizeof hashes);
-        hashes[0] = f ? demo_prints(&d, f)[0] : row[0];
+        hashes[0] = f ? demo_checksums(&d, f)[0] : row[0];
         assert_int_equal(demo_differs(&d, f, hashes), row ? (f ? 0xfffff : 0xffffe) : 0);
         hashes[0] ^= 1;
         assert_int_equal(demo_differs(&d, f, hashes) & 1, 1);
@@ -854,7 +854,7 @@ static void test_rewind(void **state)
         for (uint32_t f = 0; f < to[i]; f++)
             board_tick(b, w.demo.pads[f]);
         assert_true(demo_rewind(&w, to[i]));
-        assert_int_equal(w.demo.printed, to[i]);
+        assert_int_equal(w.demo.checksum_frames, to[i]);
         play(&w, b, &r, 75);
         assert_true(demo_end(&w, b));
         loads(&d);
@@ -920,10 +920,10 @@ static void test_fault(void **state)
         assert_true(d.complete);
         assert_int_equal(d.fault, FAULT_SCRIPT);
         assert_int_equal(d.frames, at[i] + 1);
-        assert_int_equal(d.printed, at[i]);
+        assert_int_equal(d.checksum_frames, at[i]);
         assert_int_equal(d.seconds, 1 + at[i] / 60);
         assert_int_equal(demo_differs(&d, at[i], hashes), 0);
-        assert_int_not_equal(demo_differs(&d, at[i], none), 0); /* the last good frame has its prints */
+        assert_int_not_equal(demo_differs(&d, at[i], none), 0); /* the last good frame has its checksums */
         assert_int_equal(demo_differs(&d, at[i] + 1, none), 0);
         assert_int_equal(d.pads[at[i]][0], PAD_SELECT);
         demo_free(&d);
@@ -1053,15 +1053,15 @@ static void test_fits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),  cmocka_unit_test(test_track),         cmocka_unit_test(test_start),
-        cmocka_unit_test(test_crash),       cmocka_unit_test(test_cut),           cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_order),       cmocka_unit_test(test_nonsense),      cmocka_unit_test(test_nvram_lies),
-        cmocka_unit_test(test_rewind),      cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_after_fault), cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
-        cmocka_unit_test(test_fits),        cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
-        cmocka_unit_test(test_print_lies),  cmocka_unit_test(test_practice),      cmocka_unit_test(test_moments),
-        cmocka_unit_test(test_points),      cmocka_unit_test(test_points_lies),   cmocka_unit_test(test_moment_lies),
-        cmocka_unit_test(test_old_format),  cmocka_unit_test(test_save),
+        cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_track),         cmocka_unit_test(test_start),
+        cmocka_unit_test(test_crash),         cmocka_unit_test(test_cut),           cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_order),         cmocka_unit_test(test_nonsense),      cmocka_unit_test(test_nvram_lies),
+        cmocka_unit_test(test_rewind),        cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_after_fault),   cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
+        cmocka_unit_test(test_fits),          cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
+        cmocka_unit_test(test_checksum_lies), cmocka_unit_test(test_practice),      cmocka_unit_test(test_markers),
+        cmocka_unit_test(test_points),        cmocka_unit_test(test_points_lies),   cmocka_unit_test(test_marker_lies),
+        cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

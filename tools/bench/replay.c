@@ -21,7 +21,7 @@ static double verify(const struct cart *cart, const struct demo *d)
     char err[256];
     double from = bench_now();
 
-    if (replay_run(&r, cart, d, NULL, &v, err, sizeof err) != EXIT_DONE)
+    if (replay_run(&r, cart, d, NULL, &v, err, sizeof err) != RESULT_DONE)
         report_fail(err);
     bench_claim(v.kind == VERDICT_HOLDS ? NULL : "the demo does not hold", "verifying");
     replay_close(&r);
@@ -94,7 +94,7 @@ void section_replay(void)
     change_game(changed);
     double whole = reload(&cart, &demo.start, &demo, FIVE_MINUTES, changed);
     phase = demo.start;
-    snprintf(phase.practice.mark, sizeof phase.practice.mark, "one");
+    snprintf(phase.practice.section, sizeof phase.practice.section, "one");
     double piece = reload(&cart, &phase, &demo, MINUTE, changed);
     remove_game(changed);
 

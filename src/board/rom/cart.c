@@ -6,20 +6,10 @@
 
 #include <assert.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../base/bytes.h"
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
+#include "../../base/err.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
 {
@@ -54,11 +44,11 @@ static bool open_manifest(struct cart *c, char *err, size_t err_size)
     char why[256];
 
     if (!find(c->rom, "manifest", &l))
-        return fail(err, err_size, "no lump \"manifest\"");
+        return err_set(err, err_size, "no lump \"manifest\"");
     if (!manifest_unpack(l.data, l.size, &c->m, why, sizeof why))
-        return fail(err, err_size, "lump \"manifest\": %s", why);
+        return err_set(err, err_size, "lump \"manifest\": %s", why);
     if (!find_in(c->rom, "script/", c->m.entry, ".lua", &l))
-        return fail(err, err_size, "no lump \"script/%s.lua\", the entry script", c->m.entry);
+        return err_set(err, err_size, "no lump \"script/%s.lua\", the entry script", c->m.entry);
     return true;
 }
 
@@ -70,10 +60,10 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
     for (int i = 0; i < c->palettes; i++) {
         rom_lump(c->rom, c->first_palette + i, &l);
         if (l.size != CART_PALETTE)
-            return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
-                        CART_PALETTE);
+            return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
+                           CART_PALETTE);
     }
-    return cart_palette(c, "main") != NULL ? true : fail(err, err_size, "no lump \"palette/main\"");
+    return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
 static bool open_blends(struct cart *c, char *err, size_t err_size)
@@ -82,11 +72,12 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
 
     c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
     if (c->blends > CART_MAX_BLENDS)
-        return fail(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
+        return err_set(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
     for (int i = 0; i < c->blends; i++) {
         rom_lump(c->rom, c->first_blend + i, &l);
         if (l.size != CART_BLEND)
-            return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size, CART_BLEND);
+            return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
+                           CART_BLEND);
         c->blend[i] = l.data;
     }
     return true;
@@ -101,12 +92,13 @@ static bool open_font(struct cart *c, char *err, size_t err_size)
     if (!find(c->rom, "font", &l))
         return true;
     if (l.size == 0 || l.size % CART_GLYPH != 0 || l.size / CART_GLYPH > CART_MAX_GLYPHS)
-        return fail(err, err_size, "lump \"font\": %" PRIu32 " bytes long, expected %d for each of 1 to %d characters",
-                    l.size, CART_GLYPH, CART_MAX_GLYPHS);
+        return err_set(err, err_size,
+                       "lump \"font\": %" PRIu32 " bytes long, expected %d for each of 1 to %d characters", l.size,
+                       CART_GLYPH, CART_MAX_GLYPHS);
     for (uint32_t i = 0; i < l.size; i++)
         if (l.data[i] > 15)
-            return fail(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15", l.data[i],
-                        CART_FIRST_CHAR + i / CART_GLYPH);
+            return err_set(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15",
+                           l.data[i], CART_FIRST_CHAR + i / CART_GLYPH);
     c->glyphs = l.data;
     c->n_glyphs = (int)(l.size / CART_GLYPH);
     return true;
@@ -157,18 +149,18 @@ static bool check_sprite(const struct lump *l, char *err, size_t err_size)
     struct sprite s;
 
     if (l->size < CART_GFX_HEADER)
-        return fail(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
+        return err_set(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
     read_sprite(l, &s);
     if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
-        return fail(err, err_size, "lump \"%s\": its header is out of range", l->name);
+        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
     if (l->size != CART_GFX_HEADER + rows * s.pitch)
-        return fail(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
-                    CART_GFX_HEADER + rows * s.pitch);
+        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+                       CART_GFX_HEADER + rows * s.pitch);
     for (uint64_t y = 0; y < rows; y++)
         if (!row_ok(s.pix + y * s.pitch, &s))
-            return fail(err, err_size, "lump \"%s\": row %" PRIu64 " has a pixel outside bank %d or the picture",
-                        l->name, y, s.bank);
+            return err_set(err, err_size, "lump \"%s\": row %" PRIu64 " has a pixel outside bank %d or the picture",
+                           l->name, y, s.bank);
     return true;
 }
 

@@ -6,10 +6,10 @@
 
 #include <assert.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../base/err.h"
 #include "../../chips/enemies.h"
 
 enum { FORMAT = 1 }; /* the first word of the lump */
@@ -40,16 +40,6 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.lua_kib", lua_kib, 256, 262144),
     NUMBER("players", players, 1, 2),
 };
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
 
 void manifest_default(struct manifest *m)
 {
@@ -132,14 +122,14 @@ static bool id_ok(const char *s)
 static bool check_texts(const struct manifest *m, char *err, size_t err_size)
 {
     if (!text_ok(m->id, sizeof m->id) || !id_ok(m->id))
-        return fail(err, err_size, "id: expected 1 to %zu of a-z 0-9 _", sizeof m->id - 1);
+        return err_set(err, err_size, "id: expected 1 to %zu of a-z 0-9 _", sizeof m->id - 1);
     if (!text_ok(m->title, sizeof m->title) || m->title[0] == '\0')
-        return fail(err, err_size, "title: expected a line of 1 to %zu bytes", sizeof m->title - 1);
+        return err_set(err, err_size, "title: expected a line of 1 to %zu bytes", sizeof m->title - 1);
     if (!text_ok(m->author, sizeof m->author))
-        return fail(err, err_size, "author: expected a line of at most %zu bytes", sizeof m->author - 1);
+        return err_set(err, err_size, "author: expected a line of at most %zu bytes", sizeof m->author - 1);
     if (!text_ok(m->entry, sizeof m->entry) || !manifest_path_ok(m->entry))
-        return fail(err, err_size, "entry: expected a script's path without .lua, at most %zu bytes",
-                    sizeof m->entry - 1);
+        return err_set(err, err_size, "entry: expected a script's path without .lua, at most %zu bytes",
+                       sizeof m->entry - 1);
     return true;
 }
 
@@ -150,16 +140,16 @@ static bool check_numbers(const struct manifest *m, char *err, size_t err_size)
         int32_t v;
         memcpy(&v, (const char *)m + f->offset, sizeof v);
         if (v < f->lo || v > f->hi)
-            return fail(err, err_size, "%s: expected a whole number from %" PRId32 " to %" PRId32 ", got %" PRId32,
-                        f->name, f->lo, f->hi, v);
+            return err_set(err, err_size, "%s: expected a whole number from %" PRId32 " to %" PRId32 ", got %" PRId32,
+                           f->name, f->lo, f->hi, v);
     }
     if (m->screen_w % 8 != 0)
-        return fail(err, err_size, "screen.w: expected a multiple of 8, got %" PRId32, m->screen_w);
+        return err_set(err, err_size, "screen.w: expected a multiple of 8, got %" PRId32, m->screen_w);
     if (m->field_x + m->field_w > m->screen_w || m->field_y + m->field_h > m->screen_h)
-        return fail(err, err_size,
-                    "field: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32 "x%" PRId32
-                    " screen",
-                    m->field_w, m->field_h, m->field_x, m->field_y, m->screen_w, m->screen_h);
+        return err_set(err, err_size,
+                       "field: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32
+                       "x%" PRId32 " screen",
+                       m->field_w, m->field_h, m->field_x, m->field_y, m->screen_w, m->screen_h);
     return true;
 }
 
@@ -168,11 +158,11 @@ static bool check_extends(const struct manifest *m, char *err, size_t err_size)
     int n = m->n_extends;
 
     if (n < 0 || n > MAX_EXTENDS || !all_zero(m->extends + n, (size_t)(MAX_EXTENDS - n) * sizeof m->extends[0]))
-        return fail(err, err_size, "extends: expected at most %d scores", MAX_EXTENDS);
+        return err_set(err, err_size, "extends: expected at most %d scores", MAX_EXTENDS);
     for (int i = 0; i < n; i++)
         if (m->extends[i] < (i > 0 ? m->extends[i - 1] + 1 : 1) || m->extends[i] > max_extend)
-            return fail(err, err_size, "extends: expected ascending scores from 1 to %" PRId64 ", got %" PRId64,
-                        max_extend, m->extends[i]);
+            return err_set(err, err_size, "extends: expected ascending scores from 1 to %" PRId64 ", got %" PRId64,
+                           max_extend, m->extends[i]);
     return true;
 }
 
@@ -194,25 +184,25 @@ static bool check_difficulties(const struct manifest *m, char *err, size_t err_s
     int n = m->n_difficulties;
 
     if (n < 1 || n > MAX_DIFFICULTIES || !words_ok(m->difficulties, n, MAX_DIFFICULTIES))
-        return fail(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
-                    MAX_DIFFICULTIES, MAX_WORD - 1);
+        return err_set(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
+                       MAX_DIFFICULTIES, MAX_WORD - 1);
     if (m->difficulty < 0 || m->difficulty >= n)
-        return fail(err, err_size, "difficulty: not one of the difficulties");
+        return err_set(err, err_size, "difficulty: not one of the difficulties");
     return true;
 }
 
 static bool check_dip(const struct dip *d, char *err, size_t err_size)
 {
     if (!text_ok(d->name, sizeof d->name) || !manifest_word_ok(d->name))
-        return fail(err, err_size, "dip: expected names of 1 to %d letters, digits, _ or -", MAX_WORD - 1);
+        return err_set(err, err_size, "dip: expected names of 1 to %d letters, digits, _ or -", MAX_WORD - 1);
     if (d->values < 0 || d->values > MAX_DIP_VALUES || !words_ok(d->value_name, d->values, MAX_DIP_VALUES))
-        return fail(err, err_size, "dip.%s: expected 1 to %d different words of at most %d letters", d->name,
-                    MAX_DIP_VALUES, MAX_WORD - 1);
+        return err_set(err, err_size, "dip.%s: expected 1 to %d different words of at most %d letters", d->name,
+                       MAX_DIP_VALUES, MAX_WORD - 1);
     if (d->number ? d->values != 0 : d->values == 0 || d->lo != 0 || d->hi != d->values - 1)
-        return fail(err, err_size, "dip.%s: expected either a range or 1 to %d values", d->name, MAX_DIP_VALUES);
+        return err_set(err, err_size, "dip.%s: expected either a range or 1 to %d values", d->name, MAX_DIP_VALUES);
     if (d->lo > d->hi || d->value < d->lo || d->value > d->hi)
-        return fail(err, err_size, "dip.%s: expected min <= default <= max, got %" PRId32 ", %" PRId32 ", %" PRId32,
-                    d->name, d->lo, d->value, d->hi);
+        return err_set(err, err_size, "dip.%s: expected min <= default <= max, got %" PRId32 ", %" PRId32 ", %" PRId32,
+                       d->name, d->lo, d->value, d->hi);
     return true;
 }
 
@@ -221,12 +211,12 @@ static bool check_dips(const struct manifest *m, char *err, size_t err_size)
     int n = m->n_dips;
 
     if (n < 0 || n > MAX_DIPS)
-        return fail(err, err_size, "dip: expected at most %d switches", MAX_DIPS);
+        return err_set(err, err_size, "dip: expected at most %d switches", MAX_DIPS);
     for (int i = 0; i < n; i++) {
         if (!check_dip(&m->dips[i], err, err_size))
             return false;
         if (i > 0 && strcmp(m->dips[i - 1].name, m->dips[i].name) >= 0)
-            return fail(err, err_size, "dip.%s: not in the order of names", m->dips[i].name);
+            return err_set(err, err_size, "dip.%s: not in the order of names", m->dips[i].name);
     }
     return true;
 }
@@ -340,12 +330,12 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     struct walk w = { NULL, data, true };
 
     if (size != MANIFEST_BYTES)
-        return fail(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
+        return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
     walk_manifest(&w, m);
     if (!w.good)
-        return fail(err, err_size, "its format is not known");
+        return err_set(err, err_size, "its format is not known");
     if (!manifest_check(m, err, err_size))
         return false;
-    return unused_dips_zero(m) ? true : fail(err, err_size, "dip: unused switches are not zero");
+    return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");
 }

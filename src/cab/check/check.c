@@ -1,6 +1,6 @@
 /*
- * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c and check_run.c; each goes on as far as
- * what was read before allows, and only the run needs a game that can be packed.
+ * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c and check_run.c; each goes on as far
+ * as what was read before allows, and only the run needs a game that can be packed.
  */
 #include "check.h"
 
@@ -10,20 +10,19 @@
 #include "../../../platform/platform.h"
 #include "check_parts.h"
 #include "../host/clean.h"
-#include "../cli.h"
 #include "../host/files.h"
-#include "../game.h"
+#include "../host/report.h"
 
 bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size)
 {
     char full[TREE_PATH], err[TREE_PATH + 64];
 
     if (!tree_join(full, c->dir, path))
-        findings_add(&c->found, path, 0, "the path is too long");
-    else if (tree_load(full, path, max, data, size, err, sizeof err))
+        diagnostics_add(&c->found, path, 0, "the path is too long");
+    else if (files_read(full, path, max, data, size, err, sizeof err))
         return true;
     else
-        findings_add_sentence(&c->found, path, err);
+        diagnostics_add_sentence(&c->found, path, err);
     c->broken = true;
     return false;
 }
@@ -40,7 +39,7 @@ static int named_line(const struct check *c, const char *at, size_t n)
     snprintf(words, sizeof words, "%.*s", (int)n, at);
     for (char *w = strtok(words, ".["); w != NULL && k < 15; w = strtok(NULL, ".["))
         path[k++] = w;
-    return facts_line(&c->rom, path);
+    return symbols_line(&c->rom, path);
 }
 
 void check_rom_sentence(struct check *c, const char *sentence)
@@ -50,9 +49,9 @@ void check_rom_sentence(struct check *c, const char *sentence)
     size_t n = named ? strcspn(rest, ": ") : 0;
 
     if (n > 0 && rest[n] == ':')
-        findings_add(&c->found, "rom.lua", named_line(c, rest, n), "%s", rest);
+        diagnostics_add(&c->found, "rom.lua", named_line(c, rest, n), "%s", rest);
     else
-        findings_add_sentence(&c->found, "rom.lua", sentence);
+        diagnostics_add_sentence(&c->found, "rom.lua", sentence);
 }
 
 static void check_entry(struct check *c)
@@ -62,7 +61,7 @@ static void check_entry(struct check *c)
     snprintf(path, sizeof path, "%s.lua", c->m.entry);
     if (tree_has(&c->files, path))
         return;
-    findings_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: there is no %s", path);
+    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: there is no %s", path);
     c->broken = true;
 }
 
@@ -76,9 +75,9 @@ static void check_manifest(struct check *c)
         free(block);
         return;
     }
-    tree_drop_mark(c->rom_text, &size);
+    tree_drop_bom(c->rom_text, &size);
     tree_id(c->dir, folder);
-    facts_read(&c->rom, (const char *)c->rom_text, size, NULL);
+    symbols_read(&c->rom, (const char *)c->rom_text, size, NULL);
     c->manifest = work != NULL && manifest_read((const char *)c->rom_text, size, "rom.lua", folder, &c->m, &c->art,
                                                 work, err, sizeof err);
     if (c->manifest) {
@@ -98,20 +97,20 @@ static void ignore_file(void *user, const struct plat_file *file)
     (void)file;
 }
 
-/* False, and the exit code: it is not a game's folder. */
-static bool open_folder(struct check *c, int *code)
+/* False, and the result: it is not a game's folder. */
+static bool open_folder(struct check *c, enum result *result)
 {
     char err[2 * TREE_PATH];
 
-    *code = EXIT_INPUT;
+    *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
-        game_report(*code, "%s: is a file; check takes a game's folder", c->dir);
+        report_line(*result, "%s: is a file; check takes a game's folder", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
-        game_report(*code, "%s", files_absent(c->dir, "folder", err, sizeof err));
+        report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
-        *code = game_refuse(err);
+        *result = report_error(err);
     else if (!tree_has(&c->files, "rom.lua"))
-        game_report(*code, "%s: is not a game's folder: there is no rom.lua", c->dir);
+        report_line(*result, "%s: is not a game's folder: there is no rom.lua", c->dir);
     else
         return true;
     return false;
@@ -120,22 +119,22 @@ static bool open_folder(struct check *c, int *code)
 static void check_close(struct check *c)
 {
     for (int i = 0; i < c->n_scripts; i++) {
-        facts_free(&c->scripts[i].facts);
+        symbols_free(&c->scripts[i].symbols);
         free(c->scripts[i].text);
     }
     for (int i = 0; i < c->n_library; i++)
-        facts_free(&c->library[i].facts);
+        symbols_free(&c->library[i].symbols);
     for (int i = 0; i < c->n_texts; i++)
         free(c->texts[i].bytes);
     free(c->scripts);
     free(c->library);
     free(c->texts);
-    facts_free(&c->rom);
+    symbols_free(&c->rom);
     free(c->rom_text);
-    known_close(&c->known);
-    known_close(&c->open);
-    known_close(&c->changed);
-    findings_close(&c->found);
+    name_set_close(&c->builtins);
+    name_set_close(&c->open);
+    name_set_close(&c->changed);
+    diagnostics_close(&c->found);
     tree_close(&c->files);
 }
 
@@ -154,36 +153,34 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32], pieces[32], line[TREE_PATH + 256];
+    char scripts[32], sprites[32], demos[32], sections[32], line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
     count(demos, c->demos, "demo");
-    snprintf(pieces, sizeof pieces, c->pieces == 1 ? "%d stage or phase" : "%d stages and phases", c->pieces);
+    snprintf(sections, sizeof sections, c->sections == 1 ? "%d stage or phase" : "%d stages and phases", c->sections);
     snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s; Lua RAM %d %% of %d KiB", c->dir, scripts, sprites,
-             demos, pieces, (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
+             demos, sections, (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
     clean_line(line);
     say(line);
 }
 
-static int report(struct check *c)
+static enum result report(struct check *c)
 {
     char problems[32];
 
-    findings_sort(&c->found);
-    findings_print(&c->found, say);
+    diagnostics_sort(&c->found);
+    diagnostics_print(&c->found, say);
     count(problems, c->found.n, "problem");
     if (c->found.n == 0)
         say_fine(c);
     else
         printf("%s%s\n", problems, c->broken ? "; the game was not run, for it cannot be packed" : "");
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return c->found.n > 0 ? EXIT_DIFFERS : EXIT_DONE;
+    return report_stdout(c->found.n > 0 ? RESULT_DIFFERS : RESULT_DONE);
 }
 
-static int check_all(struct check *c)
+static enum result check_all(struct check *c)
 {
     check_manifest(c);
     check_scripts(c);
@@ -192,23 +189,23 @@ static int check_all(struct check *c)
     check_unused(c);
     if (!c->broken)
         check_run(c);
-    if (c->found.failed || c->known.failed || c->open.failed || c->changed.failed)
-        return game_report(EXIT_HOST, "out of memory");
+    if (c->found.failed || c->builtins.failed || c->open.failed || c->changed.failed)
+        return report_line(RESULT_HOST, "out of memory");
     return report(c);
 }
 
-int check_game(const struct args *a)
+enum result check_game(const char *dir, bool nearest)
 {
     struct check *c = calloc(1, sizeof *c);
-    int code;
+    enum result result;
 
     if (c == NULL)
-        return game_report(EXIT_HOST, "out of memory");
-    c->dir = a->words[0];
-    c->nearest = a->nearest;
-    if (open_folder(c, &code))
-        code = check_all(c);
+        return report_line(RESULT_HOST, "out of memory");
+    c->dir = dir;
+    c->nearest = nearest;
+    if (open_folder(c, &result))
+        result = check_all(c);
     check_close(c);
     free(c);
-    return code;
+    return result;
 }

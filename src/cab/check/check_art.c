@@ -1,6 +1,6 @@
 /*
- * check_art.c - rom.lua and the pictures it names: those that are missing, no PNG, too small for their sprites, or have a
- * colour their bank has not.
+ * check_art.c - rom.lua and the pictures it names: those that are missing, no PNG, too small for their sprites, or have
+ * a colour their bank has not.
  */
 #include "check_parts.h"
 
@@ -12,11 +12,11 @@
 
 static void refuse(struct check *c, const char *file, int line, const char *why)
 {
-    findings_add(&c->found, file, line, "%s", why);
+    diagnostics_add(&c->found, file, line, "%s", why);
     c->broken = true;
 }
 
-/* A picture that rom.lua names in that line. False, with a finding: it is not there, or no PNG. */
+/* A picture that rom.lua names in that line. False, with a diagnostic: it is not there, or no PNG. */
 static bool load_picture(struct check *c, const char *file, int line, struct art_picture *out)
 {
     char why[256];
@@ -73,8 +73,8 @@ static void note_strays(struct check *c, const char *file, int bank, struct art_
         snprintf(other, sizeof other, " but in bank %d", s.bank);
     if (s.n > 1)
         snprintf(count, sizeof count, "; %ld such pixels in all", s.n);
-    findings_add(&c->found, file, 0, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d%s%s", s.x, s.y, s.c[0],
-                 s.c[1], s.c[2], bank, other, count);
+    diagnostics_add(&c->found, file, 0, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d%s%s", s.x, s.y, s.c[0],
+                    s.c[1], s.c[2], bank, other, count);
 }
 
 static void check_font(struct check *c, const uint8_t *rgb)
@@ -119,7 +119,7 @@ static void check_sprite(struct check *c, const struct art_picture *sheet, const
         free(data);
         return;
     }
-    findings_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
+    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
     c->broken = true;
 }
 

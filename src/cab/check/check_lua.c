@@ -2,7 +2,7 @@
  * check_lua.c - what is wrong with scripts, before they run.
  *
  * All scripts are read first, for what one of them adds to a table of the API is there for all. A name is only found
- * missing where nobody can have put it: when a table of the API is handed around, or _G is, its names are let through.
+ * missing where no script can have put it: when a table of the API is handed around, or _G is, its names are let through.
  */
 #include "check_parts.h"
 
@@ -28,7 +28,7 @@ static void scan(struct check *c, const struct check_script *s, size_t size)
     int line;
 
     while (!script_scan_on((const char *)s->text, size, &place, &line, &what)) {
-        findings_add(&c->found, s->path, line, "%s", what);
+        diagnostics_add(&c->found, s->path, line, "%s", what);
         c->broken = true;
     }
 }
@@ -40,7 +40,7 @@ static void compile(struct check *c, const struct check_script *s, size_t size)
 
     snprintf(chunk, sizeof chunk, "@%s", s->path);
     if (work == NULL || !script_compile((const char *)s->text, size, chunk, work, TREE_WORK, err, sizeof err)) {
-        findings_add_sentence(&c->found, s->path, err);
+        diagnostics_add_sentence(&c->found, s->path, err);
         c->broken = true;
     }
     free(block);
@@ -55,7 +55,7 @@ static bool ends_with(const char *s, const char *tail)
 
 static void refuse(struct check *c, const char *path, const char *what)
 {
-    findings_add(&c->found, path, 0, "%s", what);
+    diagnostics_add(&c->found, path, 0, "%s", what);
     c->broken = true;
 }
 
@@ -76,11 +76,11 @@ static void read_script(struct check *c, const char *path)
     if (!check_load(c, path, TREE_SCRIPT, &s->text, &size))
         return;
     c->n_scripts++;
-    tree_drop_mark(s->text, &size);
+    tree_drop_bom(s->text, &size);
     snprintf(s->name, sizeof s->name, "%.*s", (int)(strlen(path) - strlen(".lua")), path);
     scan(c, s, size);
     compile(c, s, size);
-    facts_read(&s->facts, (const char *)s->text, size, known_global);
+    symbols_read(&s->symbols, (const char *)s->text, size, builtins_global);
 }
 
 static bool replaced(const struct check *c, const char *name)
@@ -99,7 +99,7 @@ static void read_library(struct check *c)
             continue;
         c->n_library++;
         snprintf(s->name, sizeof s->name, "std/%s", std_scripts[i].name);
-        facts_read(&s->facts, (const char *)std_scripts[i].data, std_scripts[i].size, known_global);
+        symbols_read(&s->symbols, (const char *)std_scripts[i].data, std_scripts[i].size, builtins_global);
     }
 }
 
@@ -123,34 +123,34 @@ static void add_library(struct check *c, const struct check_script *s)
 {
     const char *name = s->name + strlen("std/");
 
-    if (strncmp(s->name, "std/", 4) == 0 && !known_add_library(&c->known, name, &s->facts))
-        known_add(&c->open, NULL, name);
+    if (strncmp(s->name, "std/", 4) == 0 && !builtins_add_library(&c->builtins, name, &s->symbols))
+        name_set_add(&c->open, NULL, name);
 }
 
 /* What the use of a global by a script of the game may change. */
-static void add_use(struct check *c, const struct fact_global *g)
+static void add_use(struct check *c, const struct symbol_global *g)
 {
     bool all = strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0;
 
     if (g->use == USE_MEMBER || g->use == USE_SELF) {
-        known_add(&c->known, g->name, g->field);
-        known_add(&c->changed, g->name, g->field);
+        name_set_add(&c->builtins, g->name, g->field);
+        name_set_add(&c->changed, g->name, g->field);
     }
     if (g->use == USE_WRITE)
-        known_add(&c->changed, NULL, g->name);
+        name_set_add(&c->changed, NULL, g->name);
     if (g->use != USE_VALUE && g->use != USE_WRITE && g->use != USE_SELF)
         return;
     c->any_global = c->any_global || all;
-    known_add(&c->open, NULL, g->name);
+    name_set_add(&c->open, NULL, g->name);
 }
 
 static void gather(struct check *c)
 {
-    known_open(&c->known);
+    builtins_open(&c->builtins);
     for (int i = 0; i < c->n_library; i++)
         add_library(c, &c->library[i]);
     for (int i = 0; i < c->n_scripts; i++) {
-        const struct facts *f = &c->scripts[i].facts;
+        const struct symbols *f = &c->scripts[i].symbols;
         add_library(c, &c->scripts[i]);
         for (int k = 0; k < f->n_globals; k++)
             add_use(c, &f->globals[k]);
@@ -160,7 +160,7 @@ static void gather(struct check *c)
 /* May a script of the game have put a function of its own there? */
 static bool is_changed(const struct check *c, const char *space, const char *name)
 {
-    return (space != NULL && known_has(&c->open, NULL, space)) || known_has(&c->changed, space, name);
+    return (space != NULL && name_set_has(&c->open, NULL, space)) || name_set_has(&c->changed, space, name);
 }
 
 /* ---- names ---- */
@@ -176,53 +176,53 @@ static void hint(char out[96], const char *word, const char *near, const char *l
         snprintf(out, 96, " (did you mean \"%s\"?)", meant);
 }
 
-static void unknown_global(struct check *c, const char *path, const struct fact_global *g)
+static void unknown_global(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = known_instead(NULL, g->name);
+    const char *instead = builtins_instead(NULL, g->name);
     char meant[96];
 
     if (instead != NULL && g->use != USE_WRITE) {
-        findings_add(&c->found, path, g->line, "%s is not available (%s)", g->name, instead);
+        diagnostics_add(&c->found, path, g->line, "%s is not available (%s)", g->name, instead);
         return;
     }
-    hint(meant, g->name, known_near(&c->known, NULL, g->name), g->local);
+    hint(meant, g->name, name_set_near(&c->builtins, NULL, g->name), g->local);
     if (api_reserved("", '.', g->name) && g->use != USE_WRITE)
-        findings_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
-                     g->local != NULL ? meant : "");
+        diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
+                        g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
-        findings_add(&c->found, path, g->line,
-                     "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);
+        diagnostics_add(&c->found, path, g->line,
+                        "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);
     else
-        findings_add(&c->found, path, g->line, "undeclared global \"%s\"%s", g->name, meant);
+        diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\"%s", g->name, meant);
 }
 
-static void unknown_field(struct check *c, const char *path, const struct fact_global *g)
+static void unknown_field(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = known_instead(g->name, g->field);
+    const char *instead = builtins_instead(g->name, g->field);
     char meant[96];
 
-    hint(meant, g->field, known_near(&c->known, g->name, g->field), NULL);
+    hint(meant, g->field, name_set_near(&c->builtins, g->name, g->field), NULL);
     if (instead != NULL)
-        findings_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
+        diagnostics_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
     else if (api_reserved(g->name, '.', g->field))
-        findings_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
+        diagnostics_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
     else
-        findings_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
+        diagnostics_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }
 
-/* Does a script that cannot be read to its end have the word? What it does with it nobody knows. */
+/* Does a script that cannot be read to its end have the word? What it does with it is not known. */
 static bool in_broken_script(const struct check *c, const char *word)
 {
     for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].facts.whole && strstr((const char *)c->scripts[i].text, word) != NULL)
+        if (!c->scripts[i].symbols.whole && strstr((const char *)c->scripts[i].text, word) != NULL)
             return true;
     return false;
 }
 
 static bool has_fields(const struct check *c, const char *space)
 {
-    for (int i = 0; i < c->known.n; i++)
-        if (same(c->known.list[i].space, space))
+    for (int i = 0; i < c->builtins.n; i++)
+        if (same(c->builtins.list[i].space, space))
             return true;
     return false;
 }
@@ -241,14 +241,14 @@ static const struct api_entry *entry(const char *space, const char *name)
 /* What load runs may do anything too. */
 static bool is_open(const struct check *c, const char *space)
 {
-    return c->any_global || known_has(&c->open, NULL, space) || known_has(&c->open, NULL, "load");
+    return c->any_global || name_set_has(&c->open, NULL, space) || name_set_has(&c->open, NULL, "load");
 }
 
-static void judge_global(struct check *c, const char *path, const struct fact_global *g)
+static void judge_global(struct check *c, const char *path, const struct symbol_global *g)
 {
     if (strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0)
         return;
-    if (!known_has(&c->known, NULL, g->name)) {
+    if (!name_set_has(&c->builtins, NULL, g->name)) {
         if (!c->any_global)
             unknown_global(c, path, g);
         return;
@@ -256,53 +256,55 @@ static void judge_global(struct check *c, const char *path, const struct fact_gl
     bool read = g->use == USE_FIELD || g->use == USE_METHOD;
     if (!read || is_open(c, g->name) || !has_fields(c, g->name) || in_broken_script(c, g->field))
         return;
-    if (!known_has(&c->known, g->name, g->field))
+    if (!name_set_has(&c->builtins, g->name, g->field))
         unknown_field(c, path, g);
     else if (g->use == USE_METHOD && entry(g->name, g->field) != NULL && !is_changed(c, g->name, g->field))
-        findings_add(&c->found, path, g->line, "%s:%s: call it with a dot, as %s.%s", g->name, g->field, g->name,
-                     g->field);
+        diagnostics_add(&c->found, path, g->line, "%s:%s: call it with a dot, as %s.%s", g->name, g->field, g->name,
+                        g->field);
 }
 
 /* ---- values ---- */
 
-static void judge_walk(struct check *c, const char *path, const struct fact_walk *w)
+static void judge_walk(struct check *c, const char *path, const struct symbol_walk *w)
 {
     const char *space = w->of.space, *dot = space != NULL ? "." : "";
-    const char *handle = w->of.arg == 0 ? known_handle(space, w->of.name) : NULL;
-    bool handed = w->of.arg > 0 && known_handed(&w->of);
+    const char *handle = w->of.arg == 0 ? builtins_handle(space, w->of.name) : NULL;
+    bool handed = w->of.arg > 0 && builtins_handed(&w->of);
 
     if ((handle == NULL && !handed) || is_changed(c, space, w->of.name) || is_changed(c, NULL, w->how))
         return;
     space = space != NULL ? space : "";
     if (handed)
-        findings_add(&c->found, path, w->line, "%s: what %s%s%s hands to its function is a thing, not a table", w->how,
-                     space, dot, w->of.name);
+        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s hands to its function is a thing, not a table",
+                        w->how, space, dot, w->of.name);
     else
-        findings_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s", w->how, space, dot,
-                     w->of.name, handle, strcmp(handle, "group") == 0 ? " (bullet.each visits one by one)" : "");
+        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s", w->how, space, dot,
+                        w->of.name, handle, strcmp(handle, "group") == 0 ? " (bullet.each visits one by one)" : "");
 }
 
-static void judge_zero(struct check *c, const char *path, const struct fact_zero *z)
+static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)
 {
     if (strcmp(z->how, "/") != 0)
-        findings_add(&c->found, path, z->line, "%s 0: an error that ends the run when both are whole numbers", z->how);
+        diagnostics_add(&c->found, path, z->line, "%s 0: an error that ends the run when both are whole numbers",
+                        z->how);
     else if (z->zero)
-        findings_add(&c->found, path, z->line, "0/0 is no number: it equals nothing, and the board refuses it");
+        diagnostics_add(&c->found, path, z->line, "0/0 is no number: it equals nothing, and the board refuses it");
     else if (z->constant)
-        findings_add(&c->found, path, z->line, "divided by 0: the board refuses what is infinite (math.huge compares)");
+        diagnostics_add(&c->found, path, z->line,
+                        "divided by 0: the board refuses what is infinite (math.huge compares)");
     else
-        findings_add(&c->found, path, z->line, "divided by 0: the result is infinite or no number");
+        diagnostics_add(&c->found, path, z->line, "divided by 0: the result is infinite or no number");
 }
 
-static void judge_format(struct check *c, const struct check_script *s, const struct fact_text *t)
+static void judge_format(struct check *c, const struct check_script *s, const struct symbol_text *t)
 {
     for (const char *p = t->s; (p = strchr(p, '%')) != NULL; p++) {
         p += 1 + strspn(p + 1, "-+ #0123456789.");
         if (*p == 'p')
-            findings_add(&c->found, s->path, t->line, "%%p is not available (an address differs between runs)");
+            diagnostics_add(&c->found, s->path, t->line, "%%p is not available (an address differs between runs)");
         if (*p == 'a' || *p == 'A')
-            findings_add(&c->found, s->path, t->line, "%%%c is not available (it differs between machines; %%.17g)",
-                         *p);
+            diagnostics_add(&c->found, s->path, t->line, "%%%c is not available (it differs between machines; %%.17g)",
+                            *p);
         if (*p == '\0')
             return;
     }
@@ -310,7 +312,7 @@ static void judge_format(struct check *c, const struct check_script *s, const st
 
 /* ---- what they ask for ---- */
 
-static void judge_require(struct check *c, const struct check_script *s, const struct fact_call *call)
+static void judge_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *name = call->arg[0];
     char path[TREE_PATH];
@@ -319,8 +321,8 @@ static void judge_require(struct check *c, const struct check_script *s, const s
         return;
     snprintf(path, sizeof path, "%s.lua", name);
     if (!tree_has(&c->files, path))
-        findings_add(&c->found, s->path, call->line, "require: there is no %s in the game%s", path,
-                     ends_with(name, ".lua") ? " (the name goes without .lua)" : "");
+        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game%s", path,
+                        ends_with(name, ".lua") ? " (the name goes without .lua)" : "");
 }
 
 static void judge_demo(struct check *c, const struct check_script *s, int line, const char *how, const char *name)
@@ -329,14 +331,14 @@ static void judge_demo(struct check *c, const struct check_script *s, int line, 
 
     snprintf(path, sizeof path, "demos/%s.demo", name);
     if (!tree_has(&c->files, path))
-        findings_add(&c->found, s->path, line, "%s: there is no %s", how, path);
+        diagnostics_add(&c->found, s->path, line, "%s: there is no %s", how, path);
 }
 
 /* Does a script ask whether it is there? Then it knows what to do without. */
 static bool is_asked_for(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_scripts; i++) {
-        const struct facts *f = &c->scripts[i].facts;
+        const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++)
             if (same(f->calls[k].space, "rom") && same(f->calls[k].name, "has") && same(f->calls[k].arg[0], name))
                 return true;
@@ -367,7 +369,7 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
         best = distance < best ? distance : best;
     }
     hint(meant, name, near, NULL);
-    findings_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);
+    diagnostics_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);
 }
 
 static struct names sprites(const struct check *c)
@@ -400,9 +402,9 @@ static enum api_type type_of(const struct api_entry *e, const char *param)
 }
 
 /* A key with a string for its value, right in the table a function of the API is given. */
-static void judge_key(struct check *c, const struct check_script *s, const struct fact_key *k)
+static void judge_key(struct check *c, const struct check_script *s, const struct symbol_key *k)
 {
-    const struct fact_table *t = &s->facts.tables[k->table];
+    const struct symbol_table *t = &s->symbols.tables[k->table];
 
     if (k->value == NULL || t->space == NULL || t->key >= 0 || is_changed(c, t->space, t->name))
         return;
@@ -417,7 +419,7 @@ static void judge_key(struct check *c, const struct check_script *s, const struc
         judge_demo(c, s, k->line, "boot.run: demo", k->value);
 }
 
-static void judge_call(struct check *c, const struct check_script *s, const struct fact_call *call)
+static void judge_call(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *arg = call->arg[0];
 
@@ -432,7 +434,7 @@ static void judge_call(struct check *c, const struct check_script *s, const stru
 
 static void judge(struct check *c, const struct check_script *s)
 {
-    const struct facts *f = &s->facts;
+    const struct symbols *f = &s->symbols;
 
     for (int i = 0; i < f->n_globals; i++)
         judge_global(c, s->path, &f->globals[i]);
@@ -452,6 +454,6 @@ void check_lua(struct check *c)
 {
     gather(c);
     for (int i = 0; i < c->n_scripts; i++)
-        if (c->scripts[i].facts.whole)
+        if (c->scripts[i].symbols.whole)
             judge(c, &c->scripts[i]);
 }

@@ -1,6 +1,6 @@
 /*
  * check_parts.h - what the files of `curtain check` share.
- * floor: cab    used by: check.c check_lua.c check_art.c check_run.c
+ * floor: cab
  */
 #ifndef CAB_CHECK_PARTS_H
 #define CAB_CHECK_PARTS_H
@@ -9,16 +9,16 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../board/rom/manifest.h"
-#include "facts.h"
-#include "findings.h"
+#include "symbols.h"
+#include "diagnostics.h"
 #include "../pack/tree.h"
-#include "known.h"
+#include "builtins.h"
 
 struct check_script {
     const char *path; /* "stages/one.lua"; NULL: of the library in the program */
     char name[128];   /* "stages/one" */
     uint8_t *text;    /* malloc, with a 0 behind it; NULL: the library's */
-    struct facts facts;
+    struct symbols symbols;
     bool reached; /* from the entry script, by require */
 };
 
@@ -31,28 +31,30 @@ struct check {
     const char *dir;
     bool nearest;
     struct tree files;
-    struct findings found;
+    struct diagnostics found;
     struct manifest m;
     struct art art;
     bool manifest; /* m and art are good */
     bool broken;   /* something found keeps the game from being packed */
     uint8_t *rom_text;
-    struct facts rom; /* of rom.lua, for the lines */
+    struct symbols rom; /* of rom.lua, for the lines */
     struct check_script *scripts, *library;
     struct check_text *texts;
     int n_scripts, n_library, n_texts;
-    struct known known, open, changed; /* open: globals handed around; changed: what scripts have put into places */
-    bool any_global;                   /* scripts may have made new ones */
-    int demos;                         /* that were played */
-    int pieces;                        /* stages and phases that were */
-    size_t lua_most;                   /* bytes of Lua RAM, at most at one time in any run */
+    struct name_set builtins;
+    struct name_set open;    /* globals handed around */
+    struct name_set changed; /* what scripts have put into places */
+    bool any_global;         /* scripts may have made new ones */
+    int demos;               /* that were played */
+    int sections;            /* stages and phases that were */
+    size_t lua_most;         /* bytes of Lua RAM, at most at one time in any run */
 };
 
-/* A file of the game; false, with a finding, when it cannot be read. */
+/* A file of the game; false, with a diagnostic, when it cannot be read. */
 bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size);
 
 /* The line of rom.lua where that key stands: CHECK_LINE(c, "sheets", name, "file"). */
-#define CHECK_LINE(c, ...) facts_line(&(c)->rom, (const char *const[]){ __VA_ARGS__, NULL })
+#define CHECK_LINE(c, ...) symbols_line(&(c)->rom, (const char *const[]){ __VA_ARGS__, NULL })
 
 /* Adds a sentence about rom.lua ("rom.lua: sheets.all.bank: what"), with the line of what it names. */
 void check_rom_sentence(struct check *c, const char *sentence);
@@ -60,7 +62,7 @@ void check_rom_sentence(struct check *c, const char *sentence);
 /* Is the name spelt anywhere in the game, or may it be put together there? Scripts must all be whole. */
 bool check_mentioned(const struct check *c, const char *name);
 
-/* Each reads what it is about and adds findings. check_scripts comes first: the others look at what it read. */
+/* Each reads what it is about and adds diagnostics. check_scripts comes first: the others look at what it read. */
 void check_scripts(struct check *c);
 void check_lua(struct check *c);
 void check_art(struct check *c);

@@ -1,6 +1,7 @@
 /*
- * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game that
- * nobody plays; then every stage and every phase of a boss by itself. What faults, what does not hold, and how much Lua RAM was in use at most.
+ * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game
+ * without input; then every stage and every phase of a boss by itself. What faults, what does not hold, and how
+ * much Lua RAM was in use at most.
  */
 #include "check_parts.h"
 
@@ -12,15 +13,15 @@
 #include "../../board/rom/cart.h"
 #include "../demo/demo.h"
 #include "../run/guard.h"
-#include "../run/pieces.h"
+#include "../run/sections.h"
 #include "../pack/pack.h"
 
 enum {
-    IDLE_FRAMES = 600,    /* of a game without demos */
-    MOST_FRAMES = 36000,  /* of a demo: ten minutes */
-    PIECE_FRAMES = 18000, /* of a stage or a phase: five minutes */
-    SWEEP = 40,           /* frames a ship flies one way meanwhile */
-    MOST_LUA = 75         /* percent of board.lua_kib */
+    IDLE_FRAMES = 600,      /* of a game without demos */
+    MOST_FRAMES = 36000,    /* of a demo: ten minutes */
+    SECTION_FRAMES = 18000, /* of a stage or a phase: five minutes */
+    SWEEP = 40,             /* frames a ship flies one way meanwhile */
+    MOST_LUA = 75           /* percent of board.lua_kib */
 };
 
 #define ALL UINT32_MAX /* frames */
@@ -33,35 +34,35 @@ struct run {
     struct guard guard;
     struct demo demo;
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_cached */
-    size_t most;  /* bytes of Lua RAM, of all runs so far */
-    char who[TREE_PATH];
+    void *copies;            /* of board_hashes_cached */
+    size_t most;             /* bytes of Lua RAM, of all runs so far */
+    char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
 };
 
 /* ---- one run ---- */
 
-/* A line that has a finding already is most likely the reason of the fault. */
+/* A line that has a diagnostic already is most likely the reason of the fault. */
 static void note_fault(struct run *r, const struct board_fault *fault)
 {
-    struct findings alone = { 0 };
+    struct diagnostics alone = { 0 };
 
     r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
-    findings_add_sentence(&alone, r->what, fault->message);
+    diagnostics_add_sentence(&alone, r->what, fault->message);
     bool known =
-        alone.n > 0 && alone.list[0].line > 0 && findings_at(&r->c->found, alone.list[0].file, alone.list[0].line);
-    findings_close(&alone);
+        alone.n > 0 && alone.list[0].line > 0 && diagnostics_at(&r->c->found, alone.list[0].file, alone.list[0].line);
+    diagnostics_close(&alone);
     if (!known)
-        findings_add_sentence(&r->c->found, r->what, fault->message);
+        diagnostics_add_sentence(&r->c->found, r->what, fault->message);
 }
 
 /* Does a script ask board.refused for it? Then the game knows that it may be full. */
 static bool is_watched(const struct check *c, const char *part)
 {
     for (int i = 0; i < c->n_scripts; i++) {
-        const struct facts *f = &c->scripts[i].facts;
+        const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++) {
-            const struct fact_call *call = &f->calls[k];
+            const struct symbol_call *call = &f->calls[k];
             if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
                 (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
                 return true;
@@ -70,12 +71,12 @@ static bool is_watched(const struct check *c, const char *part)
     return false;
 }
 
-/* Pools that are full for the first time. Sparks are for the eye: one that is not there nobody misses. */
+/* Pools that are full for the first time. Sparks do not count: no script depends on one. */
 static void note_full(struct run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->fulls; i++)
         if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
-            findings_add_sentence(&r->c->found, r->what, out->full[i].line);
+            diagnostics_add_sentence(&r->c->found, r->what, out->full[i].line);
 }
 
 static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
@@ -94,7 +95,7 @@ static bool power(struct run *r, const struct board_start *start)
         note_full(r, board_last(r->guard.board));
         return true;
     }
-    findings_add_sentence(&r->c->found, "rom.lua", err);
+    diagnostics_add_sentence(&r->c->found, "rom.lua", err);
     return false;
 }
 
@@ -106,7 +107,7 @@ static void finish(struct run *r)
         note_fault(r, board_last(r->guard.board)->fault);
     if (most > r->most) {
         r->most = most;
-        snprintf(r->who, sizeof r->who, "%s", r->what);
+        snprintf(r->most_in, sizeof r->most_in, "%s", r->what);
     }
     guard_close(&r->guard);
 }
@@ -133,54 +134,54 @@ static void run_idle(struct run *r)
     finish(r);
 }
 
-/* ---- pieces ---- */
+/* ---- sections ---- */
 
 /* Is the stage cleared, or the phase won or lost? */
-static bool piece_over(const struct board_out *out)
+static bool section_over(const struct board_out *out)
 {
-    for (int i = 0; i < out->marks; i++) {
-        enum board_mark_kind kind = out->mark[i].kind;
-        if (kind == MARK_CLEAR || kind == MARK_WON || kind == MARK_LOST)
+    for (int i = 0; i < out->markers; i++) {
+        enum board_marker_kind kind = out->marker[i].kind;
+        if (kind == MARKER_CLEAR || kind == MARKER_WON || kind == MARKER_LOST)
             return true;
     }
     return false;
 }
 
-/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are pieces
- * too: what a stage's phase ends does not end the stage. */
-static void run_piece(struct run *r, const struct piece *piece)
+/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are
+ * sections too: what a stage's phase ends does not end the stage. */
+static void run_section(struct run *r, const struct section *section)
 {
     static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
     struct board_start start = plain_start(r);
     bool over = false;
 
-    r->what = piece->mark;
-    snprintf(start.practice.mark, sizeof start.practice.mark, "%s", piece->mark);
+    r->what = section->id;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
     start.practice.invincible = true;
     if (!power(r, &start))
         return;
-    for (int f = 0; f < PIECE_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+    for (int f = 0; f < SECTION_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
         const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
-        over = piece->kind == PIECE_PHASE && piece_over(out);
-        for (int i = 0; i < out->marks; i++)
-            over = over || out->mark[i].kind == MARK_CLEAR;
+        over = section->kind == SECTION_PHASE && section_over(out);
+        for (int i = 0; i < out->markers; i++)
+            over = over || out->marker[i].kind == MARKER_CLEAR;
     }
     finish(r);
-    r->c->pieces++;
+    r->c->sections++;
 }
 
-static void run_pieces(struct run *r)
+static void run_sections(struct run *r)
 {
     struct board_start start = plain_start(r);
-    struct pieces *list = calloc(1, sizeof *list);
+    struct sections *list = calloc(1, sizeof *list);
 
     r->c->found.failed = r->c->found.failed || list == NULL;
     if (list == NULL)
         return;
-    pieces_list(list, &r->image.rom, &start, false);
+    sections_list(list, &r->image.rom, &start, false);
     for (int i = 0; i < list->n; i++)
-        if (list->piece[i].kind == PIECE_STAGE || list->piece[i].kind == PIECE_PHASE)
-            run_piece(r, &list->piece[i]);
+        if (list->section[i].kind == SECTION_STAGE || list->section[i].kind == SECTION_PHASE)
+            run_section(r, &list->section[i]);
     free(list);
 }
 
@@ -238,8 +239,8 @@ static void run_loaded(struct run *r)
     uint32_t wrong = play(r);
     free(r->copies);
     if (wrong != ALL && !doubted)
-        findings_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
-                     wrong, r->c->dir, r->c->dir, r->what);
+        diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
+                        wrong, r->c->dir, r->c->dir, r->what);
     finish(r);
     r->c->demos++;
 }
@@ -256,9 +257,9 @@ static void run_demo(struct run *r, const char *path)
     bool good = demo_read(&r->demo, data, size, err, sizeof err);
     free(data);
     if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
-        findings_add(&r->c->found, path, 0, "%s", err);
+        diagnostics_add(&r->c->found, path, 0, "%s", err);
     else if (!r->demo.complete)
-        findings_add(&r->c->found, path, 0, "cut short: it has no end mark");
+        diagnostics_add(&r->c->found, path, 0, "cut short: it has no end mark");
     if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
         run_loaded(r);
     demo_free(&r->demo);
@@ -280,9 +281,9 @@ static void judge_memory(struct run *r)
     r->c->lua_most = r->most;
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
-    findings_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                 "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib, r->who,
-                 r->most / 1024, MOST_LUA);
+    diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
+                    "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib,
+                    r->most_in, r->most / 1024, MOST_LUA);
 }
 
 static void run_all(struct run *r)
@@ -294,7 +295,7 @@ static void run_all(struct run *r)
             run_demo(r, files->name[i]);
     if (r->most == 0)
         run_idle(r);
-    run_pieces(r);
+    run_sections(r);
     judge_memory(r);
 }
 

@@ -1,9 +1,9 @@
 /*
- * check_unused.c - what is in the folder and nobody asks for.
+ * check_unused.c - files, pictures and names of the folder that the game does not use.
  *
- * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch of
- * rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..` leads
- * to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
+ * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch
+ * of rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..`
+ * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
  */
 #include "check_parts.h"
 
@@ -39,23 +39,23 @@ static bool fits_format(const char *name, const char *format)
     return *last != '\0' && last[1] != '\0' && ends_with(name, last + 1);
 }
 
-static bool fits(const struct fact_text *t, const char *name)
+static bool fits(const struct symbol_text *t, const char *name)
 {
     if (strcmp(t->s, name) == 0)
         return true;
-    if (t->how & FACT_KEY || t->s[0] == '\0')
+    if (t->how & SYMBOL_KEY || t->s[0] == '\0')
         return false;
-    if (t->how == (FACT_FIRST | FACT_LAST))
+    if (t->how == (SYMBOL_FIRST | SYMBOL_LAST))
         return strstr(name, t->s) != NULL;
-    return (t->how == FACT_FIRST && starts_with(name, t->s)) || (t->how == FACT_LAST && ends_with(name, t->s)) ||
+    return (t->how == SYMBOL_FIRST && starts_with(name, t->s)) || (t->how == SYMBOL_LAST && ends_with(name, t->s)) ||
            fits_format(name, t->s);
 }
 
 static bool in_scripts(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_scripts; i++)
-        for (int k = 0; k < c->scripts[i].facts.n_texts; k++)
-            if (fits(&c->scripts[i].facts.texts[k], name))
+        for (int k = 0; k < c->scripts[i].symbols.n_texts; k++)
+            if (fits(&c->scripts[i].symbols.texts[k], name))
                 return true;
     return false;
 }
@@ -64,9 +64,9 @@ static bool in_scripts(const struct check *c, const char *name)
 static bool in_library(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_library; i++) {
-        const struct facts *f = &c->library[i].facts;
+        const struct symbols *f = &c->library[i].symbols;
         for (int k = 0; k < f->n_texts; k++)
-            if (!(f->texts[k].how & FACT_KEY) && strcmp(f->texts[k].s, name) == 0)
+            if (!(f->texts[k].how & SYMBOL_KEY) && strcmp(f->texts[k].s, name) == 0)
                 return true;
     }
     return false;
@@ -121,14 +121,14 @@ static bool is_dynamic(const struct check *c, const char *space, const char *nam
     int uses = 0, calls = 0;
 
     for (int i = 0; i < c->n_scripts; i++) {
-        const struct facts *f = &c->scripts[i].facts;
+        const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_globals; k++) {
-            const struct fact_global *g = &f->globals[k];
+            const struct symbol_global *g = &f->globals[k];
             uses += space != NULL ? is(g->field, name) && is(g->name, space) : g->use == USE_VALUE && is(g->name, name);
             uses += space != NULL && g->use == USE_VALUE && is(g->name, space);
         }
         for (int k = 0; k < f->n_calls; k++) {
-            const struct fact_call *call = &f->calls[k];
+            const struct symbol_call *call = &f->calls[k];
             bool same = is(call->name, name) && (space != NULL ? is(call->space, space) : call->space == NULL);
             calls += same && call->arg[0] != NULL;
         }
@@ -149,8 +149,8 @@ static void reach(struct check *c, struct check_script *s)
     if (s == NULL || s->reached)
         return;
     s->reached = true;
-    for (int k = 0; k < s->facts.n_calls; k++) {
-        const struct fact_call *call = &s->facts.calls[k];
+    for (int k = 0; k < s->symbols.n_calls; k++) {
+        const struct symbol_call *call = &s->symbols.calls[k];
         if (call->space == NULL && is(call->name, "require") && call->arg[0] != NULL)
             reach(c, find_script(c, call->arg[0]));
     }
@@ -166,7 +166,7 @@ static void unused_scripts(struct check *c)
             reach(c, &c->scripts[i]);
     for (int i = 0; i < c->n_scripts; i++)
         if (!c->scripts[i].reached)
-            findings_add(&c->found, c->scripts[i].path, 0, "no script requires it");
+            diagnostics_add(&c->found, c->scripts[i].path, 0, "no script requires it");
 }
 
 /* ---- the rest ---- */
@@ -183,20 +183,20 @@ static void unused_names(struct check *c)
 {
     for (int i = 0; i < c->art.n_sheets; i++)
         if (!sheet_used(c, i))
-            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", c->art.sheets[i].name),
-                         "sheet \"%s\": no sprite is on it", c->art.sheets[i].name);
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", c->art.sheets[i].name),
+                            "sheet \"%s\": no sprite is on it", c->art.sheets[i].name);
     for (int i = 0; i < c->art.n_sprites; i++)
         if (!check_mentioned(c, c->art.sprites[i].name))
-            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", c->art.sprites[i].name),
-                         "sprite \"%s\": no script names it", c->art.sprites[i].name);
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", c->art.sprites[i].name),
+                            "sprite \"%s\": no script names it", c->art.sprites[i].name);
     for (int i = 0; i < c->art.n_blends; i++)
         if (!check_mentioned(c, c->art.blends[i].name))
-            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "blends", c->art.blends[i].name),
-                         "blend \"%s\": no script names it", c->art.blends[i].name);
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "blends", c->art.blends[i].name),
+                            "blend \"%s\": no script names it", c->art.blends[i].name);
     for (int i = 0; i < c->art.n_palettes; i++)
         if (!check_mentioned(c, c->art.palettes[i].name))
-            findings_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
-                         "palette \"%s\": no script names it", c->art.palettes[i].name);
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
+                            "palette \"%s\": no script names it", c->art.palettes[i].name);
 }
 
 static bool picture_used(const struct check *c, const char *path)
@@ -215,16 +215,16 @@ static void unused_files(struct check *c, bool texts)
     for (int i = 0; i < c->files.n; i++) {
         const char *path = c->files.name[i];
         if (ends_with(path, ".png") && !picture_used(c, path))
-            findings_add(&c->found, path, 0, "rom.lua does not name it");
+            diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
         if (texts && ends_with(path, ".txt") && !in_scripts(c, path))
-            findings_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
+            diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
     }
 }
 
 static bool all_whole(const struct check *c)
 {
     for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].facts.whole)
+        if (!c->scripts[i].symbols.whole)
             return false;
     return true;
 }
@@ -241,7 +241,7 @@ static void read_texts(struct check *c)
     }
 }
 
-/* Of scripts that cannot be read whole nobody knows what they use. */
+/* A script that cannot be read whole may use anything. */
 void check_unused(struct check *c)
 {
     bool whole = all_whole(c);

@@ -8,14 +8,12 @@
 #include "bisect.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/err.h"
 #include "../host/clean.h"
-#include "../cli.h"
 #include "demo.h"
-#include "../game.h"
 
 enum {
     LINE = 1 << 16,
@@ -47,16 +45,6 @@ struct bisect {
     unsigned long found;
     char err[2200];
 };
-
-static bool fail(struct bisect *s, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(s->err, sizeof s->err, format, args);
-    va_end(args);
-    return false;
-}
 
 /* ---- lines ---- */
 
@@ -164,9 +152,9 @@ static bool in_order(const struct side *now, const struct side *before)
 static bool read_failed(struct bisect *s, struct side *f)
 {
     if (ferror(f->file))
-        return fail(s, "%s: cannot be read", f->path);
+        return err_set(s->err, sizeof s->err, "%s: cannot be read", f->path);
     f->end = true;
-    return f->line > 0 || fail(s, "%s: empty", f->path);
+    return f->line > 0 || err_set(s->err, sizeof s->err, "%s: empty", f->path);
 }
 
 static bool next(struct bisect *s, struct side *f)
@@ -181,15 +169,15 @@ static bool next(struct bisect *s, struct side *f)
     f->line++;
     n = strlen(f->text);
     if (n == 0 || f->text[n - 1] != '\n')
-        return fail(s, "%s:%lu: the line is cut short", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: the line is cut short", f->path, f->line);
     f->text[n - 1] = 0;
     char *p = f->text;
     bool number = take_number(take_word(&p), &f->frame);
     f->trace = !is_hash(p);
     if (!number || !(f->trace ? parse_trace(f, p) : parse_track(f, p)))
-        return fail(s, "%s:%lu: not a line of \"hash\" or \"hash --trace\"", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: not a line of \"hash\" or \"hash --trace\"", f->path, f->line);
     if (!in_order(f, &before))
-        return fail(s, "%s:%lu: out of order", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: out of order", f->path, f->line);
     return true;
 }
 
@@ -300,13 +288,13 @@ static bool apart(struct bisect *s)
     const struct side *a = &s->a, *b = &s->b;
 
     if (a->end || b->end)
-        return fail(s, "%s ends in frame %u, %s goes on; as far as they go they are equal", (a->end ? a : b)->path,
-                    (unsigned)s->frame, (a->end ? b : a)->path);
+        return err_set(s->err, sizeof s->err, "%s ends in frame %u, %s goes on; as far as they go they are equal",
+                       (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
-        return fail(s, "%s:%lu has part %s, %s:%lu part %s: not traces of the same parts", a->path, a->line, a->part,
-                    b->path, b->line, b->part);
-    return fail(s, "%s:%lu has frame %u, %s:%lu frame %u: not of the same frames", a->path, a->line, (unsigned)a->frame,
-                b->path, b->line, (unsigned)b->frame);
+        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: not traces of the same parts",
+                       a->path, a->line, a->part, b->path, b->line, b->part);
+    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: not of the same frames", a->path,
+                   a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
 /* A slot's line, and the other file's next one belongs to a later slot, part or frame. */
@@ -434,12 +422,12 @@ static bool compare(struct bisect *s)
     if (!next_both(s))
         return false;
     if (s->a.trace != s->b.trace)
-        return fail(s, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track", s->b.path,
-                    s->b.trace ? "trace" : "track");
+        return err_set(s->err, sizeof s->err, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track",
+                       s->b.path, s->b.trace ? "trace" : "track");
     return s->a.trace ? compare_traces(s) : compare_tracks(s);
 }
 
-static int report(const struct bisect *s)
+static enum result print_report(const struct bisect *s)
 {
     if (s->found > MOST)
         printf("  and %lu more\n", s->found - MOST);
@@ -448,7 +436,7 @@ static int report(const struct bisect *s)
     if (s->found == 0)
         printf("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
                (unsigned)s->first, (unsigned)s->frame);
-    return s->found ? EXIT_DIFFERS : EXIT_DONE;
+    return s->found ? RESULT_DIFFERS : RESULT_DONE;
 }
 
 /* A path as it is printed. */
@@ -459,22 +447,22 @@ static const char *shown(char out[DEMO_PATH], const char *path)
     return out;
 }
 
-int bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
+enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
 {
     struct bisect *s = calloc(1, sizeof *s);
     char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH];
-    int code = EXIT_HOST;
+    enum result result = RESULT_HOST;
 
     if (s && lines) {
         s->a = (struct side){ .path = shown(names[0], a_name), .file = a, .text = lines };
         s->b = (struct side){ .path = shown(names[1], b_name), .file = b, .text = lines + LINE };
-        code = compare(s) ? report(s) : EXIT_INPUT;
+        result = compare(s) ? print_report(s) : RESULT_REFUSED;
     }
-    if (code == EXIT_HOST || code == EXIT_INPUT)
-        snprintf(err, err_size, "%s", code == EXIT_INPUT ? s->err : "out of memory");
+    if (result == RESULT_HOST || result == RESULT_REFUSED)
+        snprintf(err, err_size, "%s", result == RESULT_REFUSED ? s->err : "out of memory");
     free(lines);
     free(s);
-    return code;
+    return result;
 }
 
 /* Opens a file; "-" is standard input, and called so. */
@@ -486,34 +474,18 @@ static FILE *open_input(const char **path)
     return stdin;
 }
 
-static int compare_paths(const char *a, const char *b, char *err, size_t err_size)
+enum result bisect_paths(const char *a, const char *b, char *err, size_t err_size)
 {
     FILE *first = open_input(&a), *second = first ? open_input(&b) : NULL;
-    int code = EXIT_INPUT;
+    enum result result = RESULT_REFUSED;
 
     if (second)
-        code = bisect_files(first, a, second, b, err, err_size);
+        result = bisect_files(first, a, second, b, err, err_size);
     else
         snprintf(err, err_size, "%s: %s", first ? b : a, strerror(errno));
     if (first && first != stdin)
         fclose(first);
     if (second && second != stdin)
         fclose(second);
-    return code;
-}
-
-int bisect_run(const struct args *a)
-{
-    char err[2200];
-
-    if (a->n_words != 2)
-        return game_report(EXIT_INPUT, "verify --bisect: expected two files that hash printed");
-    if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
-        return game_report(EXIT_INPUT, "verify --bisect: only one of the two can be standard input");
-    int code = compare_paths(a->words[0], a->words[1], err, sizeof err);
-    if (code == EXIT_INPUT || code == EXIT_HOST)
-        return game_report(code, "%s", err);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return game_report(EXIT_HOST, "standard output cannot be written");
-    return code;
+    return result;
 }

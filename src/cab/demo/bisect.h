@@ -1,6 +1,6 @@
 /*
  * bisect.h - `verify --bisect A B`: the first frame in which two runs differ, out of what `hash` printed of each.
- * floor: cab    used by: verify tests/
+ * floor: cab
  *
  * A and B are tracks (hash, or hash --parts) or traces (hash --trace, see trace.h), of two builds, machines or ROMs;
  * either may be "-", standard input. They are read line by line, so their size does not matter.
@@ -9,14 +9,14 @@
 #define CAB_BISECT_H
 
 #include <stdio.h>
-#include "../args.h"
+#include "../host/result.h"
 
-/* EXIT_DONE: equal. EXIT_DIFFERS: the frame, and what differs in it, is on standard output. EXIT_INPUT: not such files,
- * not of the same frames and parts, or equal but of different lengths. */
-int bisect_run(const struct args *a);
+/* RESULT_DONE: equal. RESULT_DIFFERS: the frame, and what differs in it, is on standard output. RESULT_REFUSED: not
+ * such files, not of the same frames and parts, or equal but of different lengths; RESULT_HOST: no memory; with these
+ * one sentence in err. */
+enum result bisect_paths(const char *a, const char *b, char *err, size_t err_size);
 
-/* The same of two open files, by the names they have in what is printed; with EXIT_INPUT (or EXIT_HOST: no memory) one
- * sentence in err. */
-int bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size);
+/* The same of two open files, by the names they have in what is printed. */
+enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size);
 
 #endif

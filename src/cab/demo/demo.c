@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "demo_parts.h"
-#include "../pack/tree.h"
+#include "../host/files.h"
 
 /* ---- room ---- */
 
@@ -34,7 +34,7 @@ static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
 bool demo_room_frames(struct demo *d, uint32_t more)
 {
     return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
-           reserve(&d->prints, &d->room_prints, d->frames + more, sizeof d->prints[0] * (size_t)d->parts);
+           reserve(&d->checksums, &d->room_checksums, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts);
 }
 
 bool demo_room_second(struct demo *d)
@@ -42,17 +42,17 @@ bool demo_room_second(struct demo *d)
     return reserve(&d->track, &d->room_seconds, d->seconds + 1, sizeof d->track[0] * (size_t)d->parts);
 }
 
-bool demo_room_moment(struct demo *d)
+bool demo_room_marker(struct demo *d)
 {
-    return reserve(&d->moment, &d->room_moments, d->moments + 1, sizeof d->moment[0]);
+    return reserve(&d->markers, &d->room_markers, d->n_markers + 1, sizeof d->markers[0]);
 }
 
 void demo_free(struct demo *d)
 {
     free(d->pads);
-    free(d->prints);
+    free(d->checksums);
     free(d->track);
-    free(d->moment);
+    free(d->markers);
     memset(d, 0, sizeof *d);
 }
 
@@ -70,7 +70,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     size_t size;
 
     memset(d, 0, sizeof *d);
-    if (!tree_load(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
+    if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
     bool ok = demo_read(d, data, size, why, sizeof why);
     if (!ok)
@@ -100,9 +100,9 @@ const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
     return i < d->seconds && demo_row_frame(d, i) == frame ? demo_row(d, i) : NULL;
 }
 
-const uint16_t *demo_prints(const struct demo *d, uint32_t frame)
+const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
 {
-    return frame < 1 || frame > d->printed ? NULL : d->prints + (size_t)(frame - 1) * (size_t)d->parts;
+    return frame < 1 || frame > d->checksum_frames ? NULL : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
 }
 
 /* The board's part of that name, or -1. Mostly it is the i-th of both. */
@@ -134,12 +134,12 @@ uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t 
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
     const uint64_t *row = demo_hashes(d, frame);
-    const uint16_t *prints = demo_prints(d, frame);
+    const uint16_t *checksums = demo_checksums(d, frame);
     uint32_t differ = 0;
 
     for (int i = 0; i < d->parts; i++) {
-        bool print = prints && d->printing >> i & 1 && prints[i] != (uint16_t)hashes[i];
-        if (print || (row && row[i] != hashes[i]))
+        bool differs = checksums && d->checksum_parts >> i & 1 && checksums[i] != (uint16_t)hashes[i];
+        if (differs || (row && row[i] != hashes[i]))
             differ |= 1u << i;
     }
     return differ;
@@ -158,12 +158,12 @@ static bool read_points(const char *text, int64_t *points)
 
 bool demo_points(const struct demo *d, int player, int64_t *points)
 {
-    char who[16];
-    int n = snprintf(who, sizeof who, DEMO_POINTS, player + 1);
+    char start[16];
+    int n = snprintf(start, sizeof start, DEMO_POINTS, player + 1);
 
-    for (uint32_t i = d->moments; d->complete && i-- > 0 && d->moment[i].frame == d->frames;) {
-        const struct board_mark *m = &d->moment[i].mark;
-        if (m->kind == MARK_LISTED && strncmp(m->name, who, (size_t)n) == 0)
+    for (uint32_t i = d->n_markers; d->complete && i-- > 0 && d->markers[i].frame == d->frames;) {
+        const struct board_marker *m = &d->markers[i].marker;
+        if (m->kind == MARKER_LISTED && strncmp(m->name, start, (size_t)n) == 0)
             return read_points(m->name + n, points);
     }
     return false;

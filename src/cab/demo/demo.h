@@ -1,13 +1,13 @@
 /*
  * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
- * floor: cab    used by: cab/ tests/
+ * floor: cab
  *
  * The file is described byte by byte in docs/demos.md. In short: a header, then a record a second with pads and hashes,
- * a record a moment (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
+ * a record a marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
  * disk) is read as far as it goes, and says so in .complete.
  *
  * Hashes: a whole one of every part each second, a row of the track; and after every frame the low 16 bits of each
- * part's, its print, so that a replay that differs is known by frame and part.
+ * part's, its checksum, so that a replay that differs is known by frame and part.
  */
 #ifndef CAB_DEMO_H
 #define CAB_DEMO_H
@@ -34,10 +34,10 @@ enum {
     DEMO_FLAGS = (1 << 3) - 1
 };
 
-/* A moment, for finding one's way in a run. */
-struct demo_moment {
+/* A marker, for finding one's way in a run. */
+struct demo_marker {
     uint32_t frame; /* it happened in the tick that made this frame */
-    struct board_mark mark;
+    struct board_marker marker;
 };
 
 struct demo {
@@ -50,18 +50,18 @@ struct demo {
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
-    uint32_t frames;        /* ticks recorded */
-    uint16_t (*pads)[PADS]; /* pads[f] made frame f + 1 */
-    uint16_t *prints;       /* frames x parts; those from f * parts on are of frame f + 1 */
-    uint32_t printing;      /* which parts have prints, 1 << part: all; in format 2 script alone */
-    uint32_t printed;       /* frames that have them: all, but for a last one that faulted */
-    uint32_t seconds;       /* hash rows; row i is of frame demo_row_frame(d, i) */
-    uint64_t *track;        /* seconds x parts */
-    uint32_t moments;
-    struct demo_moment *moment;  /* frames ascending */
+    uint32_t frames;          /* ticks recorded */
+    uint16_t (*pads)[PADS];   /* pads[f] made frame f + 1 */
+    uint16_t *checksums;      /* frames x parts; those from f * parts on are of frame f + 1 */
+    uint32_t checksum_parts;  /* which parts have checksums, 1 << part: all; in format 2 script alone */
+    uint32_t checksum_frames; /* frames that have them: all, but for a last one that faulted */
+    uint32_t seconds;         /* hash rows; row i is of frame demo_row_frame(d, i) */
+    uint64_t *track;          /* seconds x parts */
+    uint32_t n_markers;
+    struct demo_marker *markers; /* frames ascending */
     bool complete;               /* has its end mark */
     enum board_fault_kind fault; /* the last recorded tick (or, with no frames, power-on) ended in this */
-    uint32_t room_frames, room_prints, room_seconds, room_moments;
+    uint32_t room_frames, room_checksums, room_seconds, room_markers;
 };
 
 /* Reads and checks a whole demo; false and one sentence (without the file's name) for anything that is not one. A file
@@ -83,21 +83,22 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 /* The whole hashes after a frame, in the order of .part, if it has a row of the track; else NULL. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
 
-/* The prints after a frame, in the order of .part (only those of .printing are known), or NULL for a frame that has
- * none: the first and one that faulted. */
-const uint16_t *demo_prints(const struct demo *d, uint32_t frame);
+/* The checksums after a frame, in the order of .part (only those of .checksum_parts are known), or NULL for a frame
+ * that has none: the first and one that faulted. */
+const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
  * that the board does not have, a bit a part: their hash is 0. */
 uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
                     uint64_t hashes[MAX_PARTS]);
 
-/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their prints, and where
- * there is a row by the whole hashes. A difference that a print does not show (one in 65536) shows in a later frame's.
- * 0 where there is neither: in the frame that faulted, after the end. */
+/* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their checksums, and
+ * where there is a row by the whole hashes. A difference that a checksum does not show (one in 65536) shows in a later
+ * frame's. 0 where there is neither: in the frame that faulted, after the end. */
 uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
-/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not say. */
+/* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not
+ * say. */
 bool demo_points(const struct demo *d, int player, int64_t *points);
 
 /* False and one sentence when it is a demo of another game (its id differs), or its start is none that this build's
@@ -118,7 +119,7 @@ struct demo_writer {
     char path[DEMO_PATH]; /* "": kept in memory only */
     char err[DEMO_PATH + 64];
     uint32_t written; /* frames in the file */
-    uint32_t told;    /* moments in the file */
+    uint32_t told;    /* markers in the file */
     uint32_t crc;     /* of the last record written */
     uint64_t hashes[MAX_PARTS];
     void *copies; /* of board_hashes_cached */
@@ -150,7 +151,7 @@ bool demo_end(struct demo_writer *w, const struct board *b);
 void demo_drop(struct demo_writer *w);
 
 /* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence, also for one
- * that does not have every part's prints: that has to be replayed first. */
+ * that does not have every part's checksums: that has to be replayed first. */
 bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size);
 
 #endif

@@ -1,13 +1,13 @@
 /*
  * demo_parts.h - what reading and writing a demo's file share: docs/demos.md as constants, and room that grows.
- * floor: cab    used by: demo demo_read demo_write
+ * floor: cab
  */
 #ifndef CAB_DEMO_PARTS_H
 #define CAB_DEMO_PARTS_H
 
 #include "demo.h"
 
-enum { KIND_HEADER = 'H', KIND_SECOND = 'S', KIND_MOMENT = 'M', KIND_FLAGS = 'F', KIND_END = 'E' };
+enum { KIND_HEADER = 'H', KIND_SECOND = 'S', KIND_MARKER = 'M', KIND_FLAGS = 'F', KIND_END = 'E' };
 
 enum {
     FILE_HEAD = 8,   /* magic and format */
@@ -17,14 +17,14 @@ enum {
 
 #define DEMO_MAGIC "CDEM"
 
-/* Points at the end of a recording: the name of a moment of kind MARK_LISTED, which has none of its own, is this (with the
- * player, 1 or 2) and the number. */
+/* Points at the end of a recording: the name of a marker of kind MARKER_LISTED, which has none of its own, is this
+ * (with the player, 1 or 2) and the number. */
 #define DEMO_POINTS "points %d "
 
 /* Room for so many more; false: no memory, nothing changed. */
 bool demo_room_frames(struct demo *d, uint32_t more);
 bool demo_room_second(struct demo *d);
-bool demo_room_moment(struct demo *d);
+bool demo_room_marker(struct demo *d);
 
 /* Hash row i. */
 uint64_t *demo_row(const struct demo *d, uint32_t i);

@@ -1,20 +1,20 @@
 /*
  * demo_read.c - reading a demo's file; see demo.h, and docs/demos.md for the bytes.
  *
- * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are in
- * the file one by one.
+ * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are
+ * in the file one by one.
  */
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../base/err.h"
 #include "../../base/hash.h"
 #include "demo_parts.h"
 
 enum {
     MAX_HEADER = 64 << 10,
     MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (4 + 2 * MAX_PARTS) + MAX_PARTS * 8,
-    MAX_MOMENT = 5 + 1 + sizeof((struct board_mark *)0)->name
+    MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name
 };
 
 /* ---- reading ---- */
@@ -89,19 +89,9 @@ static void take_str(struct source *s, char *out, size_t size)
     out[n] = 0;
 }
 
-static bool fail(struct parse *p, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(p->err, p->err_size, format, args);
-    va_end(args);
-    return false;
-}
-
 static bool damaged(struct parse *p, const char *what)
 {
-    return fail(p, "the record at byte %zu is damaged (%s)", p->at, what);
+    return err_set(p->err, p->err_size, "the record at byte %zu is damaged (%s)", p->at, what);
 }
 
 static bool good_id(const char *id)
@@ -132,7 +122,7 @@ static void take_start(struct source *s, struct board_start *start)
     for (int i = 0; i < MAX_DIPS; i++)
         start->dip[i] = (int32_t)take32(s);
     start->difficulty = (int32_t)take32(s);
-    take_str(s, start->practice.mark, sizeof start->practice.mark);
+    take_str(s, start->practice.section, sizeof start->practice.section);
     s->bad |= start->difficulty < -1 || start->difficulty >= MAX_DIFFICULTIES;
 }
 
@@ -153,7 +143,7 @@ static void take_practice(struct source *s, struct practice *p)
     }
 }
 
-/* The part whose prints format 2 has, or -1. */
+/* The part whose checksums format 2 has, or -1. */
 static int script_of(const struct demo *d)
 {
     for (int i = 0; i < d->parts; i++)
@@ -188,7 +178,7 @@ static bool read_header(struct parse *p, struct source *s)
     int script = script_of(d);
     if (script < 0)
         return damaged(p, "no part script");
-    d->printing = d->format > 2 ? UINT32_MAX : 1u << script;
+    d->checksum_parts = d->format > 2 ? UINT32_MAX : 1u << script;
     if (d->start.nvram_size > NVRAM_BYTES || !take_nvram(s, d->nvram, d->start.nvram_size))
         return damaged(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
@@ -213,11 +203,11 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
     return f == end;
 }
 
-/* The prints of frame f, of which those that differ from the frame before are there. */
-static void take_prints(struct source *s, struct demo *d, uint32_t f)
+/* The checksums of frame f, of which those that differ from the frame before are there. */
+static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
-    uint16_t *to = d->prints + (size_t)(f - 1) * (size_t)d->parts;
-    uint32_t other = d->format > 2 ? take32(s) : d->printing;
+    uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
+    uint32_t other = d->format > 2 ? take32(s) : d->checksum_parts;
 
     s->bad |= d->format > 2 && (uint64_t)other >> d->parts != 0;
     for (int i = 0; i < d->parts; i++) {
@@ -226,22 +216,22 @@ static void take_prints(struct source *s, struct demo *d, uint32_t f)
     }
 }
 
-/* The prints, and if there is one the row, of n frames whose pads were taken. */
+/* The checksums, and if there is one the row, of n frames whose pads were taken. */
 static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
 {
     uint32_t end = d->frames + n;
 
     for (uint32_t f = d->frames + 1; f < end; f++)
-        take_prints(s, d, f);
+        take_checksums(s, d, f);
     d->frames = end;
-    d->printed = hashed ? end : end - 1;
+    d->checksum_frames = hashed ? end : end - 1;
     if (!hashed)
         return;
     uint64_t *row = demo_row(d, d->seconds++);
     for (int i = 0; i < d->parts; i++)
         row[i] = take64(s);
     for (int i = 0; n > 0 && i < d->parts; i++)
-        d->prints[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
+        d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
 }
 
 static bool read_second(struct parse *p, struct source *s)
@@ -256,9 +246,9 @@ static bool read_second(struct parse *p, struct source *s)
     if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
         return damaged(p, "number of frames");
     if (d->frames + n > DEMO_MAX_FRAMES)
-        return fail(p, "longer than %d frames", DEMO_MAX_FRAMES);
+        return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
     if (!demo_room_frames(d, n) || !demo_room_second(d))
-        return fail(p, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the memory there is");
     if (!take_runs(s, d, n, runs))
         return damaged(p, "pads");
     take_hashes(s, d, n, hashed);
@@ -277,19 +267,19 @@ static bool read_flags(struct parse *p, struct source *s)
     return true;
 }
 
-static bool read_moment(struct parse *p, struct source *s)
+static bool read_marker(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
-    struct demo_moment m = { .frame = take32(s) };
-    uint32_t before = d->moments ? d->moment[d->moments - 1].frame : 0;
+    struct demo_marker m = { .frame = take32(s) };
+    uint32_t before = d->n_markers ? d->markers[d->n_markers - 1].frame : 0;
 
-    m.mark.kind = (enum board_mark_kind)take8(s);
-    take_str(s, m.mark.name, sizeof m.mark.name);
-    if (d->format < 3 || d->seconds == 0 || m.frame < before || m.frame > d->frames || m.mark.kind >= MARK_KINDS)
+    m.marker.kind = (enum board_marker_kind)take8(s);
+    take_str(s, m.marker.name, sizeof m.marker.name);
+    if (d->format < 3 || d->seconds == 0 || m.frame < before || m.frame > d->frames || m.marker.kind >= MARKER_KINDS)
         return damaged(p, "a moment");
-    if (!demo_room_moment(d))
-        return fail(p, "too large for the memory there is");
-    d->moment[d->moments++] = m;
+    if (!demo_room_marker(d))
+        return err_set(p->err, p->err_size, "too large for the memory there is");
+    d->markers[d->n_markers++] = m;
     return true;
 }
 
@@ -320,8 +310,8 @@ static bool read_record(struct parse *p, uint32_t kind, struct source s)
     case KIND_SECOND:
         ok = read_second(p, &s);
         break;
-    case KIND_MOMENT:
-        ok = read_moment(p, &s);
+    case KIND_MARKER:
+        ok = read_marker(p, &s);
         break;
     case KIND_FLAGS:
         ok = read_flags(p, &s);
@@ -343,8 +333,8 @@ static size_t most_bytes(uint32_t kind)
         return MAX_HEADER;
     case KIND_SECOND:
         return MAX_SECOND;
-    case KIND_MOMENT:
-        return MAX_MOMENT;
+    case KIND_MARKER:
+        return MAX_MARKER;
     case KIND_FLAGS:
         return 4;
     case KIND_END:
@@ -371,8 +361,9 @@ static bool read_records(struct parse *p, const uint8_t *data, size_t size)
         p->at += RECORD_OVER + n;
     }
     if (!p->header)
-        return fail(p, "cut short in its header");
-    return p->d->complete && p->at < size ? fail(p, "has %zu bytes after its end", size - p->at) : true;
+        return err_set(p->err, p->err_size, "cut short in its header");
+    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "has %zu bytes after its end", size - p->at)
+                                          : true;
 }
 
 bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
@@ -381,12 +372,13 @@ bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size
 
     memset(d, 0, sizeof *d);
     if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
-        return fail(&p, "not a demo");
+        return err_set(err, err_size, "not a demo");
     d->format = bytes_get32(data + 4);
     if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
-        return fail(&p, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST, DEMO_FORMAT);
+        return err_set(err, err_size, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
+                       DEMO_FORMAT);
     if (size > DEMO_MAX_BYTES)
-        return fail(&p, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
+        return err_set(err, err_size, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
     if (read_records(&p, data, size))
         return true;
     demo_free(d);

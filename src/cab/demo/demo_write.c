@@ -115,7 +115,7 @@ static void write_nvram(struct sink *s, const uint8_t *p, size_t n)
 
 static void write_practice(struct sink *s, const struct practice *p)
 {
-    write_str(s, p->mark);
+    write_str(s, p->section);
     write32(s, (uint32_t)p->lives);
     write8(s, p->invincible);
     write8(s, (uint32_t)p->registers);
@@ -157,27 +157,27 @@ static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
     return run;
 }
 
-/* The print of a part after frame f: before the first tick it is the first row's. */
-static uint16_t print_of(const struct demo *d, uint32_t f, int part)
+/* The checksum of a part after frame f: before the first tick it is the first row's. */
+static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
 {
-    const uint16_t *prints = demo_prints(d, f);
+    const uint16_t *checksums = demo_checksums(d, f);
 
-    return prints ? prints[part] : (uint16_t)demo_row(d, 0)[part];
+    return checksums ? checksums[part] : (uint16_t)demo_row(d, 0)[part];
 }
 
-static void write_prints(struct sink *s, const struct demo *d, uint32_t f)
+static void write_checksums(struct sink *s, const struct demo *d, uint32_t f)
 {
     uint32_t other = 0;
 
     for (int i = 0; i < d->parts; i++)
-        other |= (uint32_t)(print_of(d, f, i) != print_of(d, f - 1, i)) << i;
+        other |= (uint32_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
     write32(s, other);
     for (int i = 0; i < d->parts; i++)
         if (other >> i & 1)
-            write16(s, print_of(d, f, i));
+            write16(s, checksum_of(d, f, i));
 }
 
-/* Frames [first, first + n), their prints and, unless row is NULL, the hashes after them. */
+/* Frames [first, first + n), their checksums and, unless row is NULL, the hashes after them. */
 static void write_second(struct sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
                          uint32_t *crc)
 {
@@ -198,21 +198,21 @@ static void write_second(struct sink *s, const struct demo *d, uint32_t first, u
         write16(s, d->pads[f][1]);
     }
     for (uint32_t f = first + 1; f < end; f++)
-        write_prints(s, d, f);
+        write_checksums(s, d, f);
     for (int i = 0; row && i < d->parts; i++)
         write64(s, row[i]);
     close_record(s, crc);
 }
 
-/* The moments from *told on, up to and with a frame. */
-static void write_moments(struct sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc)
+/* The markers from *told on, up to and with a frame. */
+static void write_markers(struct sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc)
 {
-    for (; *told < d->moments && d->moment[*told].frame <= frame; ++*told) {
-        const struct demo_moment *m = &d->moment[*told];
-        open_record(s, KIND_MOMENT);
+    for (; *told < d->n_markers && d->markers[*told].frame <= frame; ++*told) {
+        const struct demo_marker *m = &d->markers[*told];
+        open_record(s, KIND_MARKER);
         write32(s, m->frame);
-        write8(s, (uint32_t)m->mark.kind);
-        write_str(s, m->mark.name);
+        write8(s, (uint32_t)m->marker.kind);
+        write_str(s, m->marker.name);
         close_record(s, crc);
     }
 }
@@ -242,7 +242,7 @@ static void write_rows(struct sink *s, const struct demo *d, uint32_t *frames, u
     for (uint32_t i = 0; i < d->seconds; i++) {
         uint32_t f = demo_row_frame(d, i);
         write_second(s, d, *frames, f - *frames, demo_row(d, i), crc);
-        write_moments(s, d, told, f, crc);
+        write_markers(s, d, told, f, crc);
         *frames = f;
     }
 }
@@ -252,14 +252,14 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
     struct sink s = { 0 };
     uint32_t frames, told, crc;
 
-    if (d->printing != UINT32_MAX) {
+    if (d->checksum_parts != UINT32_MAX) {
         snprintf(err, err_size, "%s: there are no prints of every part to write", path);
         return false;
     }
     write_rows(&s, d, &frames, &told, &crc);
     if (d->complete && d->frames > frames) { /* a fault has no row */
         write_second(&s, d, frames, d->frames - frames, NULL, &crc);
-        write_moments(&s, d, &told, d->frames, &crc);
+        write_markers(&s, d, &told, d->frames, &crc);
     }
     if (d->complete)
         write_end(&s, d, &crc);
@@ -328,7 +328,7 @@ static void take_parts(struct demo *d, const struct board *b)
     d->parts = board_parts(b);
     for (int i = 0; i < d->parts; i++)
         snprintf(d->part[i], sizeof d->part[i], "%s", board_part(b, i));
-    d->printing = UINT32_MAX;
+    d->checksum_parts = UINT32_MAX;
 }
 
 static void take_identity(struct demo *d, const struct cart *cart)
@@ -340,15 +340,15 @@ static void take_identity(struct demo *d, const struct cart *cart)
     snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
 }
 
-/* The moments of the tick just over. */
-static bool take_moments(struct demo *d, const struct board *b)
+/* The markers of the tick just over. */
+static bool take_markers(struct demo *d, const struct board *b)
 {
     const struct board_out *out = board_last(b);
 
-    for (int i = 0; i < out->marks; i++) {
-        if (!demo_room_moment(d))
+    for (int i = 0; i < out->markers; i++) {
+        if (!demo_room_marker(d))
             return false;
-        d->moment[d->moments++] = (struct demo_moment){ d->frames, out->mark[i] };
+        d->markers[d->n_markers++] = (struct demo_marker){ d->frames, out->marker[i] };
     }
     return true;
 }
@@ -390,7 +390,7 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
         return out_of_memory(w);
     if (!board_last(b)->fault) {
         board_hashes_cached(b, w->copies, w->hashes);
-        if (!add_row(w) || !take_moments(d, b))
+        if (!add_row(w) || !take_markers(d, b))
             return out_of_memory(w);
     }
     return !path || demo_keep(w, path);
@@ -406,22 +406,22 @@ static bool append_second(struct demo_writer *w, bool hashed)
         return true;
     write_second(&s, d, w->written, d->frames - w->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &w->crc);
     w->written = d->frames;
-    write_moments(&s, d, &w->told, d->frames, &w->crc);
+    write_markers(&s, d, &w->told, d->frames, &w->crc);
     return deliver(w, &s, false);
 }
 
-/* The prints of the newest frame, unless it faulted. */
-static void add_prints(struct demo_writer *w, const struct board *b)
+/* The checksums of the newest frame, unless it faulted. */
+static void add_checksums(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
-    uint16_t *prints = d->prints + (size_t)(d->frames - 1) * (size_t)d->parts;
+    uint16_t *checksums = d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
 
     if (board_last(b)->fault)
         return;
     board_hashes_cached(b, w->copies, w->hashes);
     for (int i = 0; i < d->parts; i++)
-        prints[i] = (uint16_t)w->hashes[i];
-    d->printed = d->frames;
+        checksums[i] = (uint16_t)w->hashes[i];
+    d->checksum_frames = d->frames;
 }
 
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
@@ -438,8 +438,8 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
     if (!demo_room_frames(d, 1))
         return out_of_memory(w);
     memcpy(d->pads[d->frames++], pads, sizeof d->pads[0]);
-    add_prints(w, b);
-    if (!take_moments(d, b))
+    add_checksums(w, b);
+    if (!take_markers(d, b))
         return out_of_memory(w);
     if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
         return true;
@@ -466,24 +466,24 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     if (!w->on)
         return true;
     d->frames = frame < d->frames ? frame : d->frames;
-    d->printed = d->printed < d->frames ? d->printed : d->frames;
-    while (d->moments && d->moment[d->moments - 1].frame > d->frames)
-        d->moments--;
+    d->checksum_frames = d->checksum_frames < d->frames ? d->checksum_frames : d->frames;
+    while (d->n_markers && d->markers[d->n_markers - 1].frame > d->frames)
+        d->n_markers--;
     uint32_t rows = d->frames / DEMO_SECOND + 1;
     d->seconds = rows < d->seconds ? rows : d->seconds;
     d->flags |= DEMO_BRANCHED;
     return write_all(w);
 }
 
-/* What everybody had in the end: which hashes cannot tell once the core is another. */
+/* The points of all players in the end: hashes cannot tell them once the core is another. */
 static bool take_points(struct demo *d, const struct board *b)
 {
     for (int p = 0; p < PADS && d->seconds; p++) {
-        struct demo_moment m = { .frame = d->frames, .mark.kind = MARK_LISTED };
-        if (!demo_room_moment(d))
+        struct demo_marker m = { .frame = d->frames, .marker.kind = MARKER_LISTED };
+        if (!demo_room_marker(d))
             return false;
-        snprintf(m.mark.name, sizeof m.mark.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
-        d->moment[d->moments++] = m;
+        snprintf(m.marker.name, sizeof m.marker.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
+        d->markers[d->n_markers++] = m;
     }
     return true;
 }
@@ -511,7 +511,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     d->fault = fault ? fault->kind : FAULT_NONE;
     if (!w->path[0])
         return true;
-    write_moments(&s, d, &w->told, d->frames, &w->crc);
+    write_markers(&s, d, &w->told, d->frames, &w->crc);
     write_end(&s, d, &w->crc);
     return deliver(w, &s, false);
 }

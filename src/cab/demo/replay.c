@@ -1,6 +1,7 @@
 /*
  * replay.c - see replay.h.
- A part that this build's board does not have differs from the first frame on.
+ *
+ * A part that this build's board does not have differs from the first frame on.
  */
 #include "replay.h"
 
@@ -8,35 +9,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int out_of_memory(char *err, size_t err_size)
+static enum result out_of_memory(char *err, size_t err_size)
 {
     snprintf(err, err_size, "out of memory");
-    return EXIT_HOST;
+    return RESULT_HOST;
 }
 
-static int power(struct replay *r, const struct cart *cart, const struct demo *d, char *err, size_t err_size)
+static enum result power(struct replay *r, const struct cart *cart, const struct demo *d, char *err, size_t err_size)
 {
     if (r->guard.board ? !guard_again(&r->guard, &d->start, err, err_size)
                        : !guard_power(&r->guard, cart->rom, &d->start, err, err_size))
-        return EXIT_INPUT;
+        return RESULT_REFUSED;
     size_t copies = board_hash_cache_size(r->guard.board);
     if (!r->copies && (r->copies = malloc(copies)) == NULL)
         return out_of_memory(err, err_size);
     memset(r->copies, 0, copies);
     memset(r->board, 0, sizeof r->board);
-    return EXIT_DONE;
+    return RESULT_DONE;
 }
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
- * of them has prints. */
+ * of them has checksums. */
 static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 {
-    if (frame == 0 || parts & d->printing)
+    if (frame == 0 || parts & d->checksum_parts)
         return frame;
     return (frame - 1) / DEMO_SECOND * DEMO_SECOND + 1;
 }
 
-/* Compares the board with prints and track; true: it is as recorded. */
+/* Compares the board with checksums and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     board_hashes_cached(r->guard.board, r->copies, r->board);
@@ -93,7 +94,7 @@ static int part_of_points(const struct demo *d)
 /* Does a demo say what part i was after a frame? */
 static bool is_told(const struct demo *d, uint32_t frame, int i)
 {
-    return demo_hashes(d, frame) || (d->printing >> i & 1 && demo_prints(d, frame));
+    return demo_hashes(d, frame) || (d->checksum_parts >> i & 1 && demo_checksums(d, frame));
 }
 
 /* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.
@@ -140,38 +141,38 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
 }
 
 /* Powers the board on, and a recording if there is to be one. */
-static int begin(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again, char *err,
-                 size_t err_size)
+static enum result begin(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                         char *err, size_t err_size)
 {
-    int code = power(r, cart, d, err, err_size);
+    enum result result = power(r, cart, d, err, err_size);
 
-    if (code == EXIT_DONE && again && !demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags))
+    if (result == RESULT_DONE && again && !demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags))
         return out_of_memory(err, err_size);
-    return code;
+    return result;
 }
 
-int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-               struct verdict *v, char *err, size_t err_size)
+enum result replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                       struct verdict *v, char *err, size_t err_size)
 {
-    int code = begin(r, cart, d, again, err, err_size);
+    enum result result = begin(r, cart, d, again, err, err_size);
 
-    if (code != EXIT_DONE)
-        return code;
+    if (result != RESULT_DONE)
+        return result;
     if (!play(r, d, again, v) || (again && !demo_end(again, r->guard.board)))
         return out_of_memory(err, err_size);
-    return EXIT_DONE;
+    return RESULT_DONE;
 }
 
-int replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-                 struct rerun *o, char *err, size_t err_size)
+enum result replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                         struct rerun *o, char *err, size_t err_size)
 {
-    int code = begin(r, cart, d, again, err, err_size);
+    enum result result = begin(r, cart, d, again, err, err_size);
 
-    if (code != EXIT_DONE)
-        return code;
+    if (result != RESULT_DONE)
+        return result;
     if (!play_whole(r, d, again, o) || !demo_end(again, r->guard.board))
         return out_of_memory(err, err_size);
-    return EXIT_DONE;
+    return RESULT_DONE;
 }
 
 const struct board_fault *replay_fault(const struct replay *r)

@@ -1,17 +1,17 @@
 /*
  * replay.h - a demo played again and compared, frame by frame, with what it was recorded with.
- * floor: cab    used by: verify tests/ tools/
+ * floor: cab
  */
 #ifndef CAB_REPLAY_H
 #define CAB_REPLAY_H
 
 #include "../../board/rom/cart.h"
-#include "../cli.h"
 #include "demo.h"
+#include "../host/result.h"
 #include "../run/guard.h"
 
 enum verdict_kind {
-    VERDICT_HOLDS,    /* every print and row, and the fault if it ends in one */
+    VERDICT_HOLDS,    /* every checksum and row, and the fault if it ends in one */
     VERDICT_DIFFERS,  /* .parts */
     VERDICT_FAULT,    /* a fault that is not in the demo */
     VERDICT_NO_FAULT, /* the fault it was recorded with does not happen */
@@ -20,7 +20,7 @@ enum verdict_kind {
 struct verdict {
     enum verdict_kind kind;
     uint32_t first,
-        frame;        /* it happened in one of these frames; the same but for parts that have no prints (format 2) */
+        frame;        /* it happened in one of these frames; the same but for parts that have no checksums (format 2) */
     uint32_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
     uint32_t missing; /* those of them that this build's board does not have */
 };
@@ -33,11 +33,11 @@ struct replay {
 };
 
 /* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in
- * memory, for it to be saved in the newest format; NULL: nobody wants that. Returns EXIT_DONE, or with one sentence
- * EXIT_INPUT (its board cannot be powered) or EXIT_HOST (no memory). r is zeroes before the first replay; all replays of
- * a struct are of one ROM. */
-int replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-               struct verdict *v, char *err, size_t err_size);
+ * memory, for it to be saved in the newest format; may be NULL. Returns RESULT_DONE, or with one sentence
+ * RESULT_REFUSED (its board cannot be powered) or RESULT_HOST (no memory). r is zeroes before the first replay; all
+ * replays of a struct are of one ROM. */
+enum result replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                       struct verdict *v, char *err, size_t err_size);
 
 /* A replay on to the end, whatever differs on the way. */
 struct rerun {
@@ -49,8 +49,8 @@ struct rerun {
 };
 
 /* The same, of a replay that goes on to the demo's end or a fault. */
-int replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-                 struct rerun *o, char *err, size_t err_size);
+enum result replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                         struct rerun *o, char *err, size_t err_size);
 
 /* The fault the board is in, or NULL. */
 const struct board_fault *replay_fault(const struct replay *r);

@@ -1,6 +1,6 @@
 /*
  * trace.h - all that a part of the board holds, as lines to compare: `hash --trace`.
- * floor: cab    used by: headless tests/
+ * floor: cab
  *
  * A line is a part's registers, or one live slot:
  *

@@ -1,6 +1,6 @@
 /*
  * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit for a terminal.
- * floor: cab    used by: all of cab/ that prints
+ * floor: cab
  */
 #ifndef CAB_CLEAN_H
 #define CAB_CLEAN_H

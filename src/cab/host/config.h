@@ -1,6 +1,6 @@
 /*
  * config.h - the user's settings, a text file.
- * floor: cab    used by: cab, cli (help)
+ * floor: cab
  *
  *     # window pixels a picture pixel; 0: what fits
  *     scale = 3

@@ -1,13 +1,15 @@
 /*
- * files.c - see files.h. The seam has no word for why a file cannot be written; where its functions are made of ISO C's,
- * errno has.
+ * files.c - see files.h. The seam has no word for why a file cannot be written; where its functions are made of ISO
+ * C's, errno has.
  */
 #include "files.h"
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
 
 /* "NAME: cannot be VERB (why)" */
 static void explain(const char *name, const char *verb, char *err, size_t err_size)
@@ -59,4 +61,30 @@ const char *files_absent(const char *name, const char *what, char *err, size_t e
     else
         snprintf(err, err_size, "%s: no such %s", name, what);
     return err;
+}
+
+bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
+                size_t err_size)
+{
+    long n = files_size(path);
+
+    *data = NULL;
+    *size = 0;
+    if (n < 0) {
+        files_absent(name, "file", err, err_size);
+        return false;
+    }
+    if ((unsigned long)n > max)
+        return err_set(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
+    uint8_t *bytes = malloc((size_t)n + 1);
+    if (bytes == NULL)
+        return err_set(err, err_size, "%s: out of memory", name);
+    if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
+        free(bytes);
+        return false;
+    }
+    bytes[n] = 0;
+    *data = bytes;
+    *size = (size_t)n;
+    return true;
 }

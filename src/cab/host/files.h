@@ -1,12 +1,13 @@
 /*
  * files.h - reading and writing files, with a sentence when it fails.
- * floor: cab    used by: cli headless pack demo tree check
+ * floor: cab
  */
 #ifndef CAB_FILES_H
 #define CAB_FILES_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* plat_save and plat_append; false and "PATH: cannot be written (No space left on device)", without what is in brackets
  * where the host does not say. */
@@ -22,5 +23,10 @@ long files_size(const char *path);
 /* The sentence after files_size, and maybe plat_list, have found nothing: "NAME: no such WHAT", or that it cannot be
  * read and why. Returns err. */
 const char *files_absent(const char *name, const char *what, char *err, size_t err_size);
+
+/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. False and one sentence: *data is
+ * NULL. */
+bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
+                size_t err_size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * folder.h - tells when a file of a game's folder has changed.
- * floor: cab    used by: cab
+ * floor: cab
  */
 #ifndef CAB_FOLDER_H
 #define CAB_FOLDER_H
@@ -17,8 +17,8 @@ struct folder {
 /* Watches a folder from now on: what is in it is known. False: it is none; looks then find nothing. */
 bool folder_open(struct folder *f, const char *path);
 
-/* True once after a change, when two looks in a row find the same: so that an editor has time to finish. Names and times
- * of all files count, but hidden ones (a dot first) and, so that recording changes nothing, those below demos/. */
+/* True once after a change, when two looks in a row find the same: so that an editor has time to finish. Names and
+ * times of all files count, but for hidden ones (a dot first) and those below demos/, where recordings go. */
 bool folder_changed(struct folder *f);
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * speaker.h - a board's sound on the host's speaker: volume, and held in step with a clock that is not quite ours.
- * floor: cab    used by: cab
+ * floor: cab
  */
 #ifndef CAB_SPEAKER_H
 #define CAB_SPEAKER_H

@@ -7,24 +7,14 @@
 
 #include <assert.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../../fb/turn.h"
 #include "../../base/bytes.h"
+#include "../../base/err.h"
 
 enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
 
 /* The colour of hue sixth * 256 + part (6 sixths round the wheel) at full strength, channel 0 to 2. */
 static int wheel(int hue, int channel)
@@ -51,8 +41,8 @@ void art_default_palette(uint8_t rgb[CART_PALETTE])
 bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size)
 {
     if (picture->w != 16 || picture->h != 16)
-        return fail(err, err_size, "%dx%d pixels, expected 16x16: a row a bank, a column a shade", picture->w,
-                    picture->h);
+        return err_set(err, err_size, "%dx%d pixels, expected 16x16: a row a bank, a column a shade", picture->w,
+                       picture->h);
     for (int i = 0; i < 256; i++)
         memcpy(rgb + i * 3, picture->rgba + i * 4, 3);
     return true;
@@ -97,8 +87,8 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
     shade = nearest_shade(rgb + bank * 48, colour, &off);
     if (off == 0 || nearest)
         return shade;
-    fail(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
-         colour[0], colour[1], colour[2], bank);
+    err_set(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
+            colour[0], colour[1], colour[2], bank);
     return -1;
 }
 
@@ -106,12 +96,12 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
                    size_t *size, char *err, size_t err_size)
 {
     if (p->w != 128 || p->h % 8 != 0 || p->h < 8 || p->h / 8 * 16 > CART_MAX_GLYPHS)
-        return fail(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 a row", p->w, p->h,
-                    CART_MAX_GLYPHS / 16 * 8);
+        return err_set(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 a row", p->w, p->h,
+                       CART_MAX_GLYPHS / 16 * 8);
     *size = (size_t)p->w * (size_t)p->h;
     *out = malloc(*size);
     if (*out == NULL)
-        return fail(err, err_size, "out of memory");
+        return err_set(err, err_size, "out of memory");
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
             int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
@@ -200,9 +190,9 @@ static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t e
 {
     *s = (struct stack){ .w = w, .h = h, .n = n };
     if ((uint64_t)w * (uint64_t)h * (uint64_t)n > MAX_STACK)
-        return fail(err, err_size, "its frames and rotations take more than %d MiB", MAX_STACK >> 20);
+        return err_set(err, err_size, "its frames and rotations take more than %d MiB", MAX_STACK >> 20);
     s->pix = calloc(1, stack_bytes(s));
-    return s->pix != NULL ? true : fail(err, err_size, "out of memory");
+    return s->pix != NULL ? true : err_set(err, err_size, "out of memory");
 }
 
 /* The size that holds all turns of all frames. */
@@ -238,10 +228,10 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
 
     turned_size(s, &w, &h);
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
-        return fail(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
+        return err_set(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
-        return fail(err, err_size, "out of memory");
+        return err_set(err, err_size, "out of memory");
     if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
         free(scratch);
         return false;
@@ -317,9 +307,9 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     struct stack s;
 
     if (sprite->x + (int64_t)sprite->w * sprite->frames > sheet->w || sprite->y + sprite->h > sheet->h)
-        return fail(err, err_size, "%d frames of %dx%d at %d,%d are not inside the sheet's %dx%d pixels",
-                    (int)sprite->frames, (int)sprite->w, (int)sprite->h, (int)sprite->x, (int)sprite->y, sheet->w,
-                    sheet->h);
+        return err_set(err, err_size, "%d frames of %dx%d at %d,%d are not inside the sheet's %dx%d pixels",
+                       (int)sprite->frames, (int)sprite->w, (int)sprite->h, (int)sprite->x, (int)sprite->y, sheet->w,
+                       sheet->h);
     if (!make_stack(&s, sprite->w, sprite->h, sprite->frames, err, err_size))
         return false;
     s.px = pivot(sprite->ox, sprite->w);
@@ -332,7 +322,7 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
         oy = s.py / 2;
     }
     if (good && !write_lump(&s, sprite, box, ox, oy, bank, out, size))
-        good = fail(err, err_size, "out of memory");
+        good = err_set(err, err_size, "out of memory");
     free(s.pix);
     return good;
 }

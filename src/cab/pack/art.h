@@ -1,6 +1,6 @@
 /*
  * art.h - pictures to palette indices: what the packer does with a game's PNG files once they are read.
- * floor: cab    used by: cab/ tests/
+ * floor: cab
  *
  * A pixel of less than half opacity is transparent (0); any other must have one of the bank's 15 colours, or takes the
  * nearest one when asked to. Nothing here names a file: the caller puts that in front of the sentence.

@@ -1,6 +1,6 @@
 /*
  * blend.h - the tables of blended drawing: which palette entry stands for two colours over each other.
- * floor: cab    used by: cab/ tests/
+ * floor: cab
  */
 #ifndef CAB_BLEND_H
 #define CAB_BLEND_H

@@ -6,12 +6,12 @@
 #include "pack.h"
 
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
 #include "../../base/hash.h"
 #include "../../base/heap.h"
 #include "../../board/board.h"
@@ -24,16 +24,6 @@
 #include "png.h"
 
 enum { PATH = TREE_PATH };
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
 
 /* ---- the lumps ---- */
 
@@ -86,11 +76,11 @@ static bool add(struct packer *p, const char *folder, const char *name, uint8_t 
     if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
         free(full);
         free(data);
-        return fail(p->err, p->err_size, "out of memory");
+        return err_set(p->err, p->err_size, "out of memory");
     }
     snprintf(full, n, "%s%s", folder, name);
     p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
-    return n <= ROM_NAME ? true : fail(p->err, p->err_size, "%s: the name is too long", name);
+    return n <= ROM_NAME ? true : err_set(p->err, p->err_size, "%s: the name is too long", name);
 }
 
 static bool add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size)
@@ -98,7 +88,7 @@ static bool add_copy(struct packer *p, const char *folder, const char *name, con
     uint8_t *copy = malloc(size + 1);
 
     if (copy == NULL)
-        return fail(p->err, p->err_size, "out of memory");
+        return err_set(p->err, p->err_size, "out of memory");
     memcpy(copy, data, size);
     return add(p, folder, name, copy, size);
 }
@@ -108,8 +98,8 @@ static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **da
     char path[PATH];
 
     if (!tree_join(path, p->dir, name))
-        return fail(p->err, p->err_size, "%s: the path is too long", name);
-    return tree_load(path, name, max, data, size, p->err, p->err_size);
+        return err_set(p->err, p->err_size, "%s: the path is too long", name);
+    return files_read(path, name, max, data, size, p->err, p->err_size);
 }
 
 static bool ends_with(const char *s, const char *tail)
@@ -132,12 +122,12 @@ static bool read_manifest(struct packer *p)
 
     if (!load_in(p, "rom.lua", TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_mark(text, &size);
+    tree_drop_bom(text, &size);
     tree_id(p->dir, folder);
     void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
-                             : fail(p->err, p->err_size, "out of memory");
+                             : err_set(p->err, p->err_size, "out of memory");
     free(block);
     free(text);
     return good;
@@ -159,12 +149,12 @@ static bool load_picture(struct packer *p, const char *file, struct art_picture 
     size_t size = 0;
 
     if (!tree_portable(file))
-        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
     if (!load_in(p, file, TREE_FILE, &data, &size))
         return false;
     bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
     free(data);
-    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
 static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PALETTE])
@@ -176,7 +166,7 @@ static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PA
         return false;
     bool good = art_make_palette(&picture, rgb, why, sizeof why);
     free(picture.rgba);
-    return good ? true : fail(p->err, p->err_size, "%s: %s", file, why);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
 static bool add_palettes(struct packer *p)
@@ -202,7 +192,7 @@ static bool add_blends(struct packer *p)
         uint8_t *table = malloc(CART_BLEND);
         if (table == NULL || !blend_make(p->palette, p->art.blends[i].mix, table)) {
             free(table);
-            return fail(p->err, p->err_size, "out of memory");
+            return err_set(p->err, p->err_size, "out of memory");
         }
         if (!add(p, "blend/", p->art.blends[i].name, table, CART_BLEND))
             return false;
@@ -224,7 +214,7 @@ static bool add_font(struct packer *p)
         return false;
     bool good = art_make_font(&picture, p->palette, p->nearest, &data, &size, why, sizeof why);
     free(picture.rgba);
-    return good ? add(p, "", "font", data, size) : fail(p->err, p->err_size, "%s: %s", file, why);
+    return good ? add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
 /* The sprites of one sheet. */
@@ -247,8 +237,8 @@ static bool add_sheet(struct packer *p, int sheet)
             good = add(p, "gfx/", sprite->name, data, size);
         else
             good = starts_with(why, "pixel")
-                       ? fail(p->err, p->err_size, "%s: %s", s->file, why)
-                       : fail(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
+                       ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
+                       : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
     }
     free(picture.rgba);
     return good;
@@ -282,14 +272,14 @@ static bool add_script(struct packer *p, const char *path)
     size_t size;
 
     if (std && !pack_is_std(path))
-        return fail(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
+        return err_set(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
     if (!load_in(p, path, TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_mark(text, &size);
+    tree_drop_bom(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
     void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
-                             : fail(p->err, p->err_size, "out of memory");
+                             : err_set(p->err, p->err_size, "out of memory");
     free(block);
     if (!good) {
         free(text);
@@ -321,7 +311,8 @@ static bool add_text(struct packer *p, const char *path)
         return false;
     if (size > MAX_TEXT) {
         free(data);
-        return fail(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)MAX_TEXT, size);
+        return err_set(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)MAX_TEXT,
+                       size);
     }
     return add(p, "data/", path, data, size);
 }
@@ -333,9 +324,9 @@ static bool add_file(struct packer *p, const char *path)
     if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !ends_with(path, ".txt")))
         return true;
     if (!manifest_path_ok(path))
-        return fail(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
+        return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
-        return fail(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
+        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
     return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
 }
 
@@ -345,10 +336,10 @@ static bool add_files(struct packer *p)
     const char *a, *b;
 
     if (tree_twins(&p->files, &a, &b))
-        return fail(p->err, p->err_size, "%s and %s are one file where case does not count", a, b);
+        return err_set(p->err, p->err_size, "%s and %s are one file where case does not count", a, b);
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
     if (!tree_has(&p->files, path))
-        return fail(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
+        return err_set(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
     for (int i = 0; i < p->files.n; i++)
         if (!add_file(p, p->files.name[i]))
             return false;
@@ -389,10 +380,10 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
     *size = rom_write_size(p->lumps.lump, p->lumps.n);
     *image = NULL;
     if (*size == 0)
-        return fail(p->err, p->err_size, "too large for a ROM");
+        return err_set(p->err, p->err_size, "too large for a ROM");
     *image = malloc(*size);
     if (*image == NULL)
-        return fail(p->err, p->err_size, "out of memory");
+        return err_set(p->err, p->err_size, "out of memory");
     rom_write(*image, p->lumps.lump, p->lumps.n);
     if (check_image(*image, *size, &rom, p->err, p->err_size))
         return true;
@@ -413,7 +404,7 @@ bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, c
     struct packer *p = calloc(1, sizeof *p);
 
     if (p == NULL)
-        return fail(err, err_size, "out of memory");
+        return err_set(err, err_size, "out of memory");
     p->dir = dir;
     p->nearest = nearest;
     p->err = err;
@@ -431,12 +422,12 @@ static bool load_file(const char *path, struct rom_image *out, char *err, size_t
 {
     char why[256];
 
-    if (!tree_load(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
+    if (!files_read(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
         return false;
     if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
         return true;
     rom_image_free(out);
-    return fail(err, err_size, "%s: %s", path, why);
+    return err_set(err, err_size, "%s: %s", path, why);
 }
 
 static void ignore_entry(void *user, const struct plat_file *file)
@@ -458,7 +449,7 @@ bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char 
     }
     if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
         memset(out, 0, sizeof *out);
-        return fail(err, err_size, "%s: %s", path, why);
+        return err_set(err, err_size, "%s: %s", path, why);
     }
     return rom_open(&out->rom, out->bytes, out->size, err, err_size);
 }
@@ -506,9 +497,9 @@ static bool folders_free(const struct tree *files, const char *name, const char 
     for (char *slash = folder; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
         *slash = '\0';
         if (tree_has(files, folder))
-            return fail(err, err_size, "%s would become a file and a folder, for %s", folder, name);
+            return err_set(err, err_size, "%s would become a file and a folder, for %s", folder, name);
         if (tree_join(path, dir, folder) && plat_size(path) >= 0)
-            return fail(err, err_size, "%s: is a file, where a folder for %s would be", path, name);
+            return err_set(err, err_size, "%s: is a file, where a folder for %s would be", path, name);
     }
     return true;
 }
@@ -521,13 +512,13 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
     for (int i = 0; i < files->n; i++) {
         const char *name = files->name[i];
         if (!tree_join(path, dir, name))
-            return fail(err, err_size, "%s: the path is too long", name);
+            return err_set(err, err_size, "%s: the path is too long", name);
         if (!manifest_path_ok(name))
-            return fail(err, err_size, "\"%s\" is not a file's name inside a folder", name);
+            return err_set(err, err_size, "\"%s\" is not a file's name inside a folder", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
-            return fail(err, err_size, "two lumps would become the file %s", name);
+            return err_set(err, err_size, "two lumps would become the file %s", name);
         if (plat_size(path) >= 0)
-            return fail(err, err_size, "%s: is already there", path);
+            return err_set(err, err_size, "%s: is already there", path);
         if (!folders_free(files, name, dir, err, err_size))
             return false;
     }
@@ -560,7 +551,7 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
         if (named && files_save(path, l.data, l.size, err, err_size))
             continue;
         remove_lumps(rom, i, dir);
-        return named ? false : fail(err, err_size, "%s: the path is too long", name);
+        return named ? false : err_set(err, err_size, "%s: the path is too long", name);
     }
     return true;
 }
@@ -577,7 +568,8 @@ bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_s
         tree_add(&files, "", name);
     }
     tree_sort(&files);
-    bool good = !files.failed ? may_unpack(&files, dir, err, err_size) : fail(err, err_size, "%s", tree_failed(&files));
+    bool good =
+        !files.failed ? may_unpack(&files, dir, err, err_size) : err_set(err, err_size, "%s", tree_failed(&files));
     tree_close(&files);
     return good && save_lumps(rom, dir, err, err_size);
 }

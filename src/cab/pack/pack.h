@@ -1,6 +1,6 @@
 /*
  * pack.h - a game's folder to a ROM, and a ROM to files again.
- * floor: cab    used by: cab/ tests/
+ * floor: cab
  *
  * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names, and the
  * standard library; std/NAME.lua of the game takes the place of the library's NAME. Left out: tests/, names that start

@@ -1,9 +1,10 @@
 /*
  * png.c - see png.h. Chunks are ours, compression and the pixel formats are stb's.
  *
- * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel data
- * that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a short
- * palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up here.
+ * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel
+ * data that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a
+ * short palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up
+ * here.
  */
 #include "png.h"
 
@@ -11,12 +12,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/err.h"
 #include "../../base/hash.h"
 
 enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
 
-/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here. One
- * picture is read at a time. */
+/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here.
+ * One picture is read at a time. */
 static struct {
     void *piece[8];
     bool shortage; /* a piece was refused */
@@ -229,12 +231,6 @@ bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size
 
 /* ---- reading ---- */
 
-static bool fail(char *err, size_t err_size, const char *what)
-{
-    snprintf(err, err_size, "%s", what);
-    return false;
-}
-
 /* What a file says, once its chunks have been walked. */
 struct layout {
     uint32_t w, h, bits, colour, interlaced; /* colour: PNG's type, 0 2 3 4 6 */
@@ -274,7 +270,7 @@ static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *e
             return true;
         at += 12 + (size_t)len;
     }
-    return fail(err, err_size, "a PNG that is cut short");
+    return err_set(err, err_size, "a PNG that is cut short");
 }
 
 static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
@@ -283,15 +279,15 @@ static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *e
     const uint8_t *p = data + sizeof signature;
 
     if (n < sizeof signature + 25)
-        return fail(err, err_size, "a PNG that is cut short");
+        return err_set(err, err_size, "a PNG that is cut short");
     if (get_be32(p) != 13 || memcmp(p + 4, "IHDR", 4) != 0)
-        return fail(err, err_size, "a PNG without a header");
+        return err_set(err, err_size, "a PNG without a header");
     *l = (struct layout){ get_be32(p + 8), get_be32(p + 12), p[16], p[17], p[20], NULL, NULL, 0, 0, 0 };
     if (l->colour > 6 || l->bits > 16 || !(depths[l->colour] & l->bits) || (l->bits & (l->bits - 1)) || p[18] ||
         p[19] || l->interlaced > 1)
-        return fail(err, err_size, "a PNG of a kind that the format does not have");
+        return err_set(err, err_size, "a PNG of a kind that the format does not have");
     if (l->w == 0 || l->h == 0)
-        return fail(err, err_size, "a PNG without pixels");
+        return err_set(err, err_size, "a PNG without pixels");
     if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS) {
         snprintf(err, err_size, "a PNG of %lu x %lu pixels is too large", (unsigned long)l->w, (unsigned long)l->h);
         return false;
@@ -304,11 +300,11 @@ static bool check_palette(const struct layout *l, char *err, size_t err_size)
     if (l->colour != 3)
         return true;
     if (!l->palette)
-        return fail(err, err_size, "a PNG of palette indices without a palette");
+        return err_set(err, err_size, "a PNG of palette indices without a palette");
     if (l->colours < 1 || l->colours > 256 || get_be32(l->palette - 8) % 3 != 0)
-        return fail(err, err_size, "a PNG with a damaged palette");
+        return err_set(err, err_size, "a PNG with a damaged palette");
     if (l->opacities > l->colours)
-        return fail(err, err_size, "a PNG with more opacities than colours");
+        return err_set(err, err_size, "a PNG with more opacities than colours");
     return true;
 }
 
@@ -320,7 +316,8 @@ static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
     return w && h ? (size_t)h * (1 + ((size_t)w * channels[l->colour] * l->bits + 7) / 8) : 0;
 }
 
-/* Bytes the pixel data inflates to. An interlaced picture is seven: every dx-th pixel of every dy-th row from (x, y). */
+/* Bytes the pixel data inflates to. An interlaced picture is seven, each of every dx-th pixel in every dy-th row
+ * from (x, y). */
 static size_t inflated_size(const struct layout *l)
 {
     static const uint8_t x[7] = { 0, 4, 0, 2, 0, 1, 0 }, y[7] = { 0, 0, 4, 0, 2, 0, 1 };
@@ -354,16 +351,16 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
     uint8_t *room = malloc(size + 1);
 
     if (!room)
-        return fail(err, err_size, "out of memory");
+        return err_set(err, err_size, "out of memory");
     /* a byte more, so that data of just the size does not look like too much */
     int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
     free(room);
     if (n >= 0 && (size_t)n == size)
         return true;
     if (n >= 0 && (size_t)n < size)
-        return fail(err, err_size, "a PNG with fewer pixels than its header says");
+        return err_set(err, err_size, "a PNG with fewer pixels than its header says");
     if (n >= 0 || !strcmp(stbi_failure_reason(), "output buffer limit"))
-        return fail(err, err_size, "a PNG with more pixels than its header says");
+        return err_set(err, err_size, "a PNG with more pixels than its header says");
     snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
     return false;
 }
@@ -419,7 +416,7 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     if (rgba)
         return rgba;
     if (reading.shortage)
-        fail(err, err_size, "out of memory");
+        err_set(err, err_size, "out of memory");
     else
         snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
     return NULL;
@@ -432,7 +429,7 @@ static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const 
     uint8_t *file = plain_file(data, l, packed, &size), *rgba;
 
     if (!file) {
-        fail(err, err_size, "out of memory");
+        err_set(err, err_size, "out of memory");
         return NULL;
     }
     rgba = decode(file, size, err, err_size);
@@ -450,15 +447,15 @@ bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, cha
 
     *rgba = NULL;
     if (n < sizeof signature || memcmp(data, signature, sizeof signature) != 0)
-        return fail(err, err_size, "not a PNG");
+        return err_set(err, err_size, "not a PNG");
     if (n > PNG_MAX_BYTES)
-        return fail(err, err_size, "a PNG that is too large");
+        return err_set(err, err_size, "a PNG that is too large");
     if (!read_header(data, n, &l, err, err_size) || !walk_chunks(data, n, &l, err, err_size) ||
         !check_palette(&l, err, err_size))
         return false;
     uint8_t *packed = join_pixels(data, &l);
     if (!packed)
-        return fail(err, err_size, "out of memory");
+        return err_set(err, err_size, "out of memory");
     if (check_pixels(&l, packed, err, err_size))
         *rgba = decode_plain(data, &l, packed, err, err_size);
     free(packed);

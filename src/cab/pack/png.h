@@ -1,6 +1,6 @@
 /*
  * png.h - PNG files in and out: the only place that knows stb.
- * floor: cab    used by: cab/ tests/ tools/
+ * floor: cab
  */
 #ifndef CAB_PNG_H
 #define CAB_PNG_H

@@ -4,11 +4,11 @@
 #include "tree.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
 #include "../../base/heap.h"
 #include "../host/files.h"
 
@@ -16,16 +16,6 @@ enum {
     MAX_FILES = 1 << 16, /* in a folder and all below it */
     MAX_DEPTH = 8        /* folders in folders: a link to a folder above ends here */
 };
-
-static bool fail(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    return false;
-}
 
 void tree_close(struct tree *p)
 {
@@ -104,11 +94,11 @@ static bool walk(const char *dir, const char *folder, int depth, struct tree *fi
 
     errno = 0;
     if (depth > MAX_DEPTH || !tree_join(path, dir, folder))
-        return fail(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
+        return err_set(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
     if (plat_list(path, list_entry, &l) < 0)
-        good = fail(err, err_size, "%s", files_absent(path, "folder", why, sizeof why));
+        good = err_set(err, err_size, "%s", files_absent(path, "folder", why, sizeof why));
     else if (files->failed || l.folders.failed)
-        good = fail(err, err_size, "%s: %s", dir, tree_failed(files->failed ? files : &l.folders));
+        good = err_set(err, err_size, "%s: %s", dir, tree_failed(files->failed ? files : &l.folders));
     for (int i = 0; good && i < l.folders.n; i++)
         good = walk(dir, l.folders.name[i], depth + 1, files, err, err_size);
     tree_close(&l.folders);
@@ -123,32 +113,7 @@ bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size)
     return good;
 }
 
-bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err, size_t err_size)
-{
-    long n = files_size(path);
-
-    *data = NULL;
-    *size = 0;
-    if (n < 0) {
-        files_absent(name, "file", err, err_size);
-        return false;
-    }
-    if ((unsigned long)n > max)
-        return fail(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
-    uint8_t *bytes = malloc((size_t)n + 1);
-    if (bytes == NULL)
-        return fail(err, err_size, "%s: out of memory", name);
-    if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
-        free(bytes);
-        return false;
-    }
-    bytes[n] = 0;
-    *data = bytes;
-    *size = (size_t)n;
-    return true;
-}
-
-void tree_drop_mark(uint8_t *data, size_t *size)
+void tree_drop_bom(uint8_t *data, size_t *size)
 {
     if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
         *size -= 3;

@@ -1,6 +1,6 @@
 /*
- * tree.h - a game's folder: the paths of all files in it, and whole files read.
- * floor: cab    used by: pack check
+ * tree.h - a game's folder: the paths of all files in it.
+ * floor: cab
  */
 #ifndef CAB_TREE_H
 #define CAB_TREE_H
@@ -46,15 +46,11 @@ void tree_sort(struct tree *files);
 /* The file's path for the platform: dir/name. False: too long. */
 bool tree_join(char out[TREE_PATH], const char *dir, const char *name);
 
-/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. False: *data is NULL. */
-bool tree_load(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
-               size_t err_size);
-
 /* Takes the byte order mark off that some editors start a text with, and Lua does not know. */
-void tree_drop_mark(uint8_t *data, size_t *size);
+void tree_drop_bom(uint8_t *data, size_t *size);
 
-/* Room for Lua to think in, aligned as its heap asks (malloc of a 32-bit host may give 8 bytes); *block is what to free.
- * NULL: out of memory. */
+/* Room for Lua to think in, aligned as its heap asks (malloc of a 32-bit host may give 8 bytes); *block is what to
+ * free. NULL: out of memory. */
 void *tree_work(size_t size, void **block);
 
 /* The last part of a path; "" for one like "." that is no name. */

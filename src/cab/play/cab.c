@@ -100,7 +100,7 @@ static bool keeps_nvram(void)
     const struct session *s = &cab.session;
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
-    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.mark[0] &&
+    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
            !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 
@@ -126,7 +126,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     char name[CAB_NAME];
     nvram_name(name);
     long size = plat_size(name);
-    if (start->nvram || start->practice.mark[0] || cab.options.demo || size < 0)
+    if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
         return NULL;
     size = size < NVRAM_MOST ? size : NVRAM_MOST;
     uint8_t *image = malloc((size_t)size + 1);
@@ -163,9 +163,9 @@ static void finish(void)
     cab_save_nvram();
     practice_close(&cab.practice);
     if (cab_fault())
-        cab.code = 2;
+        cab.result = RESULT_REFUSED;
     bool good = session_close(&cab.session);
-    cab.code = good || cab.code ? cab.code : 3;
+    cab.result = good || cab.result != RESULT_DONE ? cab.result : RESULT_HOST;
     if (!good)
         cab_say("curtain: %s%s", cab.session.err, "");
     if (cab.attracting)
@@ -213,7 +213,7 @@ static bool frame(void)
     return !cab.quit;
 }
 
-static int refuse(int code, const char *what)
+static enum result refuse(enum result result, const char *what)
 {
     cab_say("curtain: %s: %s", cab_game(), what);
     practice_close(&cab.practice);
@@ -221,7 +221,7 @@ static int refuse(int code, const char *what)
     cab_picture_close(&cab.picture);
     free(cab.nvram);
     plat_close();
-    return code;
+    return result;
 }
 
 static void want_window(void)
@@ -233,7 +233,7 @@ static void want_window(void)
                                    .rate = SPEAKER_RATE };
 }
 
-int cab_play(const struct cab_options *options)
+enum result cab_play(const struct cab_options *options)
 {
     char err[512];
     memset(&cab, 0, sizeof cab);
@@ -242,19 +242,19 @@ int cab_play(const struct cab_options *options)
     cab.slow = 1;
     if (!config_load(&cab.config, err, sizeof err)) {
         cab_say("curtain: %s%s", err, "");
-        return 2;
+        return RESULT_REFUSED;
     }
     cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
     if (!options->seeded && !options->demo)
         cab.start.seed = cab_seed_from_clock();
     cab.nvram = cab_load_nvram(&cab.start);
     if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
-        return refuse(2, cab.session.err);
+        return refuse(RESULT_REFUSED, cab.session.err);
     want_window();
     if (!cab_open_window())
-        return refuse(3, "there is no window to play in");
+        return refuse(RESULT_HOST, "there is no window to play in");
     if (!cab_picture_open(&cab.picture, cab_live()))
-        return refuse(3, "not enough memory for the picture");
+        return refuse(RESULT_HOST, "not enough memory for the picture");
     practice_init(&cab.practice, options->cart, &cab.start);
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);
@@ -265,5 +265,5 @@ int cab_play(const struct cab_options *options)
     folder_open(&cab.folder, options->path);
     cab.base = plat_usec();
     plat_loop(frame);
-    return cab.code;
+    return cab.result;
 }

@@ -12,6 +12,7 @@
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
 #include "../demo/demo.h"
+#include "../host/result.h"
 
 struct cab_options {
     const struct cart *cart; /* open, and its ROM */
@@ -26,8 +27,8 @@ struct cab_options {
     bool nearest;            /* as pack: for a folder that is packed again when it changes */
 };
 
-/* Plays until quit. Returns the exit code: 0 done, 2 a script fault or a bad settings file, 3 the host failed. With not
- * 0 a line that says why has gone to plat_log; after a script fault its traceback too. */
-int cab_play(const struct cab_options *options);
+/* Plays until quit. RESULT_REFUSED: a script fault or a bad settings file; RESULT_HOST: the host failed. With these a
+ * line that says why has gone to plat_log; after a script fault its traceback too. */
+enum result cab_play(const struct cab_options *options);
 
 #endif

@@ -72,7 +72,7 @@ struct cab {
     int notice_left; /* frames; -1: until it is put right */
     bool told;       /* the fault that stands in the board */
     bool quit;
-    int code;
+    enum result result; /* of cab_play */
 };
 extern struct cab cab;
 

@@ -48,10 +48,10 @@ static void power_anew(struct board_start start)
         cab_reload();
 }
 
-/* A demo is played to its end; one that is recorded of a game is not lost to a piece. */
+/* A demo is played to its end; one that is recorded of a game is not lost to a section. */
 static bool may_practise(void)
 {
-    bool records = cab.session.record && !cab.start.practice.mark[0];
+    bool records = cab.session.record && !cab.start.practice.section[0];
 
     if (cab.session.demo || records)
         cab_notice(records ? "no practice: this recording is of the game from its title" : "no practice in a demo",
@@ -62,7 +62,7 @@ static bool may_practise(void)
 static void retry(void)
 {
     cab.practice.open = false;
-    if (cab.start.practice.mark[0])
+    if (cab.start.practice.section[0])
         power_anew(cab.start);
     else
         cab_notice("nothing to try again: choose a piece first", CAB_SAYS);
@@ -100,7 +100,7 @@ void cab_menu(const struct keys_read *k)
     if (choice != PRACTICE_START)
         return;
     practice_chosen(&cab.practice, &start);
-    if (!start.practice.mark[0] && !cab.options.seeded)
+    if (!start.practice.section[0] && !cab.options.seeded)
         start.seed = cab_seed_from_clock();
     power_anew(start);
 }

@@ -56,7 +56,7 @@ void cab_wrote(bool good)
     if (good)
         return;
     cab_say("curtain: %s%s", cab.session.err, "");
-    cab.code = 3;
+    cab.result = RESULT_HOST;
 }
 
 void cab_assisted(void)
@@ -321,7 +321,7 @@ static void landed(void)
     cab_picture_close(&cab.picture);
     if (!cab_picture_open(&cab.picture, cab_live())) {
         plat_log("curtain: not enough memory for the picture");
-        cab.code = 3;
+        cab.result = RESULT_HOST;
         cab.quit = true;
         return;
     }

@@ -1,6 +1,6 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the pieces. It scrolls, so
- * it fits every screen; names are cut before they reach the column of numbers.
+ * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls,
+ * so it fits every screen; names are cut before they reach the column of numbers.
  */
 #include "practice.h"
 
@@ -18,31 +18,31 @@ enum row_kind {
     ROW_HITBOX,
     ROW_SPEED,
     ROW_BLANK,
-    ROW_PIECE
+    ROW_SECTION
 };
 
 struct row {
     enum row_kind kind;
-    int i; /* of a register or piece */
+    int i; /* of a register or section */
 };
 
 static int rows(const struct practice_menu *m)
 {
-    return m->pieces.n ? 7 + m->pieces.registers + m->pieces.n : 1;
+    return m->sections.n ? 7 + m->sections.registers + m->sections.n : 1;
 }
 
 static struct row row_at(const struct practice_menu *m, int at)
 {
     static const enum row_kind after[] = { ROW_INVINCIBLE, ROW_HITBOX, ROW_SPEED, ROW_BLANK };
-    int n = m->pieces.registers;
+    int n = m->sections.registers;
 
-    if (at < 3) /* the title alone when there are no pieces */
+    if (at < 3) /* the title alone when there are no sections */
         return (struct row){ (enum row_kind)(ROW_TITLE + at), 0 };
     if (at < 3 + n)
         return (struct row){ ROW_REGISTER, at - 3 };
     if (at < 7 + n)
         return (struct row){ after[at - 3 - n], 0 };
-    return (struct row){ ROW_PIECE, at - 7 - n };
+    return (struct row){ ROW_SECTION, at - 7 - n };
 }
 
 /* Where nothing can be chosen: the line between, and the bosses' headings. */
@@ -50,7 +50,7 @@ static bool passed_over(const struct practice_menu *m, int at)
 {
     struct row r = row_at(m, at);
 
-    return r.kind == ROW_BLANK || (r.kind == ROW_PIECE && m->pieces.piece[r.i].kind == PIECE_BOSS);
+    return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
 }
 
 /* The next row that can be chosen, round the list's ends. */
@@ -62,16 +62,16 @@ static int step(const struct practice_menu *m, int at, int way)
     return at;
 }
 
-/* The row of a piece; the first piece's, or the title's, where there is none of that mark. */
-static int row_of(const struct practice_menu *m, const char *mark)
+/* The row of a section; the first section's, or the title's, where there is none of that id. */
+static int row_of(const struct practice_menu *m, const char *id)
 {
     int first = 0;
 
     for (int at = rows(m) - 1; at > 0; at--) {
         struct row r = row_at(m, at);
-        if (r.kind != ROW_PIECE || passed_over(m, at))
+        if (r.kind != ROW_SECTION || passed_over(m, at))
             continue;
-        if (strcmp(m->pieces.piece[r.i].mark, mark) == 0)
+        if (strcmp(m->sections.section[r.i].id, id) == 0)
             return at;
         first = at;
     }
@@ -95,7 +95,7 @@ void practice_init(struct practice_menu *m, const struct cart *cart, const struc
 void practice_began(struct practice_menu *m, const struct board_start *start)
 {
     m->start = *start;
-    m->counts = start->practice.mark[0] && !start->practice.invincible;
+    m->counts = start->practice.section[0] && !start->practice.invincible;
     m->trying = false;
 }
 
@@ -111,40 +111,40 @@ void practice_reloaded(struct practice_menu *m, const struct cart *cart)
     practice_void(m);
 }
 
-/* Does the mark tell that the piece ended well? */
-static bool ends_well(const char *piece, const struct board_mark *mark)
+/* Does the marker tell that the section ended well? */
+static bool ends_well(const char *section, const struct board_marker *marker)
 {
     char name[80];
 
-    if (mark->kind == MARK_WON) {
-        snprintf(name, sizeof name, "%s/%s", mark->of, mark->name);
-        return strcmp(piece, name) == 0;
+    if (marker->kind == MARKER_WON) {
+        snprintf(name, sizeof name, "%s/%s", marker->of, marker->name);
+        return strcmp(section, name) == 0;
     }
-    if (mark->kind != MARK_CLEAR || strchr(piece, '/'))
+    if (marker->kind != MARKER_CLEAR || strchr(section, '/'))
         return false;
-    size_t n = strcspn(piece, ":");
-    return n == strlen(mark->name) && memcmp(piece, mark->name, n) == 0;
+    size_t n = strcspn(section, ":");
+    return n == strlen(marker->name) && memcmp(section, marker->name, n) == 0;
 }
 
-static void hear(struct practice_menu *m, const struct board_mark *mark)
+static void hear(struct practice_menu *m, const struct board_marker *marker)
 {
-    const char *piece = m->start.practice.mark, *difficulty = m->cart->m.difficulties[difficulty_of(m, &m->start)];
+    const char *section = m->start.practice.section, *difficulty = m->cart->m.difficulties[difficulty_of(m, &m->start)];
 
-    if (mark->kind == MARK_START) {
-        records_attempt(&m->records, piece, difficulty);
+    if (marker->kind == MARKER_START) {
+        records_attempt(&m->records, section, difficulty);
         m->trying = true;
-    } else if (mark->kind == MARK_DEATH) {
+    } else if (marker->kind == MARKER_DEATH) {
         m->trying = false;
-    } else if (m->trying && ends_well(piece, mark)) {
-        records_capture(&m->records, piece, difficulty);
+    } else if (m->trying && ends_well(section, marker)) {
+        records_capture(&m->records, section, difficulty);
         m->trying = false;
     }
 }
 
 void practice_hear(struct practice_menu *m, const struct board_out *out)
 {
-    for (int i = 0; m->counts && i < out->marks; i++)
-        hear(m, &out->mark[i]);
+    for (int i = 0; m->counts && i < out->markers; i++)
+        hear(m, &out->marker[i]);
 }
 
 void practice_close(struct practice_menu *m)
@@ -157,10 +157,10 @@ void practice_close(struct practice_menu *m)
 
 static void list(struct practice_menu *m)
 {
-    pieces_list(&m->pieces, m->cart->rom, &m->start, true);
+    sections_list(&m->sections, m->cart->rom, &m->start, true);
     m->listed = true;
-    for (int i = 0; i < m->pieces.registers; i++)
-        m->value[i] = m->pieces.reg[i].value;
+    for (int i = 0; i < m->sections.registers; i++)
+        m->value[i] = m->sections.reg[i].value;
 }
 
 /* The settings of the run as it is. */
@@ -169,14 +169,14 @@ static void take_settings(struct practice_menu *m)
     const struct practice *p = &m->start.practice;
 
     m->difficulty = difficulty_of(m, &m->start);
-    if (!p->mark[0])
+    if (!p->section[0])
         return;
-    snprintf(m->mark, sizeof m->mark, "%s", p->mark);
+    snprintf(m->section, sizeof m->section, "%s", p->section);
     m->lives = p->lives;
     m->invincible = p->invincible;
-    for (int i = 0; i < m->pieces.registers; i++)
+    for (int i = 0; i < m->sections.registers; i++)
         for (int k = 0; k < p->registers; k++)
-            if (strcmp(m->pieces.reg[i].name, p->reg[k].name) == 0)
+            if (strcmp(m->sections.reg[i].name, p->reg[k].name) == 0)
                 m->value[i] = p->reg[k].value;
 }
 
@@ -186,7 +186,7 @@ void practice_open(struct practice_menu *m, int slow)
         list(m);
     take_settings(m);
     m->slow = slow;
-    m->row = row_of(m, m->mark);
+    m->row = row_of(m, m->section);
     m->top = 0;
     m->held = PAD_ALL;
     m->held_for = 0;
@@ -197,18 +197,18 @@ void practice_chosen(const struct practice_menu *m, struct board_start *out)
 {
     struct practice *p = &out->practice;
 
-    *out = m->mark[0] ? m->start : m->home;
+    *out = m->section[0] ? m->start : m->home;
     memset(p, 0, sizeof *p);
-    if (!m->mark[0])
+    if (!m->section[0])
         return;
     out->difficulty = m->difficulty;
-    memcpy(p->mark, m->mark, sizeof p->mark);
+    memcpy(p->section, m->section, sizeof p->section);
     p->lives = m->lives;
     p->invincible = m->invincible;
-    for (int i = 0; i < m->pieces.registers; i++) {
-        if (m->value[i] == m->pieces.reg[i].value)
+    for (int i = 0; i < m->sections.registers; i++) {
+        if (m->value[i] == m->sections.reg[i].value)
             continue;
-        memcpy(p->reg[p->registers].name, m->pieces.reg[i].name, sizeof p->reg[0].name);
+        memcpy(p->reg[p->registers].name, m->sections.reg[i].name, sizeof p->reg[0].name);
         p->reg[p->registers++].value = m->value[i];
     }
 }
@@ -259,9 +259,9 @@ static enum practice_choice accept(struct practice_menu *m)
     struct row r = row_at(m, m->row);
 
     if (r.kind == ROW_TITLE)
-        m->mark[0] = 0;
-    else if (r.kind == ROW_PIECE)
-        memcpy(m->mark, m->pieces.piece[r.i].mark, sizeof m->mark);
+        m->section[0] = 0;
+    else if (r.kind == ROW_SECTION)
+        memcpy(m->section, m->sections.section[r.i].id, sizeof m->section);
     else {
         change(m, 1, 1);
         return PRACTICE_STAYS;
@@ -337,9 +337,9 @@ static void line(const struct page *p, int y, int indent, enum ink_colour c, con
     ink_text(p->ink, end - w, y, rc, right);
 }
 
-static const struct record *record_of(const struct practice_menu *m, const struct piece *piece)
+static const struct record *record_of(const struct practice_menu *m, const struct section *section)
 {
-    return records_find(&m->records, piece->mark, m->cart->m.difficulties[m->difficulty]);
+    return records_find(&m->records, section->id, m->cart->m.difficulties[m->difficulty]);
 }
 
 /* Grey: never tried; yellow: never captured. */
@@ -349,20 +349,20 @@ static enum ink_colour colour_of(const struct record *r)
 }
 
 /* A boss by its title, with its name where numbers stand; all else by its name, and what follows that. */
-static void draw_piece(const struct practice_menu *m, const struct page *p, int y, const struct piece *piece,
-                       bool chosen)
+static void draw_section(const struct practice_menu *m, const struct page *p, int y, const struct section *section,
+                         bool chosen)
 {
-    const struct record *r = record_of(m, piece);
-    bool stage = piece->kind == PIECE_STAGE;
+    const struct record *r = record_of(m, section);
+    bool stage = section->kind == SECTION_STAGE;
     char left[96], right[32];
 
-    if (piece->kind == PIECE_BOSS) {
-        line(p, y, 0, INK_CYAN, piece->title[0] ? piece->title : piece->name, INK_GREY,
-             piece->title[0] ? piece->name : "");
+    if (section->kind == SECTION_BOSS) {
+        line(p, y, 0, INK_CYAN, section->title[0] ? section->title : section->name, INK_GREY,
+             section->title[0] ? section->name : "");
         return;
     }
-    snprintf(left, sizeof left, "%s%s%s%s", stage ? "stage " : "", piece->name, piece->title[0] ? "  " : "",
-             piece->title);
+    snprintf(left, sizeof left, "%s%s%s%s", stage ? "stage " : "", section->name, section->title[0] ? "  " : "",
+             section->title);
     snprintf(right, sizeof right, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
     line(p, y, stage ? 0 : 2,
          chosen  ? INK_PAPER
@@ -377,13 +377,13 @@ static void setting(const struct practice_menu *m, struct row r, char left[64], 
     static const char *const speeds[] = { "", "1", "1/2", "", "1/4" };
     static const char *const names[] = { "", "difficulty", "lives", "", "invincible", "hitbox", "speed" };
 
-    snprintf(left, 64, "%s", r.kind == ROW_REGISTER ? m->pieces.reg[r.i].name : names[r.kind]);
+    snprintf(left, 64, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
     switch (r.kind) {
     case ROW_DIFFICULTY:
         snprintf(right, 32, "%s", m->cart->m.difficulties[m->difficulty]);
         break;
     case ROW_LIVES:
-        snprintf(right, 32, m->lives ? "%d" : "ship: %d", m->lives ? m->lives : (int)m->pieces.lives);
+        snprintf(right, 32, m->lives ? "%d" : "ship: %d", m->lives ? m->lives : (int)m->sections.lives);
         break;
     case ROW_REGISTER:
         snprintf(right, 32, "%d", (int)m->value[r.i]);
@@ -407,8 +407,8 @@ static void draw_row(const struct practice_menu *m, const struct page *p, int y,
 
     if (chosen)
         ink_rect(p->ink, p->x, y - 1, p->w, ROW_H, INK_WHITE);
-    if (r.kind == ROW_PIECE)
-        draw_piece(m, p, y, &m->pieces.piece[r.i], chosen);
+    if (r.kind == ROW_SECTION)
+        draw_section(m, p, y, &m->sections.section[r.i], chosen);
     else if (r.kind == ROW_TITLE)
         line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, "the game from its title", INK_PAPER, "");
     else if (r.kind != ROW_BLANK) {
@@ -445,7 +445,7 @@ static int sentence(const struct page *p, int y, const char *s)
     return y;
 }
 
-/* The first row shown so that the chosen one is, and the row before a piece's first too: it is a heading. */
+/* The first row shown so that the chosen one is, and the row before a section's first too: it is a heading. */
 static int scrolled(const struct practice_menu *m, int shown)
 {
     int top = m->top, most = rows(m) - shown;
@@ -483,8 +483,8 @@ void practice_draw(struct practice_menu *m, const struct ink *ink)
     ink_frame(ink, p.x - 1, p.y - 1, p.w + 2, p.h + 2, INK_GREY);
     line(&p, y, 0, INK_GREY, "practice", INK_GREY, m->records.damaged ? "not counted" : "won/tried");
     y += ROW_H;
-    if (m->pieces.why[0])
-        y = sentence(&p, y, m->pieces.why);
+    if (m->sections.why[0])
+        y = sentence(&p, y, m->sections.why);
     bool foot = p.h >= FOOT_FROM;
     m->shown = (p.y + p.h - y) / ROW_H - foot;
     if (foot)

@@ -27,19 +27,19 @@ static struct records_line *add(struct records *r)
     return &r->line[r->n++];
 }
 
-static struct record *find(const struct records *r, const char *mark, const char *difficulty)
+static struct record *find(const struct records *r, const char *section, const char *difficulty)
 {
     for (int i = 0; i < r->n; i++) {
         struct record *at = &r->line[i].r;
-        if (at->mark[0] && strcmp(at->mark, mark) == 0 && strcmp(at->difficulty, difficulty) == 0)
+        if (at->section[0] && strcmp(at->section, section) == 0 && strcmp(at->difficulty, difficulty) == 0)
             return at;
     }
     return NULL;
 }
 
-const struct record *records_find(const struct records *r, const char *mark, const char *difficulty)
+const struct record *records_find(const struct records *r, const char *section, const char *difficulty)
 {
-    return find(r, mark, difficulty);
+    return find(r, section, difficulty);
 }
 
 void records_free(struct records *r)
@@ -84,7 +84,7 @@ static bool read_record(struct record *r, const char *s)
     r->captures = take_number(&s);
     r->attempts = take_number(&s);
     return r->captures >= 0 && r->attempts >= r->captures && take_word(&s, " ", r->difficulty, sizeof r->difficulty) &&
-           *s++ == ' ' && take_word(&s, "", r->mark, sizeof r->mark);
+           *s++ == ' ' && take_word(&s, "", r->section, sizeof r->section);
 }
 
 static bool read_line(struct records *r, const char *s, const char **why)
@@ -96,7 +96,7 @@ static bool read_line(struct records *r, const char *s, const char **why)
     if (digit && !read_record(&got, s))
         return false;
     *why = "a second record of this piece";
-    if (digit && find(r, got.mark, got.difficulty))
+    if (digit && find(r, got.section, got.difficulty))
         return false;
     *why = "out of memory";
     struct records_line *line = add(r);
@@ -173,7 +173,7 @@ char *records_text(const struct records *r, size_t *size)
             n += (size_t)snprintf(text + n, room - n, "%s\n", r->line[i].kept);
         else
             n += (size_t)snprintf(text + n, room - n, "%d %d %s %s\n", (int)at->captures, (int)at->attempts,
-                                  at->difficulty, at->mark);
+                                  at->difficulty, at->section);
     }
     *size = n;
     return text;
@@ -237,25 +237,26 @@ void records_save(struct records *r)
 
 /* ---- counting ---- */
 
-static bool fits(const char *mark, const char *difficulty)
+static bool fits(const char *section, const char *difficulty)
 {
     const struct record *r = NULL;
 
-    return mark[0] && difficulty[0] && strlen(mark) < sizeof r->mark && strlen(difficulty) < sizeof r->difficulty;
+    return section[0] && difficulty[0] && strlen(section) < sizeof r->section &&
+           strlen(difficulty) < sizeof r->difficulty;
 }
 
-void records_attempt(struct records *r, const char *mark, const char *difficulty)
+void records_attempt(struct records *r, const char *section, const char *difficulty)
 {
-    struct record *at = find(r, mark, difficulty);
+    struct record *at = find(r, section, difficulty);
 
-    if (r->damaged || !fits(mark, difficulty))
+    if (r->damaged || !fits(section, difficulty))
         return;
     if (!at) {
         struct records_line *line = add(r);
         if (!line)
             return;
         at = &line->r;
-        snprintf(at->mark, sizeof at->mark, "%s", mark);
+        snprintf(at->section, sizeof at->section, "%s", section);
         snprintf(at->difficulty, sizeof at->difficulty, "%s", difficulty);
     }
     if (at->attempts == RECORDS_MOST)
@@ -264,9 +265,9 @@ void records_attempt(struct records *r, const char *mark, const char *difficulty
     r->changed = true;
 }
 
-void records_capture(struct records *r, const char *mark, const char *difficulty)
+void records_capture(struct records *r, const char *section, const char *difficulty)
 {
-    struct record *at = find(r, mark, difficulty);
+    struct record *at = find(r, section, difficulty);
 
     if (r->damaged || !at || at->captures == at->attempts)
         return;

@@ -1,5 +1,5 @@
 /*
- * records.h - how often each piece of a game was tried in practice, and how often it was captured: a file of the
+ * records.h - how often each section of a game was tried in practice, and how often it was captured: a file of the
  * cabinet's, user:<game id>.practice.
  * floor: cab    used by: practice tests/
  *
@@ -7,9 +7,9 @@
  *
  *     CAPTURES ATTEMPTS DIFFICULTY MARK        3 12 normal queen/held
  *
- * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's, up
- * to the line's end. No piece has two records of one difficulty. Any other line is kept as it is, where it is. A file
- * that is not so is damaged: nothing of it is used, and it is not written.
+ * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's,
+ * up to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A
+ * file that is not so is damaged: nothing of it is used, and it is not written.
  */
 #ifndef CAB_RECORDS_H
 #define CAB_RECORDS_H
@@ -21,7 +21,7 @@
 enum { RECORDS_MOST = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
 
 struct record {
-    char mark[64], difficulty[16];
+    char section[64], difficulty[16];
     int32_t captures, attempts;
 };
 
@@ -39,8 +39,8 @@ struct records {
     char file[96];
 };
 
-/* Reads a whole file's text into *r, which holds nothing yet. False and one sentence without the file's name; r is empty
- * then. */
+/* Reads a whole file's text into *r, which holds nothing yet. False and one sentence without the file's name; r is
+ * empty then. */
 bool records_read(struct records *r, const char *text, size_t size, char *err, size_t err_size);
 
 /* The file's text, malloc'ed; NULL: no memory. */
@@ -53,13 +53,13 @@ void records_load(struct records *r, const char *id);
  * something else has changed. */
 void records_save(struct records *r);
 
-/* The record of a piece; NULL: none. */
-const struct record *records_find(const struct records *r, const char *mark, const char *difficulty);
+/* The record of a section; NULL: none. */
+const struct record *records_find(const struct records *r, const char *section, const char *difficulty);
 
 /* Counts one attempt, or one capture of an attempt that was counted. Nothing where there is no memory for it, or the
  * number is at its most. */
-void records_attempt(struct records *r, const char *mark, const char *difficulty);
-void records_capture(struct records *r, const char *mark, const char *difficulty);
+void records_attempt(struct records *r, const char *section, const char *difficulty);
+void records_capture(struct records *r, const char *section, const char *difficulty);
 
 /* Gives the memory back. Harmless on one of zeroes. */
 void records_free(struct records *r);

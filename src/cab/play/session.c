@@ -185,7 +185,7 @@ uint32_t session_last(const struct session *s)
 {
     const struct demo *d = s->demo && !board_last(session_board(s))->fault ? s->demo : &s->now->writer.demo;
     uint32_t frame = board_frame(session_board(s));
-    bool fault = d->frames > d->printed; /* the tick that faulted makes no frame */
+    bool fault = d->frames > d->checksum_frames; /* the tick that faulted makes no frame */
 
     return d->frames - fault > frame ? d->frames - fault : frame;
 }
@@ -251,16 +251,16 @@ bool session_touch(struct session *s)
 
     session_stop(s);
     rewind_drop(&s->now->guard.past, frame);
-    guard_mark(&s->now->guard);
+    guard_forget(&s->now->guard);
     return wrote(s, demo_flag(w, DEMO_TOUCHED) && good);
 }
 
-const struct demo_moment *session_moments(const struct session *s, uint32_t *n)
+const struct demo_marker *session_markers(const struct session *s, uint32_t *n)
 {
-    const struct demo *d = s->demo && s->demo->moments ? s->demo : &s->now->writer.demo;
+    const struct demo *d = s->demo && s->demo->n_markers ? s->demo : &s->now->writer.demo;
 
-    *n = d->moments;
-    return d->moment;
+    *n = d->n_markers;
+    return d->markers;
 }
 
 /* ---- reload ---- */

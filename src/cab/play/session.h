@@ -100,8 +100,8 @@ bool session_touch(struct session *s);
 /* The run is played with steps or slow motion: the recording is DEMO_ASSISTED. False: it could not be written (s->err). */
 bool session_assist(struct session *s);
 
-/* The moments of the run that are known, and how many: in a playback the demo's. */
-const struct demo_moment *session_moments(const struct session *s, uint32_t *n);
+/* The markers of the run that are known, and how many: in a playback the demo's. */
+const struct demo_marker *session_markers(const struct session *s, uint32_t *n);
 
 /* Packs a folder (or loads a file) anew. Unless the ROM is the same, a new board is powered with it, and gets all that
  * the old one got, in session_work; landing on the same frame it takes its place. A ROM that cannot run, a script error

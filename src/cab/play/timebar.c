@@ -8,9 +8,9 @@
 
 enum { MARGIN = 2, BAR_H = 5, SECOND = 60, RECENT = 30 };
 
-static const enum ink_colour colours[MARK_KINDS] = {
-    [MARK_STAGE] = INK_WHITE, [MARK_POINT] = INK_CYAN,   [MARK_WAVE] = INK_GREY,
-    [MARK_BOSS] = INK_RED,    [MARK_PHASE] = INK_YELLOW, [MARK_DEATH] = INK_MAGENTA,
+static const enum ink_colour colours[MARKER_KINDS] = {
+    [MARKER_STAGE] = INK_WHITE, [MARKER_MARK] = INK_CYAN,    [MARKER_WAVE] = INK_GREY,
+    [MARKER_BOSS] = INK_RED,    [MARKER_PHASE] = INK_YELLOW, [MARKER_DEATH] = INK_MAGENTA,
 };
 
 /* The pixel of a frame on a bar w pixels wide. */
@@ -34,19 +34,19 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
     return true;
 }
 
-/* ---- moments ---- */
+/* ---- markers ---- */
 
 /* The ends of pieces and the tries of practice are no places to go to. */
-static bool counts(const struct session *s, const struct demo_moment *m)
+static bool counts(const struct session *s, const struct demo_marker *m)
 {
-    return m->mark.kind != MARK_WAVE && m->mark.kind <= MARK_DEATH && m->frame >= session_first(s) &&
+    return m->marker.kind != MARKER_WAVE && m->marker.kind <= MARKER_DEATH && m->frame >= session_first(s) &&
            m->frame <= session_last(s);
 }
 
 uint32_t timebar_before(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_first(s);
-    const struct demo_moment *m = session_moments(s, &n);
+    const struct demo_marker *m = session_markers(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
         if (counts(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
@@ -57,7 +57,7 @@ uint32_t timebar_before(const struct session *s, uint32_t frame)
 uint32_t timebar_after(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_last(s);
-    const struct demo_moment *m = session_moments(s, &n);
+    const struct demo_marker *m = session_markers(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
         if (counts(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
@@ -65,15 +65,15 @@ uint32_t timebar_after(const struct session *s, uint32_t frame)
     return best;
 }
 
-/* The last moment of a kind up to a frame, not before one of another kind; NULL: none. */
-static const struct demo_moment *last_of(const struct session *s, uint32_t frame, enum board_mark_kind kind,
-                                         const struct demo_moment *after)
+/* The last marker of a kind up to a frame, not before one of another kind; NULL: none. */
+static const struct demo_marker *last_of(const struct session *s, uint32_t frame, enum board_marker_kind kind,
+                                         const struct demo_marker *after)
 {
     uint32_t n;
-    const struct demo_moment *m = session_moments(s, &n), *found = NULL;
+    const struct demo_marker *m = session_markers(s, &n), *found = NULL;
 
     for (uint32_t i = 0; i < n && m[i].frame <= frame; i++)
-        if (m[i].mark.kind == kind && (!after || &m[i] > after))
+        if (m[i].marker.kind == kind && (!after || &m[i] > after))
             found = &m[i];
     return found;
 }
@@ -81,29 +81,29 @@ static const struct demo_moment *last_of(const struct session *s, uint32_t frame
 /* "stage point boss/phase", as far as they are there. */
 static void words(const struct session *s, uint32_t frame, char *text, size_t size)
 {
-    const struct demo_moment *stage = last_of(s, frame, MARK_STAGE, NULL);
-    const struct demo_moment *point = last_of(s, frame, MARK_POINT, stage);
-    const struct demo_moment *boss = last_of(s, frame, MARK_BOSS, stage);
-    const struct demo_moment *phase = boss ? last_of(s, frame, MARK_PHASE, boss) : NULL;
+    const struct demo_marker *stage = last_of(s, frame, MARKER_STAGE, NULL);
+    const struct demo_marker *point = last_of(s, frame, MARKER_MARK, stage);
+    const struct demo_marker *boss = last_of(s, frame, MARKER_BOSS, stage);
+    const struct demo_marker *phase = boss ? last_of(s, frame, MARKER_PHASE, boss) : NULL;
 
-    snprintf(text, size, "%s%s%s%s%s%s%s", stage ? stage->mark.name : "", point ? ":" : "",
-             point ? point->mark.name : "", boss ? " " : "", boss ? boss->mark.name : "", phase ? "/" : "",
-             phase ? phase->mark.name : "");
+    snprintf(text, size, "%s%s%s%s%s%s%s", stage ? stage->marker.name : "", point ? ":" : "",
+             point ? point->marker.name : "", boss ? " " : "", boss ? boss->marker.name : "", phase ? "/" : "",
+             phase ? phase->marker.name : "");
 }
 
 /* ---- drawing ---- */
 
-static void moments(const struct ink *ink, const struct session *s, int y, int w)
+static void draw_markers(const struct ink *ink, const struct session *s, int y, int w)
 {
     uint32_t n;
-    const struct demo_moment *m = session_moments(s, &n);
+    const struct demo_marker *m = session_markers(s, &n);
 
     for (int pass = 0; pass < 2; pass++) /* waves do not hide what is more */
         for (uint32_t i = 0; i < n; i++) {
-            bool wave = m[i].mark.kind == MARK_WAVE;
+            bool wave = m[i].marker.kind == MARKER_WAVE;
             if (wave == (pass == 0) && (wave || counts(s, &m[i])))
                 ink_rect(ink, MARGIN + place(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
-                         colours[m[i].mark.kind]);
+                         colours[m[i].marker.kind]);
         }
 }
 
@@ -123,6 +123,6 @@ void timebar_draw(const struct ink *ink, const struct session *s)
     if (s->differs && s->differs <= frame)
         ink_rect(ink, MARGIN + place(s, w, s->differs), bar + 1, place(s, w, frame) - place(s, w, s->differs) + 1, 3,
                  INK_RED);
-    moments(ink, s, bar, w);
+    draw_markers(ink, s, bar, w);
     ink_rect(ink, MARGIN + place(s, w, frame), bar - 1, 1, BAR_H + 2, INK_GREEN);
 }

@@ -54,7 +54,7 @@ static void count(struct guard *g, int frames)
     board_count(g->board, g->counting);
 }
 
-void guard_mark(struct guard *g)
+void guard_forget(struct guard *g)
 {
     rewind_forget(&g->past);
     count(g, 0);

@@ -1,6 +1,6 @@
 /*
- * guard.h - a board with a watchman: it owns the RAM, and finds endless loops without counting every instruction.
- * floor: cab    used by: cab, cli, everything that runs a board
+ * guard.h - a board, its RAM and its past; endless loops are found without counting every instruction.
+ * floor: cab
  *
  * Counting a tick's VM instructions costs up to 2.3 times on tight loops, so it is done only when a tick takes
  * suspiciously long: plat_alarm interrupts it, the guard goes back to the last key frame of its past and runs the
@@ -32,7 +32,7 @@ struct guard {
     int counts; /* frames left to count */
     int ms;     /* GUARD_MS; tests lower it */
     uint32_t interrupts;
-    void (*before)(void *context); /* called before each tick; NULL: nobody asks */
+    void (*before)(void *context); /* called before each tick; may be NULL */
     void *context;
 };
 
@@ -48,7 +48,7 @@ bool guard_again(struct guard *g, const struct board_start *start, char *err, si
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
 
 /* Forgets the past: call it after board_restore or anything else that changed the board between frames. */
-void guard_mark(struct guard *g);
+void guard_forget(struct guard *g);
 
 /* Keeps so many bytes of past from now on, for guard_back. */
 void guard_remember(struct guard *g, size_t bytes);

@@ -1,15 +1,15 @@
 /*
  * rewind.h - the past of a run: key frames and the pads between them, in a fixed budget of memory, so that frames that
  * were can be brought back.
- * floor: cab    used by: guard cab tests/ tools/
+ * floor: cab
  *
  * A key frame is a snapshot. To go back to a frame, the key frame at or before it is restored and the pads since are
  * ticked again; the board is deterministic, so what comes is that frame. Key frames lie close together near the present
  * and ever farther apart away from it. Going back into a gap puts key frames into it, so that a run played backwards
  * costs each gap once and not once a frame.
  *
- * Frames are counted as board_frame does. The past ends where pads were pushed last; what is beyond the present is there
- * until other pads than those that led to it are pushed.
+ * Frames are counted as board_frame does. The past ends where pads were pushed last; what is beyond the present is
+ * there until other pads than those that led to it are pushed.
  */
 #ifndef CAB_REWIND_H
 #define CAB_REWIND_H
@@ -49,17 +49,17 @@ void rewind_open(struct rewind *r, size_t budget);
 void rewind_close(struct rewind *r);
 
 /* Call it before each tick: `pads` are what the tick will get. Takes a key frame when one is due. What was after the
- * present is forgotten, unless it began with the same pads; so is everything when the board is at a frame that is not of this past. False: there is no
- * memory for one key frame, nothing is remembered. */
+ * present is forgotten, unless it began with the same pads; so is everything when the board is at a frame that is not
+ * of this past. False: there is no memory for one key frame, nothing is remembered. */
 bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[PADS]);
 
 /* The frames that can be brought back are first to end, both included, but for one whose tick ended in a fault. */
 uint32_t rewind_first(const struct rewind *r);
 uint32_t rewind_end(const struct rewind *r);
 
-/* Brings the board to a frame of its past, from any other, from a fault too. count: as board_count, for the ticks on the
- * way and from then on. False: no such frame, and nothing was done; or a tick on the way ended in a fault, as it did
- * before, which stands in board_last. What ticks on the way hand out is lost. */
+/* Brings the board to a frame of its past, from any other, from a fault too. count: as board_count, for the ticks on
+ * the way and from then on. False: no such frame, and nothing was done; or a tick on the way ended in a fault, as it
+ * did before, which stands in board_last. What ticks on the way hand out is lost. */
 bool rewind_to(struct rewind *r, struct board *b, uint32_t frame, bool count);
 
 /* Forgets what is after frame `present`; all of it when that is before the first. */

@@ -1,8 +1,8 @@
 /*
- * known.c - see known.h. Nothing is listed twice: Lua's names are those the sandbox keeps, the API's are its
- * table's, the library's are read from its text.
+ * builtins.c - see builtins.h. Nothing is listed twice: Lua's names are those the sandbox keeps, the API's
+ * are its table's, the library's are read from its text.
  */
-#include "known.h"
+#include "builtins.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,39 +22,39 @@ static bool same(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-bool known_has(const struct known *k, const char *space, const char *name)
+bool name_set_has(const struct name_set *s, const char *space, const char *name)
 {
-    for (int i = 0; i < k->n; i++)
-        if (strcmp(k->list[i].name, name) == 0 && same(k->list[i].space, space))
+    for (int i = 0; i < s->n; i++)
+        if (strcmp(s->list[i].name, name) == 0 && same(s->list[i].space, space))
             return true;
     return false;
 }
 
-void known_add(struct known *k, const char *space, const char *name)
+void name_set_add(struct name_set *s, const char *space, const char *name)
 {
-    if (known_has(k, space, name))
+    if (name_set_has(s, space, name))
         return;
-    if (k->n == k->room) {
-        int room = k->room == 0 ? 512 : k->room * 2;
-        struct known_name *more = realloc(k->list, (size_t)room * sizeof *more);
-        k->failed = k->failed || more == NULL;
+    if (s->n == s->room) {
+        int room = s->room == 0 ? 512 : s->room * 2;
+        struct name_set_entry *more = realloc(s->list, (size_t)room * sizeof *more);
+        s->failed = s->failed || more == NULL;
         if (more == NULL)
             return;
-        k->list = more;
-        k->room = room;
+        s->list = more;
+        s->room = room;
     }
-    const char *in = space != NULL ? arena_copy(&k->arena, space, strlen(space)) : NULL;
-    k->list[k->n++] = (struct known_name){ in, arena_copy(&k->arena, name, strlen(name)) };
-    k->failed = k->failed || k->arena.failed;
+    const char *in = space != NULL ? arena_copy(&s->arena, space, strlen(space)) : NULL;
+    s->list[s->n++] = (struct name_set_entry){ in, arena_copy(&s->arena, name, strlen(name)) };
+    s->failed = s->failed || s->arena.failed;
 }
 
-const char *known_near(const struct known *k, const char *space, const char *name)
+const char *name_set_near(const struct name_set *s, const char *space, const char *name)
 {
     int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
     const char *found = NULL;
 
-    for (int i = 0; i < k->n; i++) {
-        const struct known_name *n = &k->list[i];
+    for (int i = 0; i < s->n; i++) {
+        const struct name_set_entry *n = &s->list[i];
         int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_FAR;
         if (distance > best || (distance == best && (found == NULL || strcmp(n->name, found) >= 0)))
             continue;
@@ -67,13 +67,13 @@ const char *known_near(const struct known *k, const char *space, const char *nam
 /* ---- what there is ---- */
 
 /* The words of a list with blanks between. */
-static void add_words(struct known *k, const char *space, const char *words)
+static void add_words(struct name_set *s, const char *space, const char *words)
 {
     for (const char *end; *words != '\0'; words = end + strspn(end, " ")) {
         char word[32];
         end = words + strcspn(words, " ");
         snprintf(word, sizeof word, "%.*s", (int)(end - words), words);
-        known_add(k, space, word);
+        name_set_add(s, space, word);
     }
 }
 
@@ -89,51 +89,51 @@ static bool split(const struct api_entry *e, char space[32], const char **name)
     return true;
 }
 
-static void add_entry(struct known *k, const struct api_entry *e)
+static void add_entry(struct name_set *s, const struct api_entry *e)
 {
     char space[32];
     const char *name;
 
     if (!split(e, space, &name))
         return;
-    known_add(k, space[0] != '\0' ? space : NULL, name);
+    name_set_add(s, space[0] != '\0' ? space : NULL, name);
     if (space[0] != '\0')
-        known_add(k, NULL, space);
+        name_set_add(s, NULL, space);
 }
 
-void known_open(struct known *k)
+void builtins_open(struct name_set *s)
 {
-    *k = (struct known){ 0 };
-    add_words(k, NULL, api_library_names(""));
+    *s = (struct name_set){ 0 };
+    add_words(s, NULL, api_library_names(""));
     for (size_t i = 0; i < COUNT(libraries); i++)
-        add_words(k, libraries[i], api_library_names(libraries[i]));
+        add_words(s, libraries[i], api_library_names(libraries[i]));
     for (size_t i = 0; i < COUNT(others); i++)
-        known_add(k, NULL, others[i]);
+        name_set_add(s, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
-        known_add(k, "rom", rom_fields[i]);
+        name_set_add(s, "rom", rom_fields[i]);
     for (int i = 0; i < api_count(); i++)
-        add_entry(k, api_entry(i));
+        add_entry(s, api_entry(i));
 }
 
-void known_close(struct known *k)
+void name_set_close(struct name_set *s)
 {
-    free(k->list);
-    arena_close(&k->arena);
-    *k = (struct known){ 0 };
+    free(s->list);
+    arena_close(&s->arena);
+    *s = (struct name_set){ 0 };
 }
 
-bool known_add_library(struct known *k, const char *script, const struct facts *f)
+bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)
 {
     const char *space = strcmp(script, "prelude") == 0 ? NULL : script;
 
     if (space != NULL)
-        known_add(k, NULL, space);
+        name_set_add(s, NULL, space);
     for (int i = 0; i < f->n_keys; i++)
         if (f->keys[i].table == f->result_table)
-            known_add(k, space, f->keys[i].name);
+            name_set_add(s, space, f->keys[i].name);
     for (int i = 0; i < f->n_members; i++)
         if (f->members[i].local == f->result_local)
-            known_add(k, space, f->members[i].field);
+            name_set_add(s, space, f->members[i].field);
     return f->whole && f->result_table >= 0 && !f->result_open;
 }
 
@@ -147,7 +147,7 @@ static bool in_words(const char *words, const char *name)
     return false;
 }
 
-bool known_global(const char *name)
+bool builtins_global(const char *name)
 {
     size_t n = strlen(name);
 
@@ -167,7 +167,7 @@ bool known_global(const char *name)
 
 /* ---- what there is not ---- */
 
-const char *known_instead(const char *space, const char *name)
+const char *builtins_instead(const char *space, const char *name)
 {
     static const struct {
         const char *space, *name, *instead;
@@ -226,7 +226,7 @@ static bool is_handle(const char *returns)
     return false;
 }
 
-const char *known_handle(const char *space, const char *name)
+const char *builtins_handle(const char *space, const char *name)
 {
     char full[64];
 
@@ -237,7 +237,7 @@ const char *known_handle(const char *space, const char *name)
     return NULL;
 }
 
-bool known_handed(const struct fact_origin *of)
+bool builtins_handed(const struct symbol_origin *of)
 {
     static const struct {
         const char *space, *name, *key;

@@ -1,5 +1,5 @@
 /*
- * test_facts.c - facts.h: every construct of Lua, what is found in it, and that names are resolved as the Lua compiler
+ * test_symbols.c - symbols.h: every construct of Lua, what is found in it, and that names are resolved as the Lua compiler
  * resolves them: luac's listing of each script of the repository and of generated programs is the judge.
  */
 #define _POSIX_C_SOURCE 200809L /* popen, mkdtemp */
@@ -14,9 +14,10 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/board/script.h"
-#include "../../src/cab/check/facts.h"
+#include "../../src/cab/check/symbols.h"
+#include "../../src/cab/host/files.h"
 #include "../../src/cab/pack/tree.h"
-#include "../../src/cab/check/known.h"
+#include "../../src/cab/check/builtins.h"
 
 enum { WORK = 64 << 20, TEXT = 1 << 20 };
 
@@ -35,17 +36,17 @@ static bool compiles(const char *text, size_t n)
 }
 
 /* Of a copy of exactly this size, so that a sanitizer sees any read beyond it. */
-static bool read_copy(struct facts *f, const char *text, size_t n)
+static bool read_copy(struct symbols *f, const char *text, size_t n)
 {
     char *copy = malloc(n + (n == 0));
 
     memcpy(copy, text, n);
-    bool whole = facts_read(f, copy, n, known_global);
+    bool whole = symbols_read(f, copy, n, builtins_global);
     free(copy);
     return whole;
 }
 
-/* ---- facts as a line ---- */
+/* ---- symbols as a line ---- */
 
 static void say(const char *format, ...)
 {
@@ -64,7 +65,7 @@ static void say_line(int line)
     say(" ");
 }
 
-static void say_global(const struct fact_global *g)
+static void say_global(const struct symbol_global *g)
 {
     static const char *const after[] = { "", "[]", "=", "", "=", "()", "=" };
 
@@ -78,7 +79,7 @@ static void say_global(const struct fact_global *g)
     say_line(g->line);
 }
 
-static void say_origin(const struct fact_origin *o)
+static void say_origin(const struct symbol_origin *o)
 {
     say("%s%s%s", o->space != NULL ? o->space : "", o->space != NULL ? "." : "", o->name);
     if (o->arg > 0)
@@ -88,7 +89,7 @@ static void say_origin(const struct fact_origin *o)
 /* What stands on the face of the text, but calls and keys. */
 static const char *found(const char *text)
 {
-    struct facts f;
+    struct symbols f;
 
     out[0] = '\0';
     if (!read_copy(&f, text, strlen(text)))
@@ -109,7 +110,7 @@ static const char *found(const char *text)
         say("\"%s\"", f.formats[i].s);
         say_line(f.formats[i].line);
     }
-    facts_free(&f);
+    symbols_free(&f);
     if (out[0] != '\0')
         out[strlen(out) - 1] = '\0';
     return out;
@@ -246,18 +247,18 @@ static void test_table(void **state)
 
 static const char *calls_of(const char *text)
 {
-    struct facts f;
+    struct symbols f;
 
     out[0] = '\0';
     assert_true(read_copy(&f, text, strlen(text)));
     for (int i = 0; i < f.n_calls; i++) {
-        const struct fact_call *c = &f.calls[i];
+        const struct symbol_call *c = &f.calls[i];
         say("%s%s%s(", c->space != NULL ? c->space : "", c->space != NULL ? "." : "", c->name);
-        for (int k = 0; k < c->args && k < FACT_ARGS; k++)
+        for (int k = 0; k < c->args && k < SYMBOL_ARGS; k++)
             say("%s%s", k > 0 ? "," : "", c->arg[k] != NULL ? c->arg[k] : "?");
         say(")%d ", c->line);
     }
-    facts_free(&f);
+    symbols_free(&f);
     return out;
 }
 
@@ -274,17 +275,17 @@ static void test_calls(void **state)
 
 static const char *keys_of(const char *text)
 {
-    struct facts f;
+    struct symbols f;
 
     out[0] = '\0';
     assert_true(read_copy(&f, text, strlen(text)));
     for (int i = 0; i < f.n_keys; i++) {
-        const struct fact_key *k = &f.keys[i];
-        const struct fact_table *t = &f.tables[k->table];
+        const struct symbol_key *k = &f.keys[i];
+        const struct symbol_table *t = &f.tables[k->table];
         say("%s/%d%s.%s=%s@%d ", t->name != NULL ? t->name : "-", t->arg, t->key >= 0 ? f.keys[t->key].name : "",
             k->name, k->value != NULL ? k->value : "?", k->line);
     }
-    facts_free(&f);
+    symbols_free(&f);
     return out;
 }
 
@@ -300,13 +301,13 @@ static void test_keys(void **state)
 
 static int texts_with(const char *text, const char *s, int how)
 {
-    struct facts f;
+    struct symbols f;
     int n = 0;
 
     assert_true(read_copy(&f, text, strlen(text)));
     for (int i = 0; i < f.n_texts; i++)
         n += strcmp(f.texts[i].s, s) == 0 && f.texts[i].how == how;
-    facts_free(&f);
+    symbols_free(&f);
     return n;
 }
 
@@ -315,18 +316,18 @@ static void test_texts(void **state)
     static const char joins[] = "return 'a' .. i, i .. 'b', i .. 'c' .. i, 'd', 'e' .. 'f', ('g') .. i, ('h' .. i)";
 
     (void)state;
-    assert_int_equal(texts_with(joins, "a", FACT_FIRST), 1);
-    assert_int_equal(texts_with(joins, "b", FACT_LAST), 1);
-    assert_int_equal(texts_with(joins, "c", FACT_FIRST | FACT_LAST), 1);
+    assert_int_equal(texts_with(joins, "a", SYMBOL_FIRST), 1);
+    assert_int_equal(texts_with(joins, "b", SYMBOL_LAST), 1);
+    assert_int_equal(texts_with(joins, "c", SYMBOL_FIRST | SYMBOL_LAST), 1);
     assert_int_equal(texts_with(joins, "d", 0), 1);
-    assert_int_equal(texts_with(joins, "e", FACT_FIRST), 1);
-    assert_int_equal(texts_with(joins, "f", FACT_LAST), 1);
-    assert_int_equal(texts_with(joins, "g", FACT_FIRST), 1);
-    assert_int_equal(texts_with(joins, "h", FACT_FIRST), 1);
-    assert_int_equal(texts_with("x.y:z { w = 1 }", "y", FACT_KEY), 1);
-    assert_int_equal(texts_with("x.y:z { w = 1 }", "z", FACT_KEY), 1);
-    assert_int_equal(texts_with("x.y:z { w = 1 }", "w", FACT_KEY), 1);
-    assert_int_equal(texts_with("x.y:z { w = 1 }", "x", FACT_KEY), 0);
+    assert_int_equal(texts_with(joins, "e", SYMBOL_FIRST), 1);
+    assert_int_equal(texts_with(joins, "f", SYMBOL_LAST), 1);
+    assert_int_equal(texts_with(joins, "g", SYMBOL_FIRST), 1);
+    assert_int_equal(texts_with(joins, "h", SYMBOL_FIRST), 1);
+    assert_int_equal(texts_with("x.y:z { w = 1 }", "y", SYMBOL_KEY), 1);
+    assert_int_equal(texts_with("x.y:z { w = 1 }", "z", SYMBOL_KEY), 1);
+    assert_int_equal(texts_with("x.y:z { w = 1 }", "w", SYMBOL_KEY), 1);
+    assert_int_equal(texts_with("x.y:z { w = 1 }", "x", SYMBOL_KEY), 0);
     assert_int_equal(texts_with("x = '\\x6fr\\98 \\u{e9}\\z  !'", "orb \xc3\xa9!", 0), 1);
     assert_int_equal(texts_with("x = [==[\r\na]]\r\nb]==]", "a]]\nb", 0), 1);
     assert_int_equal(texts_with("x = 'or\\0b'", "", 0), 1);
@@ -334,7 +335,7 @@ static void test_texts(void **state)
 
 static void result(const char *text, const char *names, bool open)
 {
-    struct facts f;
+    struct symbols f;
 
     out[0] = '\0';
     assert_true(read_copy(&f, text, strlen(text)));
@@ -346,7 +347,7 @@ static void result(const char *text, const char *names, bool open)
             say("%s ", f.members[i].field);
     assert_string_equal(out, names);
     assert_int_equal(f.result_open, open);
-    facts_free(&f);
+    symbols_free(&f);
 }
 
 static void test_result(void **state)
@@ -367,19 +368,19 @@ static void test_lines(void **state)
 {
     static const char rom[] = "return {\n title = 'T',\n sheets = {\n  small = {\n   file = 'x' } },\n"
                               " ['sprites'] = { ['a.b'] = { sheet = 'small',\n x = 1 } } }";
-    struct facts f;
+    struct symbols f;
 
     (void)state;
     assert_true(read_copy(&f, rom, strlen(rom)));
-    assert_int_equal(facts_line(&f, (const char *const[]){ "title", NULL }), 2);
-    assert_int_equal(facts_line(&f, (const char *const[]){ "sheets", "small", "file", NULL }), 5);
-    assert_int_equal(facts_line(&f, (const char *const[]){ "sheets", "small", "bank", NULL }), 4);
-    assert_int_equal(facts_line(&f, (const char *const[]){ "sprites", "a.b", "x", NULL }), 7);
-    assert_int_equal(facts_line(&f, (const char *const[]){ "font", NULL }), 1);
-    facts_free(&f);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "title", NULL }), 2);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "sheets", "small", "file", NULL }), 5);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "sheets", "small", "bank", NULL }), 4);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "sprites", "a.b", "x", NULL }), 7);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "font", NULL }), 1);
+    symbols_free(&f);
     assert_true(read_copy(&f, "local t = {} return t", 21));
-    assert_int_equal(facts_line(&f, (const char *const[]){ "title", NULL }), 1);
-    facts_free(&f);
+    assert_int_equal(symbols_line(&f, (const char *const[]){ "title", NULL }), 1);
+    symbols_free(&f);
 }
 
 /* ---- the compiler is the judge ---- */
@@ -429,7 +430,7 @@ static bool list_globals(const char *path, struct counts *c)
 static void compare_with_luac(const char *path, const char *text, size_t n)
 {
     static struct counts want, got;
-    struct facts f;
+    struct symbols f;
 
     memset(&want, 0, sizeof want);
     memset(&got, 0, sizeof got);
@@ -442,7 +443,7 @@ static void compare_with_luac(const char *path, const char *text, size_t n)
         else
             one->reads++;
     }
-    facts_free(&f);
+    symbols_free(&f);
     for (int i = 0; i < want.n; i++) {
         const struct name_count *w = &want.list[i], *g = count_of(&got, w->name);
         if (w->reads != g->reads || w->writes != g->writes)
@@ -474,7 +475,7 @@ static int compare_folder(const char *dir)
         if (!ends_with(files.name[i], ".lua"))
             continue;
         assert_true(tree_join(path, dir, files.name[i]));
-        assert_true(tree_load(path, path, TREE_SCRIPT, &text, &size, err, sizeof err));
+        assert_true(files_read(path, path, TREE_SCRIPT, &text, &size, err, sizeof err));
         compare_with_luac(path, (const char *)text, size);
         free(text);
         n++;
@@ -765,7 +766,7 @@ static void put_block(struct writer *w)
  * have neither. */
 static void test_programs(void **state)
 {
-    char dir[] = "/tmp/facts-XXXXXX", path[64];
+    char dir[] = "/tmp/names-XXXXXX", path[64];
     struct writer w = { .text = malloc(TEXT) };
 
     (void)state;
@@ -799,7 +800,7 @@ static void test_spoilt(void **state)
     (void)state;
     rng_seed(&w.rng, 7);
     for (int round = 0; round < 4000; round++) {
-        struct facts f;
+        struct symbols f;
         w.n = 0;
         w.dots = true;
         w.loop = false;
@@ -819,7 +820,7 @@ static void test_spoilt(void **state)
             print_message("%.*s\n", (int)w.n, w.text);
         assert_true(whole || !compiled);
         good += compiled;
-        facts_free(&f);
+        symbols_free(&f);
     }
     assert_true(good > 1000 && good < 4000);
     free(w.text);
@@ -862,28 +863,28 @@ static void test_deep(void **state)
         { "x = ", "a..(", "" },
     };
     char *text = malloc(TEXT * 4);
-    struct facts f;
+    struct symbols f;
     size_t n;
 
     (void)state;
     for (size_t i = 0; i < sizeof deep / sizeof deep[0]; i++) {
         repeat(text, &n, deep[i].head, deep[i].bit, 50000, deep[i].tail);
         assert_false(read_copy(&f, text, n));
-        facts_free(&f);
+        symbols_free(&f);
     }
     for (int times = 150; times < 260; times++) { /* around the compiler's own limit */
         repeat(text, &n, "x = ", "a..", times, "a");
         assert_true(read_copy(&f, text, n) || !compiles(text, n));
-        facts_free(&f);
+        symbols_free(&f);
         repeat(text, &n, "", "do ", times, "");
         size_t head = n;
         for (int k = 0; k < times; k++, n += 4)
             memcpy(text + n, "end ", 4);
         assert_true(n > head && (read_copy(&f, text, n) || !compiles(text, n)));
-        facts_free(&f);
+        symbols_free(&f);
         repeat(text, &n, "", "local a ", times, "");
         assert_int_equal(read_copy(&f, text, n), compiles(text, n));
-        facts_free(&f);
+        symbols_free(&f);
     }
     free(text);
 }
@@ -901,35 +902,35 @@ static void test_long(void **state)
         { "", "\r\n\n\r", "x = y", true },  { "x", ",x", "=1", true },          { "x = '", "\\z \n", "'", true },
     };
     char *text = malloc(TEXT * 2);
-    struct facts f;
+    struct symbols f;
     size_t n;
 
     (void)state;
     for (size_t i = 0; i < sizeof wide / sizeof wide[0]; i++) {
         repeat(text, &n, wide[i].head, wide[i].bit, (int)(TEXT / strlen(wide[i].bit)), wide[i].tail);
         assert_int_equal(read_copy(&f, text, n), wide[i].whole);
-        facts_free(&f);
+        symbols_free(&f);
     }
     memset(text, 0, TEXT);
     assert_false(read_copy(&f, text, TEXT));
-    facts_free(&f);
+    symbols_free(&f);
     free(text);
 }
 
 static void test_zero_bytes(void **state)
 {
     static const char in_string[] = "x = 'a\0b' y = z", in_code[] = "x = 1 \0 y = 2", in_comment[] = "-- \0 x\ny = 1";
-    struct facts f;
+    struct symbols f;
 
     (void)state;
     assert_true(read_copy(&f, in_string, sizeof in_string - 1));
     assert_int_equal(f.n_globals, 3);
-    facts_free(&f);
+    symbols_free(&f);
     assert_false(read_copy(&f, in_code, sizeof in_code - 1));
-    facts_free(&f);
+    symbols_free(&f);
     assert_true(read_copy(&f, in_comment, sizeof in_comment - 1));
     assert_int_equal(f.globals[0].line, 2);
-    facts_free(&f);
+    symbols_free(&f);
 }
 
 int main(void)

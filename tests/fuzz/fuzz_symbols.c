@@ -1,12 +1,12 @@
 /*
- * fuzz_facts.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the facts that `check` finds. All
+ * fuzz_symbols.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the symbols that `check` finds. All
  * that is found is there to its last byte. (fuzz_manifest.c looks at what the compiler takes.)
  */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/check/facts.h"
+#include "../../src/cab/check/symbols.h"
 
 static void need(bool good)
 {
@@ -20,13 +20,13 @@ static size_t text(const char *s)
     return s ? strlen(s) : 0;
 }
 
-static size_t calls_and_tables(const struct facts *f)
+static size_t calls_and_tables(const struct symbols *f)
 {
     size_t n = 0;
 
     for (int i = 0; i < f->n_calls; i++) {
         n += text(f->calls[i].space) + strlen(f->calls[i].name);
-        for (int k = 0; k < FACT_ARGS; k++)
+        for (int k = 0; k < SYMBOL_ARGS; k++)
             n += text(f->calls[i].arg[k]);
         need(f->calls[i].line > 0 && f->calls[i].args >= 0);
     }
@@ -44,7 +44,7 @@ static size_t calls_and_tables(const struct facts *f)
     return n;
 }
 
-static size_t names(const struct facts *f)
+static size_t names(const struct symbols *f)
 {
     size_t n = 0;
 
@@ -53,7 +53,7 @@ static size_t names(const struct facts *f)
         need(f->globals[i].line > 0);
     }
     for (int i = 0; i < f->n_walks; i++) {
-        const struct fact_origin *of = &f->walks[i].of;
+        const struct symbol_origin *of = &f->walks[i].of;
         n += strlen(f->walks[i].how) + text(of->space) + text(of->name) + text(of->key);
     }
     for (int i = 0; i < f->n_zeros; i++)
@@ -71,15 +71,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const char *const path[] = { "sheets", "small", "file", NULL };
     char *copy = malloc(size + (size == 0)); /* of exactly this size */
-    struct facts f;
+    struct symbols f;
 
     if (!copy)
         return 0;
     if (size)
         memcpy(copy, data, size);
-    bool whole = facts_read(&f, copy, size, NULL);
-    need(whole == f.whole && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && facts_line(&f, path) > 0);
-    facts_free(&f);
+    bool whole = symbols_read(&f, copy, size, NULL);
+    need(whole == f.whole && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && symbols_line(&f, path) > 0);
+    symbols_free(&f);
     free(copy);
     return 0;
 }

@@ -1,10 +1,10 @@
 /*
- * facts.c - see facts.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of look-ahead,
- * priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An expression that may
- * still become the target of an assignment is pending: `value` notes that it was read, `store` that it was written.
- * Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
+ * symbols.c - see symbols.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of
+ * look-ahead, priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An
+ * expression that may still become the target of an assignment is pending: `value` notes that it was read, `store` that
+ * it was written. Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
  */
-#include "facts.h"
+#include "symbols.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,28 +18,28 @@ enum {
 struct local {
     const char *s; /* inside the text */
     size_t n;
-    struct fact_origin from; /* of the only value it ever gets */
-    int table;               /* that value is this table; -1 */
-    int writes;              /* assignments after its declaration */
-    int values;              /* uses as a value that may go anywhere */
-    bool empty;              /* declared without a value */
-    bool unknown;            /* its value is not `from` after all */
+    struct symbol_origin from; /* of the only value it ever gets */
+    int table;                 /* that value is this table; -1 */
+    int writes;                /* assignments after its declaration */
+    int values;                /* uses as a value that may go anywhere */
+    bool empty;                /* declared without a value */
+    bool unknown;              /* its value is not `from` after all */
 };
 
 /* Where the expression that comes next stands. */
 struct context {
-    struct fact_origin from; /* name NULL: nowhere special */
-    int key;                 /* whose value it is, or -1 */
+    struct symbol_origin from; /* name NULL: nowhere special */
+    int key;                   /* whose value it is, or -1 */
 };
 
 struct pending_walk {
     int line, local; /* local -1: of is the origin */
     const char *how;
-    struct fact_origin of;
+    struct symbol_origin of;
 };
 
 struct parse {
-    struct facts *f;
+    struct symbols *f;
     struct lex l;
     struct local *locals; /* all, in order of declaration */
     int *active;          /* those in sight, indices of locals */
@@ -47,7 +47,7 @@ struct parse {
     int n_locals, n_active, n_walks;
     int depth, functions;
     int base; /* of active: where those of this function begin */
-    bool (*known)(const char *name);
+    bool (*is_builtin)(const char *name);
 };
 
 enum kind {
@@ -201,17 +201,17 @@ static const char *near_local(struct parse *p, const char *name)
     return found != NULL ? arena_copy(&p->f->arena, found->s, found->n) : NULL;
 }
 
-static void use(struct parse *p, enum fact_use how, int line, const char *name, const char *field)
+static void use(struct parse *p, enum symbol_use how, int line, const char *name, const char *field)
 {
-    bool sure = p->known == NULL || p->known(name);
+    bool sure = p->is_builtin == NULL || p->is_builtin(name);
 
     ADD(p, p->f->globals, p->f->n_globals,
-        (struct fact_global){ how, line, name, field, sure ? NULL : near_local(p, name) });
+        (struct symbol_global){ how, line, name, field, sure ? NULL : near_local(p, name) });
 }
 
 static int add_text(struct parse *p, struct token t, int how)
 {
-    ADD(p, p->f->texts, p->f->n_texts, (struct fact_text){ t.line, copy(p, t), how });
+    ADD(p, p->f->texts, p->f->n_texts, (struct symbol_text){ t.line, copy(p, t), how });
     return p->f->n_texts - 1;
 }
 
@@ -238,18 +238,18 @@ static void store(struct parse *p, const struct expr *e)
     else if (e->kind == X_FIELD)
         use(p, USE_MEMBER, e->line, e->space, e->name);
     else if (e->kind == X_MEMBER)
-        ADD(p, p->f->members, p->f->n_members, (struct fact_member){ e->at, e->name });
+        ADD(p, p->f->members, p->f->n_members, (struct symbol_member){ e->at, e->name });
     else if (e->kind == X_LOCAL)
         p->locals[e->at].writes++;
     else if (e->kind == X_INSIDE)
         p->locals[e->at].values++;
 }
 
-static struct fact_origin origin(const struct expr *e)
+static struct symbol_origin origin(const struct expr *e)
 {
     if (e->kind != X_CALL)
-        return (struct fact_origin){ 0 };
-    return (struct fact_origin){ .space = e->space, .name = e->name };
+        return (struct symbol_origin){ 0 };
+    return (struct symbol_origin){ .space = e->space, .name = e->name };
 }
 
 /* A local gets the value of e, its i-th assignment. */
@@ -276,7 +276,7 @@ static void plain(struct parse *p)
 
 /* ---- functions ---- */
 
-static void parameters(struct parse *p, struct fact_origin from)
+static void parameters(struct parse *p, struct symbol_origin from)
 {
     for (from.param = 1; type(p) == T_NAME; from.param++) {
         int local = declare_unknown(p, expect_name(p));
@@ -292,7 +292,7 @@ static void parameters(struct parse *p, struct fact_origin from)
 }
 
 /* From the ( on to the word end. */
-static void body(struct parse *p, struct fact_origin from, bool method)
+static void body(struct parse *p, struct symbol_origin from, bool method)
 {
     int sight = p->n_active, base = p->base;
 
@@ -316,7 +316,7 @@ static int add_key(struct parse *p, int table, struct token name)
 {
     const char *s = copy(p, name);
 
-    ADD(p, p->f->keys, p->f->n_keys, (struct fact_key){ table, name.line, s, NULL });
+    ADD(p, p->f->keys, p->f->n_keys, (struct symbol_key){ table, name.line, s, NULL });
     return p->f->n_keys - 1;
 }
 
@@ -355,7 +355,7 @@ static void field(struct parse *p, int table, struct context c)
         bracket_key(p, table, c);
     } else if (type(p) == T_NAME && lex_peek(&p->l) == '=') {
         struct token t = expect_name(p);
-        add_text(p, t, FACT_KEY);
+        add_text(p, t, SYMBOL_KEY);
         lex_step(&p->l);
         key_value(p, add_key(p, table, t), c);
     } else if (type(p) == '{') { /* a table in a list is the value of a nameless key */
@@ -371,7 +371,7 @@ static void constructor(struct parse *p, struct expr *e, struct context c)
     int table = p->f->n_tables;
 
     ADD(p, p->f->tables, p->f->n_tables,
-        (struct fact_table){ p->l.now.line, c.from.space, c.from.name, c.from.arg, c.key });
+        (struct symbol_table){ p->l.now.line, c.from.space, c.from.name, c.from.arg, c.key });
     *e = (struct expr){ .kind = X_TABLE, .line = p->l.now.line, .at = table };
     expect(p, '{');
     while (type(p) != '}' && type(p) != T_BAD) {
@@ -393,18 +393,18 @@ static void note_walk(struct parse *p, int line, const char *how, const struct e
 }
 
 /* One argument; adds it to the call. */
-static void argument(struct parse *p, struct fact_call *call, struct expr *e)
+static void argument(struct parse *p, struct symbol_call *call, struct expr *e)
 {
     struct context c = { { call->space, call->name, NULL, call->args + 1, 0 }, -1 };
 
     expression(p, e, c);
-    if (e->kind == X_STRING && call->args < FACT_ARGS && type(p) != T_BAD)
+    if (e->kind == X_STRING && call->args < SYMBOL_ARGS && type(p) != T_BAD)
         call->arg[call->args] = p->f->texts[e->at].s;
     call->args++;
 }
 
 /* The arguments of a call; *first is the first one. */
-static void arguments(struct parse *p, struct fact_call *call, struct expr *first)
+static void arguments(struct parse *p, struct symbol_call *call, struct expr *first)
 {
     struct expr e;
 
@@ -433,7 +433,7 @@ static void arguments(struct parse *p, struct fact_call *call, struct expr *firs
 static void note_format(struct parse *p, const struct expr *e)
 {
     if (e->kind == X_STRING && type(p) != T_BAD)
-        ADD(p, p->f->formats, p->f->n_formats, (struct fact_text){ e->line, p->f->texts[e->at].s, 0 });
+        ADD(p, p->f->formats, p->f->n_formats, (struct symbol_text){ e->line, p->f->texts[e->at].s, 0 });
 }
 
 static bool is(const char *a, const char *b)
@@ -444,7 +444,7 @@ static bool is(const char *a, const char *b)
 static void call(struct parse *p, struct expr *e)
 {
     bool named = e->kind == X_GLOBAL || e->kind == X_FIELD;
-    struct fact_call c = { .line = e->line };
+    struct symbol_call c = { .line = e->line };
     struct expr first;
 
     value(p, e);
@@ -465,11 +465,11 @@ static void call(struct parse *p, struct expr *e)
 
 static void method(struct parse *p, struct expr *e)
 {
-    struct fact_call c = { .line = e->line };
+    struct symbol_call c = { .line = e->line };
     struct token name = expect_name(p);
     struct expr first;
 
-    add_text(p, name, FACT_KEY);
+    add_text(p, name, SYMBOL_KEY);
     if (e->kind == X_GLOBAL)
         use(p, USE_METHOD, e->line, e->name, copy(p, name));
     else
@@ -547,7 +547,7 @@ static void primary(struct parse *p, struct expr *e)
     while (type(p) != T_BAD) {
         if (accept(p, '.')) {
             struct token t = expect_name(p);
-            add_text(p, t, FACT_KEY);
+            add_text(p, t, SYMBOL_KEY);
             select_field(p, e, copy(p, t));
         } else if (accept(p, '[')) {
             index_with(p, e);
@@ -629,7 +629,7 @@ static void note_zero(struct parse *p, int line, int sign, const struct expr *a,
 
     if (b->kind == X_NUMBER && b->zero)
         ADD(p, p->f->zeros, p->f->n_zeros,
-            (struct fact_zero){ line, how, a->kind == X_NUMBER && a->zero, a->kind == X_NUMBER });
+            (struct symbol_zero){ line, how, a->kind == X_NUMBER && a->zero, a->kind == X_NUMBER });
 }
 
 /* a, an operator and what stands to its right; the result in *a. */
@@ -641,12 +641,12 @@ static void binary(struct parse *p, struct expr *a, const struct operator* o)
     lex_step(&p->l);
     text = type(p) == T_STRING ? p->f->n_texts : -1;
     if (o->type == T_CONCAT && a->kind == X_STRING)
-        p->f->texts[a->at].how |= FACT_FIRST;
+        p->f->texts[a->at].how |= SYMBOL_FIRST;
     operation(p, &b, o->right, nowhere);
     if (type(p) == T_BAD)
         return;
     if (o->type == T_CONCAT && text >= 0)
-        p->f->texts[text].how |= FACT_LAST;
+        p->f->texts[text].how |= SYMBOL_LAST;
     if (o->type == '/' || o->type == T_IDIV || o->type == '%')
         note_zero(p, line, o->type, a, &b);
     *a = (struct expr){ .line = a->line };
@@ -968,9 +968,9 @@ static void keep_walks(struct parse *p)
     for (int i = 0; i < p->n_walks; i++) {
         const struct pending_walk *w = &p->walks[i];
         const struct local *l = w->local >= 0 ? &p->locals[w->local] : NULL;
-        struct fact_origin of = l != NULL ? l->from : w->of;
+        struct symbol_origin of = l != NULL ? l->from : w->of;
         if (of.name != NULL && (l == NULL || (!l->unknown && l->writes == (l->empty ? 1 : 0))))
-            ADD(p, p->f->walks, p->f->n_walks, (struct fact_walk){ w->line, w->how, of });
+            ADD(p, p->f->walks, p->f->n_walks, (struct symbol_walk){ w->line, w->how, of });
     }
 }
 
@@ -983,11 +983,11 @@ static void keep_result(struct parse *p)
     p->f->result_open = l->values > 0 || l->writes > 0 || l->unknown || l->table < 0;
 }
 
-bool facts_read(struct facts *f, const char *text, size_t n, bool (*known)(const char *name))
+bool symbols_read(struct symbols *f, const char *text, size_t n, bool (*is_builtin)(const char *name))
 {
-    struct parse p = { .f = f, .known = known };
+    struct parse p = { .f = f, .is_builtin = is_builtin };
 
-    *f = (struct facts){ .result_local = -1, .result_table = -1 };
+    *f = (struct symbols){ .result_local = -1, .result_table = -1 };
     lex_open(&p.l, text, n, &f->arena);
     statements(&p);
     f->whole = type(&p) == T_END;
@@ -1001,7 +1001,7 @@ bool facts_read(struct facts *f, const char *text, size_t n, bool (*known)(const
     return f->whole;
 }
 
-void facts_free(struct facts *f)
+void symbols_free(struct symbols *f)
 {
     void *const lists[] = { f->globals, f->walks,  f->zeros, f->formats, f->texts,
                             f->calls,   f->tables, f->keys,  f->members };
@@ -1009,11 +1009,11 @@ void facts_free(struct facts *f)
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++)
         free(lists[i]);
     arena_close(&f->arena);
-    *f = (struct facts){ 0 };
+    *f = (struct symbols){ 0 };
 }
 
 /* The key of that name in the table, or -1. */
-static int find_key(const struct facts *f, int table, const char *name)
+static int find_key(const struct symbols *f, int table, const char *name)
 {
     for (int i = 0; i < f->n_keys; i++)
         if (f->keys[i].table == table && strcmp(f->keys[i].name, name) == 0)
@@ -1021,7 +1021,7 @@ static int find_key(const struct facts *f, int table, const char *name)
     return -1;
 }
 
-static int table_of(const struct facts *f, int key)
+static int table_of(const struct symbols *f, int key)
 {
     for (int i = 0; i < f->n_tables; i++)
         if (f->tables[i].key == key)
@@ -1029,7 +1029,7 @@ static int table_of(const struct facts *f, int key)
     return -1;
 }
 
-int facts_line(const struct facts *f, const char *const *path)
+int symbols_line(const struct symbols *f, const char *const *path)
 {
     int table = f->result_table, line = 1;
 

@@ -1,7 +1,7 @@
 /*
- * findings.c - see findings.h.
+ * diagnostics.c - see diagnostics.h.
  */
-#include "findings.h"
+#include "diagnostics.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -21,10 +21,10 @@ static char *copy(const char *s)
     return to;
 }
 
-static bool grow(struct findings *f)
+static bool grow(struct diagnostics *f)
 {
     int room = f->room == 0 ? 64 : f->room * 2;
-    struct finding *more = realloc(f->list, (size_t)room * sizeof *more);
+    struct diagnostic *more = realloc(f->list, (size_t)room * sizeof *more);
 
     if (more == NULL)
         return false;
@@ -33,15 +33,15 @@ static bool grow(struct findings *f)
     return true;
 }
 
-static void drop(struct finding *one)
+static void drop(struct diagnostic *one)
 {
     free(one->file);
     free(one->text);
 }
 
-static void add(struct findings *f, const char *file, int line, const char *text)
+static void add(struct diagnostics *f, const char *file, int line, const char *text)
 {
-    struct finding one = { copy(file), copy(text), line, f->n };
+    struct diagnostic one = { copy(file), copy(text), line, f->n };
     if (one.file == NULL || one.text == NULL || (f->n == f->room && !grow(f))) {
         drop(&one);
         f->failed = true;
@@ -50,7 +50,7 @@ static void add(struct findings *f, const char *file, int line, const char *text
     f->list[f->n++] = one;
 }
 
-void findings_add(struct findings *f, const char *file, int line, const char *format, ...)
+void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...)
 {
     char text[TEXT];
     va_list args;
@@ -62,13 +62,13 @@ void findings_add(struct findings *f, const char *file, int line, const char *fo
     add(f, file, line, text);
 }
 
-void findings_add_sentence(struct findings *f, const char *file, const char *sentence)
+void diagnostics_add_sentence(struct diagnostics *f, const char *file, const char *sentence)
 {
     const char *end = strchr(sentence, ':');
     char name[TEXT];
 
     if (end == NULL || memchr(sentence, ' ', (size_t)(end - sentence)) != NULL) {
-        findings_add(f, file, 0, "%s", sentence);
+        diagnostics_add(f, file, 0, "%s", sentence);
         return;
     }
     snprintf(name, sizeof name, "%.*s", (int)(end - sentence), sentence);
@@ -76,10 +76,10 @@ void findings_add_sentence(struct findings *f, const char *file, const char *sen
     long line = strtol(end + 1, &rest, 10);
     bool numbered = rest > end + 1 && *rest == ':' && line > 0 && line < 1 << 30;
     const char *what = numbered ? rest + 1 : end + 1;
-    findings_add(f, name, numbered ? (int)line : 0, "%s", what + strspn(what, " "));
+    diagnostics_add(f, name, numbered ? (int)line : 0, "%s", what + strspn(what, " "));
 }
 
-bool findings_at(const struct findings *f, const char *file, int line)
+bool diagnostics_at(const struct diagnostics *f, const char *file, int line)
 {
     for (int i = 0; i < f->n; i++)
         if (f->list[i].line == line && strcmp(f->list[i].file, file) == 0)
@@ -89,7 +89,7 @@ bool findings_at(const struct findings *f, const char *file, int line)
 
 static int by_place(const void *a, const void *b)
 {
-    const struct finding *p = a, *q = b;
+    const struct diagnostic *p = a, *q = b;
     int files = strcmp(p->file, q->file);
 
     if (files != 0)
@@ -98,7 +98,7 @@ static int by_place(const void *a, const void *b)
 }
 
 /* Is it told already, among those from `first` on, which are of its place? */
-static bool is_told(const struct findings *f, int first, int n, const struct finding *one)
+static bool is_told(const struct diagnostics *f, int first, int n, const struct diagnostic *one)
 {
     for (int i = first; i < n; i++)
         if (strcmp(f->list[i].text, one->text) == 0)
@@ -106,14 +106,14 @@ static bool is_told(const struct findings *f, int first, int n, const struct fin
     return false;
 }
 
-void findings_sort(struct findings *f)
+void diagnostics_sort(struct diagnostics *f)
 {
     int n = 0, first = 0; /* kept; the first of them at the present place */
 
     if (f->n > 0)
         qsort(f->list, (size_t)f->n, sizeof f->list[0], by_place);
     for (int i = 0; i < f->n; i++) {
-        struct finding *one = &f->list[i];
+        struct diagnostic *one = &f->list[i];
         if (n > 0 && (f->list[n - 1].line != one->line || strcmp(f->list[n - 1].file, one->file) != 0))
             first = n;
         if (is_told(f, first, n, one))
@@ -124,12 +124,12 @@ void findings_sort(struct findings *f)
     f->n = n;
 }
 
-void findings_print(const struct findings *f, void (*line)(const char *))
+void diagnostics_print(const struct diagnostics *f, void (*line)(const char *))
 {
     char text[2 * TEXT];
 
     for (int i = 0; i < f->n; i++) {
-        const struct finding *one = &f->list[i];
+        const struct diagnostic *one = &f->list[i];
         if (one->line > 0)
             snprintf(text, sizeof text, "%s:%d: %s", one->file, one->line, one->text);
         else
@@ -139,10 +139,10 @@ void findings_print(const struct findings *f, void (*line)(const char *))
     }
 }
 
-void findings_close(struct findings *f)
+void diagnostics_close(struct diagnostics *f)
 {
     for (int i = 0; i < f->n; i++)
         drop(&f->list[i]);
     free(f->list);
-    *f = (struct findings){ 0 };
+    *f = (struct diagnostics){ 0 };
 }

@@ -1,0 +1,90 @@
+/*
+ * report.c - see report.h.
+ */
+#include "report.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "clean.h"
+
+enum { LINE = 2048, LOG_LINE = 512 };
+
+static void log_clean(char *s)
+{
+    clean_line(s);
+    fflush(stdout); /* what was printed before comes before, also where both go to one file */
+    plat_log(s);
+}
+
+enum result report_line(enum result result, const char *format, ...)
+{
+    char line[LINE] = "curtain: ";
+    size_t n = strlen(line);
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line + n, sizeof line - n, format, args);
+    va_end(args);
+    log_clean(line);
+    return result;
+}
+
+enum result report_cause(const char *err)
+{
+    static const char memory[] = "out of memory";
+    size_t n = strlen(err), tail = sizeof memory - 1;
+    bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
+
+    return host ? RESULT_HOST : RESULT_REFUSED;
+}
+
+enum result report_error(const char *err)
+{
+    return report_line(report_cause(err), "%s", err);
+}
+
+static void log_lines(const char *text)
+{
+    char line[LINE];
+
+    while (*text) {
+        size_t n = strcspn(text, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)(n < sizeof line ? n : sizeof line - 1), text);
+        log_clean(line);
+        text += n + (text[n] == '\n');
+    }
+}
+
+enum result report_fault(const struct board_fault *fault, bool trace)
+{
+    char line[sizeof fault->message];
+
+    snprintf(line, sizeof line, "%s", fault->message);
+    log_clean(line);
+    if (trace)
+        log_lines(fault->trace);
+    return RESULT_REFUSED;
+}
+
+void report_log(const struct board_out *out, const char *prefix)
+{
+    char line[LOG_LINE];
+
+    for (size_t i = 0; i < out->log_size;) {
+        const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
+        size_t n = end ? (size_t)(end - from) : out->log_size - i;
+        snprintf(line, sizeof line, "%s%.*s", prefix, (int)(n < sizeof line ? n : sizeof line - 1), from);
+        clean_line(line);
+        plat_log(line);
+        i += n + 1;
+    }
+}
+
+enum result report_stdout(enum result result)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return result;
+    return report_line(RESULT_HOST, "standard output cannot be written");
+}

@@ -1,0 +1,32 @@
+/*
+ * report.h - what went wrong, and what a script printed, on plat_log: lines of which clean_line has blanked what is no
+ * text.
+ * floor: cab
+ */
+#ifndef CAB_REPORT_H
+#define CAB_REPORT_H
+
+#include <stdbool.h>
+#include "../../board/board.h"
+#include "result.h"
+
+/* One line, "curtain: ..."; returns result. */
+enum result report_line(enum result result, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* What a sentence of game_open, demo_load, packing or unpacking says no with: RESULT_HOST when the host is why, else
+ * RESULT_REFUSED. */
+enum result report_cause(const char *err);
+
+/* The same, and the sentence on plat_log. */
+enum result report_error(const char *err);
+
+/* A fault: "FILE:LINE: what", and the traceback if asked. Returns RESULT_REFUSED. */
+enum result report_fault(const struct board_fault *fault, bool trace);
+
+/* What scripts printed in a tick, a line each, with `prefix` before it. */
+void report_log(const struct board_out *out, const char *prefix);
+
+/* Standard output is flushed; returns result, or when it could not be written RESULT_HOST, with a line. */
+enum result report_stdout(enum result result);
+
+#endif
