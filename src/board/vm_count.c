@@ -33,7 +33,7 @@ enum {
     A_LINK = 4, /* tables linked by __index or __newindex */
     AN_ARGUMENT = 128,
     AN_ALLOCATION = 32, /* bytes allocated: added once */
-    HUGE = 16           /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
+    AN_EXTREME = 16     /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
 };
 
 /* Bytes of a text that are looked at to read a number from it. */
@@ -72,7 +72,7 @@ static struct vm_weight number_weight(lua_State *L)
     double size = fabs(lua_tonumber(L, -1));
     bool odd = (size > 0x1p256 && size <= DBL_MAX) || (size < 0x1p-256 && size > 0);
 
-    return (struct vm_weight){ odd ? HUGE : 0, WEIGHT_NUMBER, 256 };
+    return (struct vm_weight){ odd ? AN_EXTREME : 0, WEIGHT_NUMBER, 256 };
 }
 
 /* How many tables follow the one on top by this field of their metatables. */
