@@ -3,9 +3,9 @@
  * floor: platform    used by: porters
  *
  * Write these six for your machine; the contract of each stands in platform.h. The game is there after the first two
- * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_loop, plat_alarm,
- * plat_sound, plat_size, plat_load, plat_save, plat_append, plat_remove, plat_list and plat_log to your file: yours win at
- * the link.
+ * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_loop,
+ * plat_alarm, plat_sound, plat_size, plat_load, plat_save, plat_append, plat_remove, plat_list and plat_log to your
+ * file: yours win at the link.
  */
 #include <string.h>
 #include "platform.h"
@@ -37,7 +37,8 @@ void plat_poll(struct plat_input *in)
 }
 
 /* Write rgb[pix[y * pitch + x]] to the screen, every pixel a square of the same whole size, in the middle, black around
- * it; plat_rgb turns a picture into colours where the screen takes 32 bits a pixel. Hardware with a palette of 256 takes pix and rgb as they are. Waiting for the vertical blank here is fine. */
+ * it; plat_rgb turns a picture into colours where the screen takes 32 bits a pixel. Hardware with a palette of 256
+ * takes pix and rgb as they are. Waiting for the vertical blank here is fine. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
     (void)pix;

@@ -181,7 +181,7 @@ def main():
     print("headings: off by at most %.4f / 2^44 of one" % (ray_error(step) * 2**44), file=sys.stderr)
     print("""/*
  * trig_tables.h - first guesses of sines, headings and arc tangents; made by tools/trig_tables.py.
- * floor: base    used by: trig.c, trig_guess.h
+ * floor: base
  */
 #ifndef BASE_TRIG_TABLES_H
 #define BASE_TRIG_TABLES_H

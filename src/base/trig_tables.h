@@ -1,6 +1,6 @@
 /*
  * trig_tables.h - first guesses of sines, headings and arc tangents; made by tools/trig_tables.py.
- * floor: base    used by: trig.c, trig_guess.h
+ * floor: base
  */
 #ifndef BASE_TRIG_TABLES_H
 #define BASE_TRIG_TABLES_H

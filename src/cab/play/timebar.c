@@ -8,13 +8,13 @@
 
 enum { MARGIN = 2, BAR_H = 5, SECOND = 60, RECENT = 30 };
 
-static const enum ink_colour colours[MARK_KINDS] = {
-    [MARK_STAGE] = INK_WHITE, [MARK_POINT] = INK_CYAN,   [MARK_WAVE] = INK_GREY,
-    [MARK_BOSS] = INK_RED,    [MARK_PHASE] = INK_YELLOW, [MARK_DEATH] = INK_MAGENTA,
+static const enum canvas_colour colours[MARK_KINDS] = {
+    [MARK_STAGE] = CANVAS_WHITE, [MARK_POINT] = CANVAS_CYAN,   [MARK_WAVE] = CANVAS_GREY,
+    [MARK_BOSS] = CANVAS_RED,    [MARK_PHASE] = CANVAS_YELLOW, [MARK_DEATH] = CANVAS_MAGENTA,
 };
 
 /* The pixel of a frame on a bar w pixels wide. */
-static int place(const struct session *s, int w, uint32_t frame)
+static int frame_x(const struct session *s, int w, uint32_t frame)
 {
     uint32_t first = session_first(s), last = session_last(s);
     uint32_t at = frame < first ? 0 : frame > last ? last - first : frame - first;
@@ -36,31 +36,31 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- moments ---- */
 
-/* The ends of pieces and the tries of practice are no places to go to. */
-static bool counts(const struct session *s, const struct demo_moment *m)
+/* Is the moment one that the keys go to? Waves, and the ends and attempts of pieces, are not. */
+static bool is_target(const struct session *s, const struct demo_moment *m)
 {
     return m->mark.kind != MARK_WAVE && m->mark.kind <= MARK_DEATH && m->frame >= session_first(s) &&
            m->frame <= session_last(s);
 }
 
-uint32_t timebar_before(const struct session *s, uint32_t frame)
+uint32_t timebar_previous(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_first(s);
     const struct demo_moment *m = session_moments(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
-        if (counts(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
+        if (is_target(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
             best = m[i].frame;
     return best;
 }
 
-uint32_t timebar_after(const struct session *s, uint32_t frame)
+uint32_t timebar_next(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_last(s);
     const struct demo_moment *m = session_moments(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
-        if (counts(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
+        if (is_target(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
             best = m[i].frame;
     return best;
 }
@@ -79,7 +79,7 @@ static const struct demo_moment *last_of(const struct session *s, uint32_t frame
 }
 
 /* "stage point boss/phase", as far as they are there. */
-static void words(const struct session *s, uint32_t frame, char *text, size_t size)
+static void position_text(const struct session *s, uint32_t frame, char *text, size_t size)
 {
     const struct demo_moment *stage = last_of(s, frame, MARK_STAGE, NULL);
     const struct demo_moment *point = last_of(s, frame, MARK_POINT, stage);
@@ -93,36 +93,36 @@ static void words(const struct session *s, uint32_t frame, char *text, size_t si
 
 /* ---- drawing ---- */
 
-static void moments(const struct ink *ink, const struct session *s, int y, int w)
+static void draw_moments(const struct canvas *canvas, const struct session *s, int y, int w)
 {
     uint32_t n;
     const struct demo_moment *m = session_moments(s, &n);
 
-    for (int pass = 0; pass < 2; pass++) /* waves do not hide what is more */
+    for (int pass = 0; pass < 2; pass++) /* waves first, so that they hide nothing */
         for (uint32_t i = 0; i < n; i++) {
             bool wave = m[i].mark.kind == MARK_WAVE;
-            if (wave == (pass == 0) && (wave || counts(s, &m[i])))
-                ink_rect(ink, MARGIN + place(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
-                         colours[m[i].mark.kind]);
+            if (wave == (pass == 0) && (wave || is_target(s, &m[i])))
+                canvas_rect(canvas, MARGIN + frame_x(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
+                            colours[m[i].mark.kind]);
         }
 }
 
-void timebar_draw(const struct ink *ink, const struct session *s)
+void timebar_draw(const struct canvas *canvas, const struct session *s)
 {
-    int w = ink->fb->w - 2 * MARGIN, top = ink->fb->h - TIMEBAR_H, bar = ink->fb->h - BAR_H - MARGIN;
+    int w = canvas->fb->w - 2 * MARGIN, top = canvas->fb->h - TIMEBAR_H, bar = canvas->fb->h - BAR_H - MARGIN;
     uint32_t frame = board_frame(session_board(s)), last = session_last(s), second = frame / SECOND;
     char text[160], where[128];
 
-    words(s, frame, where, sizeof where);
+    position_text(s, frame, where, sizeof where);
     snprintf(text, sizeof text, "%u/%u %u:%02u %s", (unsigned)frame, (unsigned)last, (unsigned)(second / 60),
              (unsigned)(second % 60), where);
-    ink_rect(ink, 0, top, ink->fb->w, TIMEBAR_H, INK_PAPER);
-    ink_text(ink, MARGIN, top + 1, INK_WHITE, text);
-    ink_rect(ink, MARGIN, bar + 2, w, 1, INK_GREY);
-    ink_rect(ink, MARGIN, bar + 1, place(s, w, frame) + 1, 3, INK_GREEN);
+    canvas_rect(canvas, 0, top, canvas->fb->w, TIMEBAR_H, CANVAS_DARK);
+    canvas_text(canvas, MARGIN, top + 1, CANVAS_WHITE, text);
+    canvas_rect(canvas, MARGIN, bar + 2, w, 1, CANVAS_GREY);
+    canvas_rect(canvas, MARGIN, bar + 1, frame_x(s, w, frame) + 1, 3, CANVAS_GREEN);
     if (s->differs && s->differs <= frame)
-        ink_rect(ink, MARGIN + place(s, w, s->differs), bar + 1, place(s, w, frame) - place(s, w, s->differs) + 1, 3,
-                 INK_RED);
-    moments(ink, s, bar, w);
-    ink_rect(ink, MARGIN + place(s, w, frame), bar - 1, 1, BAR_H + 2, INK_GREEN);
+        canvas_rect(canvas, MARGIN + frame_x(s, w, s->differs), bar + 1,
+                    frame_x(s, w, frame) - frame_x(s, w, s->differs) + 1, 3, CANVAS_RED);
+    draw_moments(canvas, s, bar, w);
+    canvas_rect(canvas, MARGIN + frame_x(s, w, frame), bar - 1, 1, BAR_H + 2, CANVAS_GREEN);
 }
