@@ -2,11 +2,12 @@
 # badinput.sh - wrong words, files, games and disks: each ends with the right exit code and one line that names file and
 # cause. The whole of stderr is compared.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 mounts=()
 clean() {
     cd /
     for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
-    rm -rf "$tmp"
+    rm -rf "$scratch"
 }
 trap clean EXIT
 
@@ -170,7 +171,7 @@ art() { # NAME LINE COMMAND...: run in the game's folder
     idle | game bad
     (cd bad && "$@")
     bad "$name" "bad: $line" pack bad -o bad.rom
-    holds "$name: nothing is written" [ ! -e bad.rom ]
+    check "$name: nothing is written" [ ! -e bad.rom ]
     rm -rf bad
 }
 dotted() { python3 "$repo/tests/cli/png_make.py" art/all.png 16 16 ffffff 3 2 123456; }
@@ -343,7 +344,7 @@ quiet() { # NAME LINES ARGUMENT...
     local name=$1 lines=$2
     shift 2
     "$curtain" "$@" >out 2>err </dev/null
-    holds "$name: nothing for the terminal" eval '! obeyed'
+    check "$name: nothing for the terminal" eval '! obeyed'
     same "$name: lines" "$lines" "$(cat out err | wc -l)"
 }
 cp -r g "$nasty"
@@ -367,7 +368,7 @@ quiet 'with its traceback' 6 hash "$nasty" --frames 1 -v
 disk() { # NAME OPTIONS
     mkdir "$1"
     mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "a disk of its own for $1"; return 1; }
-    mounts+=("$tmp/$1")
+    mounts+=("$scratch/$1")
 }
 touch file
 host 'output folder is a file' 'file/000001.png: cannot be written (Not a directory)' render g --frames 1 -o file
@@ -404,17 +405,17 @@ if disk full size=256k; then
     host 'full disk: sheet' "full/a.png: $full" render later --frames 1:9 --sheet full/a.png
     host 'full disk: demo' "full/a.demo: $full" hash later --frames 2 --record full/a.demo
     host 'full disk: unpack' "full/u/lumps/gfx/dart: $full" unpack g full/u
-    holds 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
-    holds 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
-    holds 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
-    holds 'full disk: and the sheet' cmp -s picture full/a.png
+    check 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
+    check 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
+    check 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
+    check 'full disk: and the sheet' cmp -s picture full/a.png
     rm -rf full/u
     same 'full disk: nothing half made is left' '000001.png a.demo a.png a.rom filler' "$(cd full && echo *)"
     # Room for one page: the disk is full in the middle of a recording.
     truncate -s -4096 full/filler
     host 'disk full while recording' "full/long.demo: $full" hash g --frames 3000 --record full/long.demo
     line=$("$curtain" verify g full/long.demo 2>&1)
-    holds "what was recorded stays readable ($line)" grep -Eq '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
+    check "what was recorded stays readable ($line)" grep -Eq '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
     "$curtain" hash g --demo full/long.demo --frames 60 >one 2>/dev/null
     "$curtain" hash g --frames 60 >two
     same 'and plays' "$(cat two)" "$(cat one)"

@@ -2,6 +2,7 @@
 # check.sh - curtain check: every kind of finding, planted, with its file, line and words, and exit code 1; what is no
 # game's folder, exit code 2; and what is fine is let through: the games and examples here, and what the manual shows.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 finds() { # NAME DIR [OPTION...], standard input: exactly these lines, in this order
     local name=$1 want got
@@ -15,7 +16,7 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    holds "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played [0-9]+ demos?, [0-9]+ stages? (or|and) phases?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
+    check "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played [0-9]+ demos?, [0-9]+ stages? (or|and) phases?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
 }
 refuses() { # NAME LINE WORD...
     local name=$1 line=$2 got
@@ -41,7 +42,7 @@ good() { # NAME, standard input: main.lua, and nothing is found
 
 cd "$repo" || exit 2
 for dir in roms/*/ examples/*/; do fine "${dir%/}" "${dir%/}"; done
-cd "$tmp" || exit 2
+cd "$scratch" || exit 2
 game everything <"$repo/tests/cli/everything.lua"
 fine 'a game that uses everything' everything
 mkdir -p pages
@@ -457,7 +458,7 @@ end)
 LUA
 sed -i 's/lua_kib = 1024/lua_kib = 512/' m/rom.lua
 got=$("$curtain" check m)
-holds "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
+check "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
     grep -Eq '^rom.lua:3: board.lua_kib = 512: 600 frames of nobody playing had (38[4-9]|39[0-9]|4[0-9][0-9]) KiB of it in use, more than 75 %$' <<<"$got"
 same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
 sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
@@ -560,13 +561,13 @@ same 'a stage that is right' '0' "$("$curtain" check deep >/dev/null 2>&1; echo 
 sed -i '0,/kind = "orb"/s//kind = KIND/; 1i local KIND = "orbb"' deep/main.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a stage' 1 $?
-holds '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
+check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
 sed -i '0,/kind = "needle"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
-holds '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' <<<"$got"
+check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' <<<"$got"
 
 # ---- what is no game ----
 

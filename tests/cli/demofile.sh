@@ -3,7 +3,7 @@
 # and refuses what Curtain refuses; the demo taken apart on the page is the one in the repository.
 #
 #     tests/cli/demofile.sh --page    puts the dump on the page anew
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 program=$OUT/curtain-null
 
 # The page with the dump as it should be.
@@ -152,4 +152,4 @@ END
 for demo in tests/demos/*.demo; do
     check "300 changes to $demo are refused by both or neither" python3 "$scratch/lies.py" "$program" "$demo" "${demo%-*}.rom" "$scratch/lie.demo"
 done
-done_testing
+finish

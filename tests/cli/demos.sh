@@ -8,7 +8,7 @@
 #     tests/cli/demos.sh --rerecorded      prints what the demos of older core versions end in on this one
 #     tests/cli/demos.sh --freeze          packs tests/demos/whole as this core version's ROM, records demos of it with
 #                                          $OUT/bot, and writes both tables
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 program=$OUT/curtain-null
 core=$("$program" version | sed -n 's/^curtain core version //p')
 
@@ -189,4 +189,4 @@ cp -r tests/demos/frozen "$scratch/lost"
 echo 'task.go(function() wait(30) local gone = sys.gone() end)' >>"$scratch/lost/main.lua"
 refuse 'planted: what it calls is gone' 'a ROM of core version 1 does not run: what its scripts call has to stay' \
     runs 1 "$old" "$scratch/lost" 120 "$scratch/rerecorded"
-done_testing
+finish

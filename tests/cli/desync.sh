@@ -3,6 +3,7 @@
 # game's whole run, a changed script; tracks and traces of two builds, and what is no such file.
 # tests/machine/test_desync.c does the first with boards side by side, 200 times; test_trace.c plants bits.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 rom=$repo/roms/glasstide
 "$curtain" pack "$rom" -o game.rom
 cp "$rom/demos/run.demo" .
@@ -62,7 +63,7 @@ sed -i '0,/stage.at(\([0-9]*\)0)/s//stage.at(\11)/' changed/glasstide/stages/one
 same 'a script has one other byte' 1 "$(cmp -l "$rom/stages/one.lua" changed/glasstide/stages/one.lua | wc -l)"
 line=$("$curtain" verify changed/glasstide run.demo)
 frame=$(sed -n 's/.*: frame \([0-9]*\): .*script.* (recorded on another build)$/\1/p' <<<"$line")
-holds "it is found: $line" [ -n "$frame" ]
+check "it is found: $line" [ -n "$frame" ]
 "$curtain" hash game.rom --demo run.demo --parts >a.track 2>/dev/null
 "$curtain" hash changed/glasstide --demo run.demo --parts --frames $((frame + 200)) 2>/dev/null | head -n $((frame + 150)) >b.track
 head -n $((frame + 150)) a.track >a2.track
@@ -74,7 +75,7 @@ command=$(sed -n 's/^for columns and slots.*: hash ROM --demo DEMO //p' out)
 "$curtain" verify --bisect a.trace b.trace >out
 code=$?
 same 'and their traces, by the command it prints' "1 frame $frame is the first that differs" "$code $(head -1 out)"
-holds 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
+check 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
 
 # ---- bisect ----
 
@@ -157,5 +158,5 @@ print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss if code == 0 else "
 END
 }
 a=$(peak little) b=$(peak large)
-holds "memory: $a KiB for $(($(stat -c %s little) >> 20)) MiB, $b KiB for $(($(stat -c %s large) >> 20)) MiB" [ "$b" -le $((a + 512)) ]
+check "memory: $a KiB for $(($(stat -c %s little) >> 20)) MiB, $b KiB for $(($(stat -c %s large) >> 20)) MiB" [ "$b" -le $((a + 512)) ]
 finish

@@ -4,6 +4,7 @@
 # a failure is one sentence and exit code 2 or 3, and leaves nothing behind, neither files nor memory; no call is missed by
 # a crash. The game has a sheet of each kind of PNG that is read in a way of its own.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 cc -std=gnu11 -O1 -shared -fPIC "$repo/tests/inject/inject.c" -o inject.so -ldl || not_ok 'inject.c compiles'
 

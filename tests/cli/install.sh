@@ -2,7 +2,7 @@
 # install.sh - what make install puts where: the programs, the documents, and the examples and games that README says to
 # copy, which the installed program checks and packs. One file for a friend, with another game in it. make null asks for no
 # SDL2.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
 
@@ -71,4 +71,4 @@ with_sdl() { asks play | grep -q libsdl2-dev; }
 check 'with one it has' with_sdl
 asks_null() { make -n null | grep -qx 'tools/deps.sh null'; }
 check 'make null asks for the former' asks_null
-done_testing
+finish

@@ -2,12 +2,13 @@
 # kill9.sh - a recording that is killed with -9 at 50 random moments of a whole run plays up to all but its last 60
 # frames. The moments are frames the process printed, not times; what it printed after them, until it was dead, counts.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 rom=$repo/roms/glasstide
 "$curtain" pack "$rom" -o game.rom
 cp "$rom/demos/run.demo" .
 "$curtain" hash game.rom --demo run.demo 2>/dev/null --every 60 >whole
 frames=$(python3 "$repo/tests/cli/demo_read.py" run.demo | sed -n 's/^end \([0-9]*\) .*/\1/p')
-holds "the whole run: $frames frames" [ "$frames" -gt 10000 ]
+check "the whole run: $frames frames" [ "$frames" -gt 10000 ]
 
 cat >kill.py <<'END'
 """Records the run, kills the recorder after the frame told, prints the last frame that it printed."""
@@ -49,7 +50,7 @@ for at in $(python3 -c 'import random, sys; random.seed(9); print(*(random.randr
 done
 same "killed 50 times, between frames $least and $most" '' "$wrong"
 same 'each time before its end' 50 $short
-holds 'all over the run' [ $least -lt 1500 ] && [ $most -gt 12000 ]
+check 'all over the run' [ $least -lt 1500 ] && [ $most -gt 12000 ]
 
 # What it keeps can be recorded on: the cut demo, played and recorded, holds.
 "$curtain" hash game.rom --demo cut.demo --record mended.demo --every 1000 >/dev/null 2>&1

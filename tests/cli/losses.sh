@@ -2,6 +2,7 @@
 # losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is closed, a
 # score file that is damaged. In SDL's own dummy window.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 windowed=$OUT/curtain
 scores=$XDG_DATA_HOME/curtain/probe.nv
@@ -50,7 +51,7 @@ for signal in TERM HUP; do # a shell lets what runs in its background ignore INT
     rm -f "$scores"
     play_until $signal
     same "SIG$signal ends it well" 0 "$got"
-    holds "SIG$signal: the saves are written" saved
+    check "SIG$signal: the saves are written" saved
 done
 rm -f "$scores"
 (
@@ -64,7 +65,7 @@ saved_again() { # it goes on: what it saved once, it saves anew
     for _ in $(seq 300); do cmp -s "$scores" was || return 0; sleep 0.1; done
     return 1
 }
-holds 'a hangup that is ignored stays ignored' saved_again
+check 'a hangup that is ignored stays ignored' saved_again
 kill -TERM "$(cat child)"
 wait $shielded
 
@@ -80,8 +81,8 @@ damaged() { # NAME BYTES
     cp "$scores" was
     play_until TERM
     same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" "$(grep curtain: err)"
-    holds "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
-    holds "$1: begun anew" saved
+    check "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
+    check "$1: begun anew" saved
 }
 damaged 'a damaged score file' 500 probe.nv.damaged
 damaged 'another one' 32768 probe.nv.damaged-2

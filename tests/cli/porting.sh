@@ -28,4 +28,4 @@ check "README names them all" named README.md
 check "the page on porting names them all" named docs/porting.md
 grep -v plat_alarm README.md >"$scratch/bad.md"
 refuse "planted: a function left out" "plat_alarm" named "$scratch/bad.md"
-done_testing
+finish

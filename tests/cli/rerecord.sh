@@ -3,6 +3,7 @@
 # all of their start; what became of prints, score, moments and length is told, as far as a demo lets it be known; what is
 # not this run any more, or cannot be written, is left alone.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 core=$("$curtain" version | sed -n 's/^curtain core version //p')
 reader=$repo/tests/cli/demo_read.py
 
@@ -99,15 +100,15 @@ python3 "$repo/tests/cli/demo_old.py" plain.demo new2.demo
 aged new2.demo two.was
 as_they_were old untold two flags
 again 'an older core, all alike' 0 old "rerecorded: holds, 400 frames$doubt"
-holds 'it is as one recorded here' cmp old.demo new.demo
+check 'it is as one recorded here' cmp old.demo new.demo
 again 'of a program that told no points' 0 untold "rerecorded: holds, 400 frames$doubt"
-holds 'it tells them now' cmp untold.demo new.demo
+check 'it tells them now' cmp untold.demo new.demo
 same 'a recording tells what everybody had in the end' 'moment 400 listed points 1 200,moment 400 listed points 2 0,' \
     "$(python3 "$reader" new.demo | sed -n '/points/p' | tr '\n' ',')"
 again 'format 2' 0 two "rerecorded: holds, 400 frames$doubt"
-holds 'format 2: it is as one recorded here' cmp two.demo plain.demo
+check 'format 2: it is as one recorded here' cmp two.demo plain.demo
 again 'of this very build' 0 new 'rerecorded: holds, 400 frames'
-holds 'it stays as it is' cmp new.demo old.demo
+check 'it stays as it is' cmp new.demo old.demo
 again 'branched and assisted' 0 flags "rerecorded: holds, 400 frames$doubt"
 same 'they stay so' 'flags 5' "$(python3 "$reader" flags.demo | grep flags)"
 
@@ -122,8 +123,8 @@ again 'points and moments' 1 old "rerecorded: frame 1: script, tasks differ; sco
 verified 'points and moments' old 400
 python3 "$reader" old.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >is
 python3 "$reader" new.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >was
-holds 'seed, switches, difficulty, practice start, saves and flags are as they were' cmp was is
-holds 'they are those it was recorded with' grep -qx 'registers power=3' is
+check 'seed, switches, difficulty, practice start, saves and flags are as they were' cmp was is
+check 'they are those it was recorded with' grep -qx 'registers power=3' is
 pads() { python3 "$reader" "$1" | grep ^pads; }
 same 'so are the pads' "$(pads new.demo)" "$(pads old.demo)"
 again 'the program told no points' 1 untold "rerecorded: frame 1: script, tasks differ; score not told -> 220 (known up to frame 19: 0); $late; length 400 as before$doubt"
@@ -153,10 +154,10 @@ run_of fault 400
 aged fault.demo ends.was
 as_they_were ends
 again 'the fault it was recorded with' 0 ends "rerecorded: holds, 200 frames, ends in the fault it was recorded with$doubt"
-holds 'it ends in it still' cmp ends.demo fault.demo
+check 'it ends in it still' cmp ends.demo fault.demo
 as_they_were old
 again 'a fault before its end' 2 old "frame 200: a fault that is not in the demo: main.lua:17: the end; length 400 -> 200; not rerecorded: the rest of it would be lost$doubt"
-holds 'it is left alone' cmp old.demo old.was
+check 'it is left alone' cmp old.demo old.was
 local_is '0, 10, 0, 0'
 as_they_were ends
 again 'a fault that does not come' 1 ends "rerecorded: frame 200: the fault it was recorded with does not happen; score 100 as before; moments as before; length 200 as before$doubt"
@@ -167,7 +168,7 @@ again 'nor does it after a difference' 1 ends "rerecorded: frame 20: script, pla
 sed -i 's/local late/error("at once", 0) local late/' g/main.lua
 as_they_were old
 again 'a fault at power-on' 2 old "frame 0: a fault that is not in the demo: main.lua:1: at once; length 400 -> 0; not rerecorded: the rest of it would be lost$doubt"
-holds 'that one is left alone' cmp old.demo old.was
+check 'that one is left alone' cmp old.demo old.was
 
 # ---- what is not this run ----
 
@@ -175,22 +176,22 @@ local_is '0, 11, 0, 0'
 aged new.demo touched.was 2
 as_they_were touched
 again 'touched from outside' 2 touched "frame 20: script, player differ; not rerecorded: the board was touched from outside, which a demo does not hold$doubt"
-holds 'touched: left alone' cmp touched.demo touched.was
+check 'touched: left alone' cmp touched.demo touched.was
 points
 again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"
 aged new.demo forged.was here forged
 as_they_were forged
 again 'of this very build, and differs' 2 forged 'frame 120: spark_kinds differs; not rerecorded: it is of this very build'
-holds 'forged: left alone' cmp forged.demo forged.was
+check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was
 says 'cut short' '2 curtain: short.demo: cut short: it has 400 frames and no end mark' "$curtain" verify g --rerecord short.demo
-holds 'short: left alone' cmp short.demo short.was
+check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
 says 'another game' '2 curtain: old.demo: a demo of another game ("probe", this is "lanterns")' "$curtain" verify h --rerecord old.demo
-holds 'another game: left alone' cmp old.demo old.was
+check 'another game: left alone' cmp old.demo old.was
 
 # ---- many, and hosts that fail ----
 
@@ -199,14 +200,14 @@ printf '%s\n' old.demo short.demo untold.demo | "$curtain" verify g --rerecord -
 same 'names from standard input' "2 old.demo: rerecorded: holds, 400 frames$doubt|short.demo: cut short: it has 400 frames and no end mark|untold.demo: rerecorded: holds, 400 frames$doubt|" "$? $(tr '\n' '|' <out)"
 full() { # FOLDER: has no room
     mkdir full && mount -t tmpfs -o size=64k tmpfs full || return 1
-    trap 'cd /; umount "$tmp/full"; rm -rf "$tmp"' EXIT
+    trap 'cd /; umount "$scratch/full"; rm -rf "$scratch"' EXIT
     cp old.was full/old.demo
     dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
     true
 }
-holds 'a disk of its own' full
+check 'a disk of its own' full
 says 'a full disk' '3 curtain: full/old.demo: cannot be written (No space left on device)' "$curtain" verify g --rerecord full/old.demo
-holds 'a full disk: the demo is whole' cmp full/old.demo old.was
+check 'a full disk: the demo is whole' cmp full/old.demo old.was
 same 'a full disk: nothing half made is left' 'filler old.demo' "$(cd full && echo *)"
 
 # Killed at any time, it is the old demo or the new one.

@@ -4,6 +4,7 @@
 # Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*), which
 # takes a while the first time.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 glasstide=$repo/roms/glasstide
 
 game g <"$repo/tests/cli/everything.lua"
@@ -20,11 +21,11 @@ for folder in g "$glasstide" "$repo/roms/testcard"; do
     find "copy of $name" -exec touch -d 2001-02-03 {} +
     mkdir -p "elsewhere/$name" && cp -r "$folder/." "elsewhere/$name"
     "$curtain" pack "elsewhere/$name/" -o "$name.2.rom"
-    holds "$name: packs to the same bytes in another place and time" cmp "$name.1.rom" "$name.2.rom"
+    check "$name: packs to the same bytes in another place and time" cmp "$name.1.rom" "$name.2.rom"
     "$curtain" list "$folder" >one
     "$curtain" list "$name.1.rom" >two
     same "$name: a list of the folder is that of the ROM" "$(cat two)" "$(cat one)"
-    holds "$name: the list is sorted" bash -c "head -n -2 one | cut -d' ' -f1 | LC_ALL=C sort -c"
+    check "$name: the list is sorted" bash -c "head -n -2 one | cut -d' ' -f1 | LC_ALL=C sort -c"
     "$curtain" unpack "$name.1.rom" "un$name"
     same "$name: every lump becomes a file" "$(($(wc -l <two) - 2))" "$(find "un$name" -type f | wc -l)"
     wrong=
@@ -72,11 +73,11 @@ tracks() { # PROGRAM FOLDER
 }
 tracks "$curtain" here
 same 'the script that uses everything runs to its end' 'exit 0' "$(tail -1 here/everything)"
-holds 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
+check 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
 same 'the demo runs to its end' 'exit 0' "$(tail -1 here/demo)"
-holds 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
+check 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
 tracks "$curtain" again
-holds 'twice the same: hashes, pictures, ROMs' diff -r here again
+check 'twice the same: hashes, pictures, ROMs' diff -r here again
 
 same 'all demos hold' 'exit 0' "$(grep '^exit' here/verify | sort -u)"
 for i in $(seq 20); do
@@ -85,7 +86,7 @@ for i in $(seq 20); do
 done | sort -u >distinct
 same 'hash tracks of both demos are alike in 20 processes' 2 "$(wc -l <distinct)"
 tracks "$OUT/curtain" window
-holds 'the same in the program with a window' diff -r here window
+check 'the same in the program with a window' diff -r here window
 
 wrong=
 for picture in here/frames/*.png here/sheet.png; do

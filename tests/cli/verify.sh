@@ -3,6 +3,7 @@
 # has prints of scripts alone, the frames between two rows of hashes when it is another part. What --verbose adds, and
 # --restamp.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 # play [FRAME ACT]...: the game; in these frames its script does that too. narrow: its bullet is gone in frame 61.
 play() {
@@ -109,7 +110,7 @@ done
 play 95 "$end"
 differs 'a fault that comes too soon' fault 'frame 95: a fault that is not in the demo: main.lua:4: the end'
 "$curtain" verify g fault.demo -v >out 2>&1
-holds 'verbose: the traceback' grep -qx '  stack traceback:' out
+check 'verbose: the traceback' grep -qx '  stack traceback:' out
 play
 differs 'a fault that does not come' fault 'frame 100: the fault it was recorded with does not happen'
 
@@ -174,15 +175,15 @@ python3 "$repo/tests/cli/demo_read.py" v.demo >v.txt
 for part in script board; do
     print=$(sed -n "s/^prints 75 .*\b$part=\([0-9a-f]*\).*/\1/p" v.txt)
     hash=$("$curtain" hash g --frames 75 --parts --every 75 | sed -n "s/^75 .* $part=[0-9a-f]*\([0-9a-f]\{4\}\)\b.*/\1/p")
-    holds "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
+    check "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
 done
 play 120 'board.note(1)'
 "$curtain" verify g v.demo -v >out 2>&1
-holds 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
-holds 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
-holds 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
+check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
+check 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
+check 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
 "$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
-holds 'verbose: of one that holds too' grep -Eqx '  20 parts, 11 rows, [0-9]+ moments' out
+check 'verbose: of one that holds too' grep -Eqx '  20 parts, 11 rows, [0-9]+ moments' out
 
 # ---- restamp ----
 
@@ -201,29 +202,29 @@ python3 "$repo/tests/cli/demo_read.py" r.demo >before
 same 'restamp: two that hold' '0 r.demo: holds, 200 frames, restamped (recorded on another build)|two.demo: holds, 200 frames, restamped (recorded on another build)|' "$? $(tr '\n' '|' <out)"
 says 'restamp: it is of this build now' 0 r 'holds, 200 frames'
 says 'restamp: so is the one of format 2' 0 two 'holds, 200 frames'
-holds 'restamp: and from either format the same bytes' cmp r.demo two.demo
+check 'restamp: and from either format the same bytes' cmp r.demo two.demo
 python3 "$repo/tests/cli/demo_read.py" r.demo >after
 same 'restamp: nothing else changed' 'game|rom|' "$(diff before after | sed -n 's/^> \([a-z]*\) .*/\1/p' | tr '\n' '|')"
 cp r.demo again.demo
 "$curtain" verify g --restamp again.demo >/dev/null
-holds 'restamp: once more changes nothing' cmp r.demo again.demo
+check 'restamp: once more changes nothing' cmp r.demo again.demo
 got=$("$curtain" verify g --restamp other.demo 2>&1)
 same 'restamp: one that differs' '1 other.demo: frame 75: script, board differ (recorded on another build)' "$? $got"
-holds 'restamp: is left alone' cmp other.demo other.was
+check 'restamp: is left alone' cmp other.demo other.was
 got=$("$curtain" verify g --restamp short.demo 2>&1)
 same 'restamp: one cut short' '2 curtain: short.demo: cut short: it has 180 frames and no end mark' "$? $got"
-holds 'restamp: is left alone too' cmp short.demo short.was
+check 'restamp: is left alone too' cmp short.demo short.was
 play 100 "$end"
 record fault 200
 cp fault.demo fault.was
 play 100 "$end" 150 'board.note(1)'
 "$curtain" verify g --restamp fault.demo old-fault.demo >out 2>&1
 same 'restamp: one that ends in a fault' '0 fault.demo: holds, 100 frames, ends in the fault it was recorded with, restamped (recorded on another build)' "$? $(head -1 out)"
-holds 'restamp: of either format' cmp fault.demo old-fault.demo
+check 'restamp: of either format' cmp fault.demo old-fault.demo
 says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
 moments | game g
 "$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo >/dev/null 2>&1
 python3 "$repo/tests/cli/demo_old.py" m.demo old-m.demo
 "$curtain" verify g --restamp old-m.demo >/dev/null 2>&1
-holds 'restamp: start and moments' cmp m.demo old-m.demo
+check 'restamp: start and moments' cmp m.demo old-m.demo
 finish

@@ -6,7 +6,7 @@
 #
 # Hashes differ: the run itself is another. Only the pixels differ: it is drawn in another way. A failure leaves
 # expected, got and difference as PNG in build/golden-failed/.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 here=tests/golden
 failed=build/golden-failed
 curtain=$OUT/curtain-null
@@ -101,4 +101,4 @@ spoilt_hash() {
     hash_holds "$(awk 'NR == 1 { print $1 "-" $2 }' "$scratch/hashes")"
 }
 refuse "planted: one digit of a hash" "state hash" spoilt_hash
-done_testing
+finish

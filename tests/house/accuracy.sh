@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine is
 # computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 lab=$OUT/lab
 
 # A page with its times taken out.
@@ -33,8 +33,7 @@ check "plots are well-formed" well_formed
 planted() { # NAME WORDS SED
     sed "$3" docs/accuracy.md >"$scratch/planted.md"
     if cmp -s docs/accuracy.md "$scratch/planted.md"; then
-        echo "nothing was planted" >"$scratch/said"
-        result 1 "planted: $1"
+        not_ok "planted: $1" "nothing was planted"
         return
     fi
     refuse "planted: $1" "$2" same_page "$scratch/planted.md"
@@ -67,4 +66,4 @@ unswept() {
     "$scratch/lab" --exact --out "$scratch/new" collision
 }
 refuse "planted: an engine that does not sweep" "does not hold: hit test" unswept
-done_testing
+finish

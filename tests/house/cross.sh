@@ -2,7 +2,7 @@
 # cross.sh - docs/determinism.md has a build for each machine, and the last hashes of all of them are what this build
 # computes; a build that diverges is found out; make cross does not begin without its compilers. The builds for other
 # machines themselves are too much for a test: make cross makes them.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 demos() { ls roms/*/demos/*.demo tests/demos/*.demo; }
 rom() { case $1 in tests/*) echo "${1%-*}.rom" ;; *) echo "${1%/demos/*}" ;; esac; }
@@ -54,8 +54,7 @@ check "the page has all machines, two releases of Lua, two compilers" machines d
 planted() { # NAME WORDS CHECK SED
     sed "$4" docs/determinism.md >"$scratch/planted.md"
     if cmp -s docs/determinism.md "$scratch/planted.md"; then
-        echo "nothing was planted" >"$scratch/said"
-        result 1 "planted: $1"
+        not_ok "planted: $1" "nothing was planted"
         return
     fi
     refuse "planted: $1" "$2" "$3" "$scratch/planted.md"
@@ -68,7 +67,7 @@ planted "one release of Lua" "one release" machines '/^<!-- cross/,$s/5\.4\.[0-9
 
 # ---- a build that diverges ----
 
-"$curtain" hash tests/cross/keys --record "$scratch/keys.demo" --frames 120 --every 120 >"$scratch/said"
+"$curtain" hash tests/cross/keys --record "$scratch/keys.demo" --frames 120 --every 120 >"$scratch/.said"
 found_out() { tools/cross/unsorted.sh "$OUT" "$scratch/keys.demo" | grep -E 'keys\.demo: frames? [0-9]+.* differs?$'; }
 check "unsorted pairs differ, in a frame and a part" found_out
 check "as it is, the demo holds" "$curtain" verify tests/cross/keys "$scratch/keys.demo"
@@ -87,4 +86,4 @@ without() { env PATH="$scratch/bin" tools/cross/run.sh "$@"; }
 refuse "a missing compiler is named" "s390x: there is no s390x-linux-gnu-gcc here" without s390x
 refuse "so is what runs the programs" "wasm32: there is no node here" without wasm32
 refuse "a build that is not there" "riscv64: there is no such build" without riscv64
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # docs.sh - the manual's API section is what the program says, and the program's help covers what it offers.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 current() { tools/apidoc.sh "$curtain" | diff "$1" -; }
@@ -22,4 +22,4 @@ commands() {
     done
 }
 check "every command has its help" commands
-done_testing
+finish

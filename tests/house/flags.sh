@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # flags.sh - flags that change results are refused: by the compiler, or by a sentence when the program starts. And those
 # that change none are not.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 flags="-std=c11 -fwrapv -ffp-contract=off -O2"
 cat >"$scratch/main.c" <<'EOL'
@@ -110,4 +110,4 @@ host() { # OBJECT: the sums
 check "a board is powered" host "$OUT/src/base/sums.o"
 refuse "a board with such sums is not" "built with flags that change results: it divides" host "$scratch/sums.o"
 check "the program as built is fine" "$OUT/curtain-null" hash roms/testcard --frames 1
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # floors.sh - every #include obeys the floors, and a planted one that does not is found.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 floors() { tree '*.c' '*.h' | xargs python3 tests/house/floors.py; }
 check "every include is of its own floor or below" floors
@@ -27,4 +27,4 @@ refuse "planted: stb in the board" "stb is for" planted src/board/draw/video.c '
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
 refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'
 refuse "planted: a clock below the cabinet" "there is no <time.h>" planted src/base/rng.h '<time.h>'
-done_testing
+finish

@@ -2,7 +2,7 @@
 # frozen.sh - frozen ROMs bring the standard library of their time: every sys.NAME that the scripts of any of them use, and
 # every entry that they have arguments checked by, is still there. What changes is added beside it. The names are those in
 # the ROMs; whether they are there is asked of a board, in a game whose own std/boot.lua takes the place of @std's.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 # Names after "sys." in all scripts of a ROM but those that the scripts themselves declare; names sys.check is told.
@@ -60,4 +60,4 @@ echo gone >>"$scratch/used"
 refuse 'planted: a name that is gone' 'gone, and a frozen ROM calls it: sys.gone' there "$scratch/used"
 echo boss.gone >>"$scratch/checked"
 refuse 'planted: an entry that is gone' 'checked by it: boss.gone' entries "$scratch/checked"
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # hardened.sh - the programs as built have the guards that tools/harden.sh asks the compiler and linker for.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 has() { # FILE COMMAND WORDS: what the command prints of the file has the words
     local file=$1 words=$3
@@ -71,4 +71,4 @@ if [ "$(uname -m)" = x86_64 ] && bare 2>/dev/null; then
     bare -z execstack 2>/dev/null
     refuse "planted: a stack that is run" "GNU_STACK" no_code_in_data "$scratch/bare"
 fi
-done_testing
+finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # objects.sh - what the objects below the cabinet hold and call: no writable memory, and of C and Lua only what touches
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c; }
 linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
@@ -110,4 +110,4 @@ refuse "planted: a locale for the process" "calls setlocale" planted calls '#inc
 void *planted(void) { return setlocale(LC_ALL, ""); }'
 refuse "planted: Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
 void *planted(void) { return luaL_newstate(); }'
-done_testing
+finish

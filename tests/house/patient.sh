@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # patient.sh - tests/patient.py ends what hangs, asleep or awake, with all that it started, and nothing that is slow; the
 # runner says so; no test ends a program by the clock.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 said=$scratch/output
 runs() { # CODE LAST-LINE [OPTION]... COMMAND...: of bash
     local code=$1 last=$2
@@ -43,4 +43,4 @@ none() { ! by_the_clock "$@"; }
 check 'no test ends a program by the clock' none $(tree 'tests/*.sh')
 echo 'timeout 300 ./program' >"$scratch/planted.sh"
 refuse 'planted: one that does' 'timeout 300' none "$scratch/planted.sh"
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts.sh - every game packs, and no script names what nobody declared.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 for rom in roms/*/; do
@@ -24,4 +24,4 @@ refuse "planted: a name the sandbox lacks" "unknown name os" planted 'local t = 
 refuse "planted: a random number of the host" "unknown name math.random" planted 'return math.random(6)'
 refuse "planted: a misspelt local" "unknown name conut" planted 'local count = 1 return function() return conut + 1 end'
 refuse "planted: a syntax error" "does not compile" planted 'local = 1'
-done_testing
+finish

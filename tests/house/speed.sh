@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is looked
 # at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is wrong.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 bench=$OUT/bench
 
 cat >"$scratch/sections" <<'END'
@@ -72,4 +72,4 @@ another() {
     "$scratch/bench" battle
 }
 refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another
-done_testing
+finish

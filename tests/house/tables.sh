@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tables.sh - the tables of trig.c are what their maker makes.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 if python3 "$repo/tools/trig_tables.py" >made 2>why && cmp -s made "$repo/src/base/trig_tables.h"; then
     ok "tools/trig_tables.py makes src/base/trig_tables.h"

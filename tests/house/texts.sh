@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # texts.sh - the repository speaks of itself only: no path of anybody's machine, no history of how it was written; and
 # what its pages point to is there.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 machine='(\.\./shared|/work/|/tmp/w\b|/home/[a-z]|/Users/|\bsessions?[ -]?(id|log|number)|\bthis session\b|\bAI (assistant|model|agent)|language model|\bclaude\b)'
 undone='\b(TODO|FIXME)[: ]'
@@ -30,4 +30,4 @@ links() {
 check "the manual's links lead somewhere" links $(tree '*.md')
 echo '[gone](nowhere.md)' >"$scratch/b.md"
 refuse "planted: a link to nothing" "nowhere.md" links "$scratch/b.md"
-done_testing
+finish

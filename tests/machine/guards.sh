@@ -5,6 +5,7 @@
 # Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame, and a
 # look after 20 ms), a few of them also with the real one. One that does not end prints no line: the runner sees it.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 short=$OUT/curtain-short
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
 LOOP='endless loop: more than 50000000 instructions in one frame'

@@ -2,6 +2,7 @@
 # practice.sh - the practice menu in play: a piece is chosen, tried, tried again, captured, and the records say so; what does
 # not count; scores; a damaged file. The port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
     $(pkg-config --libs lua5.4) -lm -pthread || exit 2
@@ -60,8 +61,8 @@ weak() { press $F2 $DOWN $DOWN $Z; }
 same 'it ends well' 0 $?
 same 'the board stands still behind the menu' 1 "$(part menu 22 29 | sort -u | wc -l)"
 refuted() { [ "$1" != "$2" ]; }
-holds 'the menu is seen' refuted "$(part menu 20 20)" "$(part menu 21 21)"
-holds 'what is chosen too' refuted "$(part menu 29 29)" "$(part menu 31 31)"
+check 'the menu is seen' refuted "$(part menu 20 20)" "$(part menu 21 21)"
+check 'what is chosen too' refuted "$(part menu 29 29)" "$(part menu 31 31)"
 rm -rf data
 keys 60 | plays straight
 same 'afterwards the game goes on as if nothing had been' "$(part straight 21 50)" "$(part menu 40 69)"
@@ -96,7 +97,7 @@ keys 130 | ./player play g --demo one.demo >out 2>err
 same 'a demo' 'none' "$([ -e "$file" ] || echo none)"
 { keys 20; press $F2; keys 20; } | ./player play g --demo one.demo >shown 2>err
 keys 42 | ./player play g --demo one.demo >unshown 2>err
-holds 'in a demo there is no menu, but a word' refuted "$(part unshown 21 21)" "$(part shown 21 21)"
+check 'in a demo there is no menu, but a word' refuted "$(part unshown 21 21)" "$(part shown 21 21)"
 same 'and it goes on' "$(tail -n +9 <<<"$(part unshown 43 43)")" "$(tail -n +9 <<<"$(part shown 43 43)")"
 
 # ---- records that were there ----
@@ -118,7 +119,7 @@ rm -rf data
 keys 100 | plays out
 cp data/curtain/probe.nv before.nv
 { weak; keys 100; } | plays out
-holds 'practice keeps no scores' cmp data/curtain/probe.nv before.nv
+check 'practice keeps no scores' cmp data/curtain/probe.nv before.nv
 keys 60 | plays with --stage queen/weak
 rm -rf data
 keys 60 | plays without --stage queen/weak
@@ -126,12 +127,12 @@ same 'and begins with none' "$(cat without)" "$(cat with)"
 mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | plays out
-holds 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" "$(cksum <data/curtain/probe.nv)"
+check 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" "$(cksum <data/curtain/probe.nv)"
 cp data/curtain/probe.nv menu.nv
 rm -rf data
 keys 100 | plays out
 keys 100 | plays out
-holds 'as without practice' cmp data/curtain/probe.nv menu.nv
+check 'as without practice' cmp data/curtain/probe.nv menu.nv
 
 # ---- recording ----
 
@@ -150,6 +151,6 @@ same 'all of a start is in the demo' 'all.demo: holds, 70 frames' "$("$curtain" 
 same 'which plays the same' "$(cat all)" "$(cat played)"
 for less in '--register power=5 --invincible' '--lives 7 --invincible'; do
     "$curtain" hash g --stage one:late $less --difficulty easy --frames 70 >less 2>&1
-    holds "each of them matters: $less" refuted "$(tail -1 all)" "$(tail -1 less)"
+    check "each of them matters: $less" refuted "$(tail -1 all)" "$(tail -1 less)"
 done
 finish

@@ -21,7 +21,7 @@ echo 'return 3' >changed/step.lua
 pressed() { keys 30; keys 40 $Z; keys 230; }
 pressed | ./player play g --seed 5 >straight 2>err
 pressed | ./player play changed --seed 5 >other 2>err
-holds 'the two games differ' test -z "$(comm -12 <(part straight 100 200 | sort) <(part other 100 200 | sort))"
+check 'the two games differ' test -z "$(comm -12 <(part straight 100 200 | sort) <(part other 100 200 | sort))"
 
 # shown N: until so many pictures are there
 shown() { for _ in $(seq 20000); do [ "$(wc -l <out)" -ge "$1" ] && return 0; sleep 0.025; done; return 1; }
@@ -61,17 +61,17 @@ same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
 edited 100 'echo "return {}" >g/step.lua' --record three.demo
 same 'an error in the run is none of the old game' 0 $code
-holds '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
+check '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
 unchanged
 same '... which goes on' "$(played three.demo 2)" "$("$curtain" verify g three.demo)"
 
 edited 100 'rm g/step.lua' --record four.demo
-holds 'a lost file is told' grep -q 'main.lua:1: .*step' err
+check 'a lost file is told' grep -q 'main.lua:1: .*step' err
 unchanged
 same '... and the old game goes on' "$(played four.demo 1)" "$("$curtain" verify g four.demo)"
 
 edited 100 'echo "return = 3" >g/step.lua; sleep 0.1; pressed | sed -n "101,160p" >&7; shown 160; unchanged'
-holds 'what is put right again is not told twice' test "$(wc -l <err)" = 1
+check 'what is put right again is not told twice' test "$(wc -l <err)" = 1
 
 # While a demo is shown, twice: the demo's board is of a ROM that goes.
 mkdir -p g/demos

@@ -56,10 +56,10 @@ rm -rf data
 keys 100 | plays out
 cp data/curtain/probe.nv before.nv
 refuted() { ! cmp -s "$1" "$2"; }
-holds 'the two saves differ' refuted straight.nv before.nv
+check 'the two saves differ' refuted straight.nv before.nv
 rm -rf data
 { keys 40; keys 5 $BACKSPACE; keys 200; } | plays out
-holds 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
+check 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
 rm -rf data
 
 # ---- step by step, and from moment to moment ----
@@ -79,7 +79,7 @@ same 'while recording too' "$(part direct 61 110)" "$(part recorded 141 190)"
 same 'the demo is of the branch' "one.demo: holds, 110 frames" "$("$curtain" verify g one.demo)"
 { keys 60; keys 50 $Z; } | plays out --record two.demo
 same 'and is as one that went there straight' '' "$(diff <("$curtain" hash g --demo one.demo) <("$curtain" hash g --demo two.demo) 2>&1)"
-holds 'but it knows that it branched' refuted one.demo two.demo
+check 'but it knows that it branched' refuted one.demo two.demo
 { keys 100; keys 40 $BACKSPACE; } | plays out --record three.demo
 same 'who stops in the past ends there' "three.demo: holds, 60 frames" "$("$curtain" verify g three.demo)"
 
@@ -96,7 +96,7 @@ same 'a playback goes back' "$(part straight 60 99 | tac)" "$(part shown 101 140
 same 'and on, whatever is pressed' "$(part straight 61 120)" "$(part shown 141 200)"
 { keys 10; keys 1 @200,63; keys 1; } | watches click
 at=$(grep -n "^$(part click 11 11)$" straight | cut -d: -f1)
-holds 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
+check 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
 { keys 10; keys 1 @0,63; keys 1 $P; keys 3; } | watches click
 same 'and to the start' "$(part straight 1 1)" "$(part click 12 12)"
 { keys 20; keys 1 $AFTER; keys 1 $AFTER; keys 1; keys 1 $AFTER; keys 1 $P; keys 3; } | watches click
@@ -122,7 +122,7 @@ sed -i "s/if i == 30/if i == 71 then error 'ends here' end\n    if i == 30/" fau
 keys 90 | ./player play faulty --seed 5 --record fault.demo >/dev/null 2>&1
 same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty fault.demo)"
 { keys 90; keys 1 $BEFORE; keys 3; keys 1 $P; } | ./player play faulty --demo fault.demo --record before.demo >out 2>&1
-holds 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' <("$curtain" verify faulty before.demo)
+check 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' <("$curtain" verify faulty before.demo)
 { keys 90; keys 1 $T; keys 5; } | ./player play faulty --demo fault.demo --record over.demo >out 2>&1
 same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty over.demo)"
 
@@ -131,8 +131,8 @@ same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends
 cp -R g other_game
 sed -i 's/i == 150 then/i == 150 or i == 60 then/' other_game/main.lua # saves once more
 mkdir -p data2
-XDG_DATA_HOME=$tmp/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
-holds 'a playback that is not what was recorded says so' grep -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
+XDG_DATA_HOME=$scratch/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
+check 'a playback that is not what was recorded says so' grep -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
 same 'once' 1 "$(grep -c 'not the run' err)"
 keys 100 | watches shown
 same 'and one that is does not' '' "$(cat err)"

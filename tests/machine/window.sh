@@ -3,13 +3,6 @@
 # played frame is the frame `curtain render` makes, at every scale.
 . "$(dirname "$0")/../xserver.sh"
 play_rom=$repo/roms/glasstide
-refuse() { # NAME TEXT COMMAND...: fails, and says TEXT
-    local name=$1 text=$2
-    shift 2
-    if "$@" >"$scratch/said" 2>&1; then not_ok "$name" "was not refused"
-    elif grep -q -- "$text" "$scratch/said"; then ok "$name"
-    else not_ok "$name" "$(cat "$scratch/said")"; fi
-}
 cd "$repo" || exit 2
 # A card that cannot be there, and nobody's settings.
 export SDL_AUDIODRIVER=alsa AUDIODEV=none

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 #include "bench.h"
+#include "../numbers.h"
 
 static const double LONG = 3e5; /* ns */
 
@@ -66,18 +67,11 @@ void samples_free(struct samples *s)
     *s = (struct samples){ 0 };
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 double samples_quantile(struct samples *s, double share)
 {
     if (!s->n)
         return 0;
-    qsort(s->ns, (size_t)s->n, sizeof *s->ns, by_value);
+    numbers_sort(s->ns, (size_t)s->n);
     return s->ns[(int)(share * (s->n - 1) + 0.5)];
 }
 

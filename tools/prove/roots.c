@@ -219,7 +219,7 @@ static void random_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t x = prove_scaled(random);
 
         check_hypot(&t[ROOT], x, prove_scaled(random));
-        check_hypot(&t[ROOT], (int32_t)prove_random(random), x);
+        check_hypot(&t[ROOT], (int32_t)numbers_random(random), x);
     }
 }
 
@@ -230,7 +230,7 @@ static void clamped_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
 
     (void)chunk;
     for (int i = 0; i < CHUNK / 8; i++) {
-        double x = (double)((uint32_t)prove_random(random) >> 1), y = floor(sqrt(limit - x * x));
+        double x = (double)((uint32_t)numbers_random(random) >> 1), y = floor(sqrt(limit - x * x));
 
         for (int k = -2; k <= 2; k++)
             check_hypot_mirrored(&t[ROOT], (int64_t)x, (int64_t)y + k);
@@ -285,9 +285,9 @@ static void on_boundary(struct tally *t, uint64_t p, int64_t e, uint64_t root, u
 {
     uint64_t k = p / 2, x = root & 1 ? (root + p) / 2 : root / 2;
 
-    if (prove_random(random) & 1)
+    if (numbers_random(random) & 1)
         x = p - x;
-    for (int i = 0; i < 4; i++, x += p * (prove_random(random) % 8 + 1)) {
+    for (int i = 0; i < 4; i++, x += p * (numbers_random(random) % 8 + 1)) {
         i128 n = (i128)x * x + (i128)k * k - e, r = n / (i128)p, y = r - (i128)k;
 
         if (x > FX_MAX || y > FX_MAX || y < -(i128)FX_MAX)
@@ -302,7 +302,7 @@ static void on_boundary(struct tally *t, uint64_t p, int64_t e, uint64_t root, u
 
 static void boundary_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
 {
-    uint64_t p = (prove_random(random) >> 33 >> chunk % 16) | 1, g = 2, root;
+    uint64_t p = (numbers_random(random) >> 33 >> chunk % 16) | 1, g = 2, root;
 
     while (!is_prime(p) || !(p % 4 == 1 || p % 12 == 11))
         p = (p + 2) & 0x7fffffff;
