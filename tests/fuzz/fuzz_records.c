@@ -23,11 +23,11 @@ static void count(struct records *r)
         if (!got.mark[0])
             continue;
         need(memchr(got.mark, 0, sizeof got.mark) && memchr(got.difficulty, 0, sizeof got.difficulty));
-        need(got.captures >= 0 && got.captures <= got.attempts && got.attempts <= RECORDS_COUNT_MAX);
+        need(got.captures >= 0 && got.captures <= got.attempts && got.attempts <= MAX_RECORD_COUNT);
         records_attempt(r, got.mark, got.difficulty);
         records_capture(r, got.mark, got.difficulty);
         const struct record *now = records_find(r, got.mark, got.difficulty);
-        need(now && now->captures <= now->attempts && now->attempts <= RECORDS_COUNT_MAX && now->attempts >= got.attempts);
+        need(now && now->captures <= now->attempts && now->attempts <= MAX_RECORD_COUNT && now->attempts >= got.attempts);
         need(r->n == n);
     }
 }

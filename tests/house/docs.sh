@@ -22,4 +22,19 @@ commands() {
     done
 }
 check "every command has its help" commands
+
+# The glossary: sorted, every word once, every file there.
+glossary() {
+    awk '/^## /{ on = $0 == "## Words" } on' "$1" | grep '^| ' | sed '1d' >"$scratch/words"
+    [ "$(wc -l <"$scratch/words")" -gt 60 ] || { echo "there are hardly any words"; return 1; }
+    cut -d '|' -f 2 "$scratch/words" | tr -d '@' | tr A-Z a-z | sort -fc || return 1
+    sed -n 's/.*| `\([^`]*\)` |$/\1/p' "$scratch/words" | while read -r file; do
+        [ -f "$file" ] || { echo "there is no $file"; return 1; }
+    done
+}
+check "every word of the glossary lives in a file" glossary docs/design.md
+sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/design.md >"$scratch/design.md"
+refuse "planted: a word without a file" "there is no fb/gone.h" glossary "$scratch/design.md"
+sed 's/^| demo |/| zebra |/' docs/design.md >"$scratch/design.md"
+refuse "planted: words out of order" "disorder" glossary "$scratch/design.md"
 finish

@@ -21,7 +21,7 @@ enum {
     MAX_TURBO = 32,      /* ticks a frame */
     TURBO_USEC = 12000,  /* of a frame spent on them */
     SAVE_EVERY = 60,     /* frames */
-    NVRAM_MOST = 1 << 20 /* bytes that are kept of a damaged score file */
+    MAX_NVRAM_KEPT = 1 << 20 /* bytes that are kept of a damaged score file */
 };
 
 struct cab cab;
@@ -126,7 +126,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     long size = plat_size(name);
     if (start->nvram || start->practice.mark[0] || cab.options.demo || size < 0)
         return NULL;
-    size = size < NVRAM_MOST ? size : NVRAM_MOST;
+    size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
     if (!image || plat_load(name, image, (size_t)size) != size) {
         cab_say("curtain: %s: cannot be read; scores are not saved", name);

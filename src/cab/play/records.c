@@ -258,7 +258,7 @@ void records_attempt(struct records *r, const char *mark, const char *difficulty
         snprintf(at->mark, sizeof at->mark, "%s", mark);
         snprintf(at->difficulty, sizeof at->difficulty, "%s", difficulty);
     }
-    if (at->attempts == RECORDS_COUNT_MAX)
+    if (at->attempts == MAX_RECORD_COUNT)
         return;
     at->attempts++;
     r->changed = true;

@@ -18,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { RECORDS_COUNT_MAX = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
+enum { MAX_RECORD_COUNT = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
 
 struct record {
     char mark[64], difficulty[16];
