@@ -4,10 +4,10 @@
 #     OUT=build/release tests/run.sh [all|torture|sanitizer]
 #
 # all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; torture:
-# only what has torture in its name, at length; sanitizer: the C programs, where any finding ends the program.
-# Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
-# output of a program stays in $OUT/results, and is shown when something in it failed. Exit 1: something failed. No verdict
-# depends on the time: what hangs is told from what is slow by its own progress.
+# only what has torture in its name, at length; sanitizer: the C programs, where any finding ends the program. Every
+# program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
+# output of a program stays in $OUT/results, and is shown when something in it failed. Exit 1: something failed. No
+# verdict depends on the time: what hangs is told from what is slow by its own progress.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 what=${1:-all}
@@ -24,7 +24,10 @@ count() {
             if ($1 == "not" || toupper($0) ~ /# *(SKIP|TODO)/) failed++; else passed++
         }
         END {
-            if (!plans || planned != ran) { print "# " (plans ? "planned " planned ", ran " ran + 0 : "no plan") >"/dev/stderr"; failed++ }
+            if (!plans || planned != ran) {
+                print "# " (plans ? "planned " planned ", ran " ran + 0 : "no plan") >"/dev/stderr"
+                failed++
+            }
             if (rc != 0 && !failed) { print "# exit code " rc >"/dev/stderr"; failed++ }
             print passed + 0, failed + 0
         }' "$1" 2>>"$1.why"
@@ -80,7 +83,8 @@ torture)
     add "$OUT"/unit/test_*torture* "$OUT"/machine/test_*torture* tests/machine/*torture*.sh
     ;;
 sanitizer)
-    export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+    export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 \
+        UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
     cpu=3600
     add "$OUT"/machine/test_* "$OUT"/unit/test_*
     ;;

@@ -1,5 +1,5 @@
-# scripted.sh - tap.sh, and ./player: curtain with a port that is played by a script (machine/port_keys.c), without window
-# and clock.
+# scripted.sh - tap.sh, and ./player: curtain with a port that is played by a script (machine/port_keys.c), without
+# window and clock.
 #
 #     . "$(dirname "$0")/../scripted.sh"
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"

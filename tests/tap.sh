@@ -34,7 +34,11 @@ same() { # NAME WANT GOT
 check() { # NAME COMMAND...: passes when the command succeeds; what it says is shown when it does not
     local name=$1
     shift
-    if "$@" >"$scratch/.said" 2>&1; then ok "$name"; else not_ok "$name" "does not hold: $*" "$(cat "$scratch/.said")"; fi
+    if "$@" >"$scratch/.said" 2>&1; then
+        ok "$name"
+    else
+        not_ok "$name" "does not hold: $*" "$(cat "$scratch/.said")"
+    fi
 }
 refuse() { # NAME WORDS COMMAND...: passes when the command fails and says the words, so that a planted fault is found
     local name=$1 words=$2
@@ -65,9 +69,11 @@ game() {
     cat >"$1/rom.lua" <<'LUA'
 return {
   id = "probe", title = "Probe", screen = { w = 64, h = 64 },
-  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, lua_kib = 1024 },
+  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128,
+            lua_kib = 1024 },
   sheets = { all = { file = "art/all.png" } },
-  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
+  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 },
+              dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
   difficulties = { "easy", "normal", "hard" }, dip = { coins = { "free", "one" }, ships = { min = 1, max = 9 } },
   players = 2,
 }

@@ -2,7 +2,8 @@
 #
 #     . "$(dirname "$0")/../xserver.sh"
 #
-# Afterwards DISPLAY is set, $scratch is the working folder, and start TITLE COMMAND... runs a program whose window is $win.
+# Afterwards DISPLAY is set, $scratch is the working folder, and start TITLE COMMAND... runs a program whose window is
+# $win.
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
 sandbox
 for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do

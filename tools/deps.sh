@@ -1,9 +1,9 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [null] [play] [test] [fuzz] [nightly] [bench] [cross]     without arguments: all but nightly and cross
+#     tools/deps.sh [null] [play] [test] [fuzz] [nightly] [bench] [cross]
 #
-# null: what curtain-null is built with; play: that, and SDL2.
+# Without arguments: all but nightly and cross. null: what curtain-null is built with; play: that, and SDL2.
 set -eu
 [ $# -gt 0 ] || set -- play test fuzz bench
 
@@ -70,7 +70,8 @@ for what; do
         have clang || need clang
         have wasm-ld || need lld
         header wasm32-wasi/stdio.h || need wasi-libc
-        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 || need libclang-rt-14-dev-wasm32
+        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 ||
+            need libclang-rt-14-dev-wasm32
         have node || need nodejs
         have dpkg-source || need dpkg-dev
         have xz || need xz-utils

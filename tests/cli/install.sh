@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # install.sh - what make install puts where: the programs, the documents, and the examples and games that README says to
-# copy, which the installed program checks and packs. One file for a friend, with another game in it. make null asks for no
-# SDL2.
+# copy, which the installed program checks and packs. One file for a friend, with another game in it. make null asks for
+# no SDL2.
 . "$(dirname "$0")/../tap.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -37,7 +37,8 @@ built_in() { # GAME [ARGUMENT]...: of make
     local game=$1 want got
     shift
     makes "$@" build/curtain || return 1
-    want=$("$OUT/curtain-null" hash "$game" --frames 30 --parts) && got=$("$tree/build/curtain" hash --frames 30 --parts) || return 1
+    want=$("$OUT/curtain-null" hash "$game" --frames 30 --parts) &&
+        got=$("$tree/build/curtain" hash --frames 30 --parts) || return 1
     [ "$want" = "$got" ] || { echo "built in is another game" && return 1; }
 }
 check 'one file with a game in it' built_in examples/first GAME=examples/first
@@ -53,7 +54,8 @@ rm "$tree/mine/more.lua"
 check 'a file less' built_in "$tree/mine" GAME=mine
 check 'and the game of its own again' built_in roms/glasstide
 not_again() { # nothing that is there is made once more
-    touch "$scratch/then" && makes build/curtain && [ ! "$tree/build/curtain" -nt "$scratch/then" ] && [ ! "$tree/build/release/game.rom" -nt "$scratch/then" ]
+    touch "$scratch/then" && makes build/curtain && [ ! "$tree/build/curtain" -nt "$scratch/then" ] &&
+        [ ! "$tree/build/release/game.rom" -nt "$scratch/then" ]
 }
 check 'nothing is built twice' not_again
 check 'it is one file' bash -c 'cd / && exec "$1" hash --frames 1' - "$tree/build/curtain"

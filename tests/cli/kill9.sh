@@ -36,13 +36,18 @@ last = seen.split(b"\n")[-2].split()[0]
 print(int(last), run.wait())
 END
 wrong='' short=0 least=999999 most=0
-for at in $(python3 -c 'import random, sys; random.seed(9); print(*(random.randrange(1, int(sys.argv[1]) - 400) for _ in range(50)))' "$frames"); do
+for at \
+    in \
+    $(python3 \
+    -c 'import random, sys; random.seed(9); print(*(random.randrange(1, int(sys.argv[1]) - 400) for _ in range(50)))' \
+    "$frames"); do
     rm -f cut.demo
     read -r printed code < <(python3 kill.py "$curtain" "$at" cut.demo)
     [ "$code" = -9 ] || wrong+="at $at it ended by itself ($code)"$'\n'
     "$curtain" hash game.rom --demo cut.demo --every 60 >played 2>said # what is cut short ends in a whole second
     got=$(tail -1 played | cut -d' ' -f1)
-    grep -q "cut.demo: cut short (no end mark); playing the $got frames it has" said || wrong+="at $at: $(cat said)"$'\n'
+    grep -q "cut.demo: cut short (no end mark); playing the $got frames it has" said ||
+        wrong+="at $at: $(cat said)"$'\n'
     [ "${got:-0}" -ge $((printed - 60)) ] || wrong+="at $at: $printed frames were printed, $got play"$'\n'
     head -n $((got / 60 + 1)) whole | cmp -s - played || wrong+="at $at: the $got frames are not those of the run"$'\n'
     short=$((short + (got < frames)))

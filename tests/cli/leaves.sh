@@ -14,7 +14,8 @@ leaves() { # NAME ADDED ARGUMENT...: ADDED: the files that are new
     local name=$1 added=$2 got
     shift 2
     tree >before
-    (cd here && HOME=$scratch/home TMPDIR=$scratch/short "$curtain" "$@" >/dev/null 2>../err) || not_ok "$name: it runs" "$(cat err)"
+    (cd here && HOME=$scratch/home TMPDIR=$scratch/short "$curtain" "$@" >/dev/null 2>../err) ||
+        not_ok "$name: it runs" "$(cat err)"
     tree >after
     got=$(diff before after | sed -n 's/^> f .* //p')
     same "$name" "$added" "$got"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is closed, a
-# score file that is damaged. In SDL's own dummy window.
+# losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is
+# closed, a score file that is damaged. In SDL's own dummy window.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
@@ -36,7 +36,8 @@ play_until TERM --record full
 same 'a recording without room says so, and is played' \
     'curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
 play_until TERM --record /proc/nothing/x.demo
-same 'and so where there is no such folder' 'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
+same 'and so where there is no such folder' \
+    'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
     "$(grep curtain err) $got"
 
 saved() { # how often it was counted, at least 30
@@ -72,7 +73,8 @@ wait $shielded
 rm -rf "$scores"
 mkdir -p "$scores"
 play_until TERM
-same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' "$(grep -m 1 curtain: err)"
+same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' \
+    "$(grep -m 1 curtain: err)"
 rmdir "$scores"
 
 mkdir -p "$(dirname "$scores")"
@@ -80,7 +82,8 @@ damaged() { # NAME BYTES
     head -c "$2" /dev/zero | tr '\0' '\377' >"$scores"
     cp "$scores" was
     play_until TERM
-    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" "$(grep curtain: err)"
+    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" \
+        "$(grep curtain: err)"
     check "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
     check "$1: begun anew" saved
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass Tide's.
+# readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass
+# Tide's.
 . "$(dirname "$0")/../pages.sh"
 
 blocks README.md

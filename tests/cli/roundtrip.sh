@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # roundtrip.sh - the same in, the same out: packing, unpacking, playing from folder and file, and other compilers.
 #
-# Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*), which
-# takes a while the first time.
+# Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*),
+# which takes a while the first time.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 glasstide=$repo/roms/glasstide
@@ -37,14 +37,18 @@ for folder in g "$glasstide" "$repo/roms/testcard"; do
         demo/*) file=un$name/demos/${lump#demo/}.demo ;;
         *) file=un$name/lumps/$lump ;;
         esac
-        got=$(python3 -c 'import sys, zlib; d = open(sys.argv[1], "rb").read(); print(len(d), "%08x" % zlib.crc32(d))' "$file" 2>&1)
+        got=$(python3 -c 'import sys, zlib; d = open(sys.argv[1], "rb").read(); print(len(d), "%08x" % zlib.crc32(d))' \
+            "$file" 2>&1)
         [ "$got" = "$size $crc" ] || wrong+="$lump: $size $crc, $file: $got"$'\n'
     done < <(head -n -2 two)
     same "$name: the files have the sizes and CRCs of the list" '' "$wrong"
     wrong=
     while read -r file; do
         cmp -s "$folder/$file" "un$name/$file" || wrong+="$file "
-    done < <(cd "$folder" && find . \( -name '*.lua' -o -name '*.txt' -o -name '*.demo' \) ! -name rom.lua ! -path './tests/*')
+    done \
+        < \
+        <(cd "$folder" && find . \( -name '*.lua' -o -name '*.txt' -o -name '*.demo' \) ! -name rom.lua ! -path \
+        './tests/*')
     same "$name: scripts, texts and demos come back as they were" '' "$wrong"
     "$curtain" hash "$folder" --frames 200 --parts >one 2>&1
     "$curtain" hash "$name.1.rom" --frames 200 --parts >two 2>&1
@@ -66,9 +70,11 @@ tracks() { # PROGRAM FOLDER
         "$1" verify "$rom" "$rom"/demos/*.demo
         echo "exit $?"
     done >"$2/verify" 2>&1
-    "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 --parts >"$2/boss" 2>&1
+    "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 \
+        --parts >"$2/boss" 2>&1
     "$1" render g --stage one --frames 1:1200:117 -o "$2/frames" 2>/dev/null
-    "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" --sheet "$2/sheet.png" 2>/dev/null
+    "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" \
+        --sheet "$2/sheet.png" 2>/dev/null
     "$1" render "$repo/roms/testcard" --frames 1,2,100 -o "$2/frames" 2>/dev/null
 }
 tracks "$curtain" here
@@ -97,7 +103,8 @@ same 'another reader reads the pictures' '' "$wrong"
 other() { # NAME MAKE-ARGUMENT...
     local name=$1
     shift
-    if ! env -u MAKEFLAGS -u MFLAGS make -j2 -s -C "$repo" --no-print-directory CONFIG="cross-$name" "$@" "build/cross-$name/curtain-bare" >make.log 2>&1; then
+    if ! env -u MAKEFLAGS -u MFLAGS make -j2 -s -C "$repo" --no-print-directory CONFIG="cross-$name" "$@" \
+        "build/cross-$name/curtain-bare" >make.log 2>&1; then
         not_ok "builds with $*" "$(tail -5 make.log)"
         return
     fi
@@ -105,7 +112,8 @@ other() { # NAME MAKE-ARGUMENT...
     same "$name: without a warning" '' "$(grep -i warning make.log)"
     tracks "$repo/build/cross-$name/curtain-bare" "$name"
     for file in everything demo verify boss g.rom glasstide.rom frames sheet.png; do
-        if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"; else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
+        if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"
+            else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
     done
 }
 command -v clang >/dev/null || not_ok 'clang is installed'

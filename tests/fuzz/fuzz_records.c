@@ -27,7 +27,8 @@ static void count(struct records *r)
         records_attempt(r, got.mark, got.difficulty);
         records_capture(r, got.mark, got.difficulty);
         const struct record *now = records_find(r, got.mark, got.difficulty);
-        need(now && now->captures <= now->attempts && now->attempts <= MAX_RECORD_COUNT && now->attempts >= got.attempts);
+        need(now && now->captures <= now->attempts);
+        need(now->attempts <= MAX_RECORD_COUNT && now->attempts >= got.attempts);
         need(r->n == n);
     }
 }

@@ -29,7 +29,8 @@ render() {
         done
     done
     "$curtain" hash "$rom" --frames "$last" --every "$((every ? every : 1))" "$@" |
-        awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' "$scratch/wanted" - \
+        awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' \
+            "$scratch/wanted" - \
             >>"$scratch/hashes"
     rm -r "$scratch/one" "$scratch/wanted"
 }
@@ -94,7 +95,9 @@ spoilt() {
     failed=$scratch picture_holds "$here/frames/$first" "$scratch/spoilt.png" spoilt
 }
 refuse "planted: one pixel, one shade off" "1 of" spoilt
-drawn() { [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]; }
+drawn() {
+    [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]
+}
 check "a failure leaves its three pictures" drawn
 spoilt_hash() {
     sed -i '1s/.$/x/' "$scratch/hashes"

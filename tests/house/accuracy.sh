@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine is
-# computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
+# accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine
+# is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
 . "$(dirname "$0")/../tap.sh"
 lab=$OUT/lab
 
@@ -61,7 +61,8 @@ unswept() {
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/lab" "$tree"/src/board/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
+        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        "$OUT"/gen/no_rom.o \
         "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/ and the sandbox's own are what tools/art/art.c draws, pixel by pixel, with gcc and clang.
+# art.sh - the pictures in roms/ and the sandbox's own are what tools/art/art.c draws, pixel by pixel, with gcc and
+# clang.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
@@ -22,7 +23,8 @@ glow() { # WHAT
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
-    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art/*.c -lm -o art-$cc || { not_ok "$cc builds tools/art/art.c"; continue; }
+    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art/*.c -lm -o art-$cc ||
+        { not_ok "$cc builds tools/art/art.c"; continue; }
     compare art-$cc glasstide
     compare art-$cc testcard card
     compare art-$cc bench bench

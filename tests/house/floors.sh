@@ -21,7 +21,8 @@ refuse "planted: a chip includes the board" "higher floor" planted src/chips/pal
 refuse "planted: a chip includes another" "no other chip" planted src/chips/sparks.c '"bullets.h"'
 refuse "planted: a chip sees Lua" "only src/board sees Lua" planted src/chips/fix.c '<lua.h>'
 refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab/pack/pack.c '<lauxlib.h>'
-refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c '"../../platform/platform.h"'
+refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c \
+    '"../../platform/platform.h"'
 refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/keys.h"'
 refuse "planted: stb in the board" "stb is for" planted src/board/draw/video.c '<stb/stb_image.h>'
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# frozen.sh - frozen ROMs bring the standard library of their time: every sys.NAME that the scripts of any of them use, and
-# every entry that they have arguments checked by, is still there. What changes is added beside it. The names are those in
-# the ROMs; whether they are there is asked of a board, in a game whose own std/boot.lua takes the place of @std's.
+# frozen.sh - frozen ROMs bring the standard library of their time: every sys.NAME that the scripts of any of them use,
+# and every entry that they have arguments checked by, is still there. What changes is added beside it. The names are
+# those in the ROMs; whether they are there is asked of a board, in a game whose own std/boot.lua takes the place of
+# @std's.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
@@ -42,7 +43,8 @@ there() { # NAMES (a file)
 entries() { # NAMES (a file)
     local name bad=0
     while read -r name; do
-        grep -rqF "\"$name\"" src/board/*.c || { echo "gone, and a frozen ROM has its arguments checked by it: $name"; bad=1; }
+        grep -rqF "\"$name\"" src/board/*.c || { echo "gone, and a frozen ROM has its arguments checked by it: $name"
+            bad=1; }
     done <"$1"
     return $bad
 }

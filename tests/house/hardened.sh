@@ -59,7 +59,8 @@ cat >"$scratch/bare.c" <<'END'
 int main(int argc, char **argv) { char a[64]; snprintf(a, sizeof a, "%s", argv[argc - 1]); return puts(a) < 0; }
 END
 bare() { # FLAG...: a program without guards but for these
-    "$compiler" -O2 -fno-stack-protector -U_FORTIFY_SOURCE -fcf-protection=none -no-pie -Wl,-z,norelro,-z,lazy "$@" "$scratch/bare.c" -o "$scratch/bare" &&
+    "$compiler" -O2 -fno-stack-protector -U_FORTIFY_SOURCE -fcf-protection=none -no-pie -Wl,-z,norelro,-z,lazy "$@" \
+        "$scratch/bare.c" -o "$scratch/bare" &&
         "$compiler" -O2 -fcf-protection=none -c "$scratch/bare.c" -o "$scratch/bare.o"
 }
 if [ "$(uname -m)" = x86_64 ] && bare 2>/dev/null; then

@@ -38,7 +38,8 @@ threads() {
 all_links() { links "$@" | threads; }
 check "every program that refers to threads is linked with -pthread" all_links
 refuse "planted: without it" "build/release/curtain: platform/stdio.c refers to threads" all_links THREADS=
-check "WebAssembly has none" bash -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
+check "WebAssembly has none" bash \
+    -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
 
 # Scripts that link the engine themselves.
 by_hand() { grep -Hn '(pkg-config --libs lua5.4' "$@" | awk '!/-pthread/ { print; bad = 1 } END { exit bad || !NR }'; }

@@ -16,7 +16,8 @@ planted() {
     printf '%s\n' "$1" >"$scratch/planted.lua"
     lint "$scratch/planted.lua"
 }
-check "a good script is let through" planted 'local n = math.floor(2.5) bullet.fire { kind = "a", speed = n, x = 1, y = 2 } wait(1)'
+check "a good script is let through" planted \
+    'local n = math.floor(2.5) bullet.fire { kind = "a", speed = n, x = 1, y = 2 } wait(1)'
 refuse "planted: a misspelt function" "unknown name bullet.fyre" planted 'bullet.fyre { }'
 refuse "planted: a misspelt table" "unknown name bulet" planted 'bulet.fire { }'
 refuse "planted: a new global" "writes the global speed" planted 'speed = 3'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# overlay.sh - `play` with the overlay and the console: what they show stands on the picture, and what is recorded, saved
-# and played is as if they had not been there; but for a line that is kept. The port is a script's (port_keys.c).
+# overlay.sh - `play` with the overlay and the console: what they show stands on the picture, and what is recorded,
+# saved and played is as if they had not been there; but for a line that is kept. The port is a script's (port_keys.c).
 . "$(dirname "$0")/../tap.sh"
 sandbox
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
@@ -13,7 +13,9 @@ local seen = 0
 task.go(function()
   for i = 1, forever do
     seen = (seen * 31 + i + (pad.down 'fire' and 7 or 0) + rng.int(0, 99)) % 100000007
-    if i % 10 == 1 then bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = 0.5, tag = 'rain' } end
+    if i % 10 == 1 then
+      bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = 0.5, tag = 'rain' }
+    end
     if i == 30 or i == 150 then save.set('frame', i) end
     wait(1)
   end
@@ -62,7 +64,8 @@ rm -rf data
 
 # ---- the overlay ----
 
-{ keys 20; keys 1 $H; keys 1; keys 1 $G; keys 1; keys 1 $V; keys 1; keys 1 $N; keys 50 ~70,64; keys 1 $H $G $V $N; keys 122; } >script
+{ keys 20; keys 1 $H; keys 1; keys 1 $G; keys 1; keys 1 $V; keys 1; keys 1 $N; keys 50 ~70,64; keys 1 $H $G $V $N
+    keys 122; } >script
 KEYS_PPM=70 plays shown --record shown.demo <script
 same 'before it nothing differs' "$(part straight 1 20)" "$(part shown 1 20)"
 same 'while it is shown every picture does' '' "$(comm -12 <(part straight 21 77 | sort) <(part shown 21 77 | sort))"
@@ -70,7 +73,8 @@ same 'afterwards none' "$(part straight 78 200)" "$(part shown 78 200)"
 check 'the demo is the same' cmp straight.demo shown.demo
 check 'so are the scores' cmp straight.nv data/curtain/probe.nv
 check 'gauges, tasks and random numbers can be read' says 'part          live   top   cap refused' \
-    'bullets          7    64   256       0' 'frame 70  random numbers 70  tasks 1' '     1     1 -           main.lua:8' \
+    'bullets          7    64   256       0' 'frame 70  random numbers 70  tasks 1' \
+    '     1     1 -           main.lua:8' \
     'scripts     0     0'
 rm -rf data
 
@@ -106,7 +110,8 @@ check 'an endless line ends' says 'endless loop: more than 10000000 instructions
 
 # ---- a line that is kept ----
 
-{ keys 60; keys 1 $BACKQUOTE; keys 1; line "keep bullet.each('rain', function(b) b:remove() end)"; keys 1; keys 1 $ESCAPE; } >kept
+{ keys 60; keys 1 $BACKQUOTE; keys 1; line "keep bullet.each('rain', function(b) b:remove() end)"; keys 1
+    keys 1 $ESCAPE; } >kept
 polls=$(wc -l <kept)
 { cat kept; keys 160; } >script
 plays out --record kept.demo <script
@@ -129,7 +134,8 @@ check 'in a playback nothing can be kept' says 'nothing can be kept'
 # ---- the manual ----
 
 sed -n '/^### Looking inside/,/^## /s/^    //p' "$repo/docs/manual.md" >session
-{ keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done; keys 1; } >script
+{ keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done
+    keys 1; } >script
 mapfile -t want < <(cut -c1-50 session)
 KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
 same 'the manual has lines to try' 6 "$(grep -c '^> ' session)"

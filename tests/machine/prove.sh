@@ -17,7 +17,8 @@ make_program() {
     local tree=$1 program=$2 to=$3
     shift 3
     # shellcheck disable=SC2086
-    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" "$scratch/oracle.o" $LIBS -o "$to"
+    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" "$scratch/oracle.o" \
+        $LIBS -o "$to"
 }
 
 # The parts below are run by `two`, in processes of their own, in $scratch; what they say goes to files.
@@ -51,13 +52,15 @@ END
     make_program "$tree" "$program" "$tree/program" -O1 $flags >"$tree/said" 2>&1 || exit 0
     "$tree/program" --sample --seed 1 --only "$proof" >"$tree/said" 2>&1
     [ $? = 1 ] || exit 0
-    awk -v f="$function" '$1 == f && $3 ~ /^inputs/ && $4 > 0 { found = 1; print $4 } END { exit !found }' "$tree/said" >"$tree/found" && touch "$tree/good"
+    awk -v f="$function" '$1 == f && $3 ~ /^inputs/ && $4 > 0 { found = 1; print $4 } END { exit !found }' \
+        "$tree/said" >"$tree/found" && touch "$tree/good"
     exit 0
     ;;
 --digest) # COMPILER,FLAG,FLAG...
     read -r -a command <<<"${2//,/ }"
     # shellcheck disable=SC2086
-    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm -o "$scratch/digest-$2" &&
+    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm \
+        -o "$scratch/digest-$2" &&
         "$scratch/digest-$2" --each >"$scratch/digest-$2.said" 2>&1
     exit 0
     ;;
@@ -69,7 +72,8 @@ export PROVE_SCRATCH=$scratch
 self=$repo/tests/machine/prove.sh
 for f in prove oracle; do
     # shellcheck disable=SC2086
-    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"; exit 2; }
+    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"
+        exit 2; }
 done
 check "the oracles include nothing of src" sh -c \
     "! grep -n 'include.*src/' $repo/tools/prove/oracle.[ch] $repo/tools/prove/prove.[ch]"
@@ -79,7 +83,9 @@ printf '%s\n' $PROGRAMS | two "$self" --try
 for program in $PROGRAMS; do
     for flag in -DPLAIN -DFX_INTEGER; do
         if [ -f "$program$flag.good" ]; then
-            ok "$program, sampled, $flag: $(awk '$3 ~ /^inputs/ { n += $2 } END { print n }' "$program$flag.said") inputs, none misrounded"
+            ok \
+                "$program, sampled, $flag: $(awk '$3 ~ /^inputs/ { n += $2 } END { print n }' \
+                "$program$flag.said") inputs, none misrounded"
         else
             not_ok "$program, sampled, $flag" "$(cat "$program$flag.said")"
         fi
@@ -100,7 +106,8 @@ done
 # Every build gives the same; the first is the one to compare with. The last but one must find no undefined behaviour,
 # overflow included.
 builds="gcc,-O0 gcc,-O3 clang,-O0 clang,-O3"
-builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEGER gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
+builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEGER"
+builds="$builds gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
 builds="$builds gcc,-O2,-DFX_INTEGER,-DFX_NO_INT128 gcc,-O1,-fsanitize=undefined,-fno-sanitize-recover=all"
 builds="$builds gcc,-O1,-DFX_INTEGER,-fsanitize=undefined,-fno-sanitize-recover=all"
 # shellcheck disable=SC2086

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# reload.sh - a game's folder changes while it is played: the run goes on in the changed game at the same frame, as if it had
-# always been so; and a change that does not run is told, with file and line, and the old game goes on.
+# reload.sh - a game's folder changes while it is played: the run goes on in the changed game at the same frame, as if
+# it had always been so; and a change that does not run is told, with file and line, and the old game goes on.
 . "$(dirname "$0")/../scripted.sh"
 
 game g <<'LUA'
@@ -48,14 +48,16 @@ same 'it ends well' 0 $code
 same 'until then it is the old game' "$(part straight 1 100)" "$(part out 1 100)"
 same 'soon it is the changed one, at the same frame' "$(part other 180 250)" "$(part out 181 251)"
 same 'which is told' 'curtain: g: reloaded' "$(cat err)"
-same 'the demo is of the changed game, from its first frame' "one.demo: holds, $(($(wc -l <out) - 2)) frames" "$("$curtain" verify changed one.demo)"
+same 'the demo is of the changed game, from its first frame' "one.demo: holds, $(($(wc -l <out) - 2)) frames" \
+    "$("$curtain" verify changed one.demo)"
 unchanged
 
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
 same 'an error of syntax: the old game goes on' "$(part straight 200 290)" "$(part out 200 290)"
 same '... with file and line' 'curtain: not taken in: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
 unchanged
-same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" "$("$curtain" verify g two.demo)"
+same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" \
+    "$("$curtain" verify g two.demo)"
 
 # What is told in more lines covers more of the picture than the test leaves out: the demos say what was played.
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
@@ -86,7 +88,8 @@ sed -i 1d g/main.lua
 
 # Another screen and other capacities: the picture, and what it is drawn with, are of the changed game.
 cp -R changed larger
-sed -i 's/w = 256, h = 64/w = 320, h = 96/; s/sprites = 16/sprites = 4096/; s/bullets = 256/bullets = 65536/' larger/rom.lua
+sed -i 's/w = 256, h = 64/w = 320, h = 96/; s/sprites = 16/sprites = 4096/; s/bullets = 256/bullets = 65536/' \
+    larger/rom.lua
 pressed | ./player play larger --seed 5 >other 2>err
 edited 100 'cp larger/*.lua g/'
 same 'a larger screen and board' "$(part other 180 250)" "$(part out 181 251)"

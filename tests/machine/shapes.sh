@@ -9,12 +9,14 @@ shapes() {
     local flags=$1
     shift
     # shellcheck disable=SC2086
-    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c src/base/geom.c -o shapes -lm -pthread &&
+    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c \
+        src/base/geom.c -o shapes -lm -pthread &&
         ./shapes --sample --threads 1 "$@")
 }
 check "no mismatch" shapes "-O2 -fwrapv"
 check "no mismatch without 128-bit integers" shapes "-O2 -fwrapv -DFX_NO_INT128"
-check "no mismatch and no undefined behaviour without -fwrapv" shapes "-O1 -fsanitize=undefined -fno-sanitize-recover=all"
+check "no mismatch and no undefined behaviour without -fwrapv" shapes \
+    "-O1 -fsanitize=undefined -fno-sanitize-recover=all"
 
 # planted SHAPE FILE OLD NEW: the shape with OLD replaced in the file
 planted() {

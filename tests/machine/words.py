@@ -1,5 +1,5 @@
-"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font (src/cab/overlay/canvas.c), light
-on its dark paper; else the first that does not is printed."""
+"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font
+(src/cab/overlay/canvas.c), light on its dark paper; else the first that does not is printed."""
 import os
 import re
 import sys

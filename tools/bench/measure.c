@@ -1,6 +1,6 @@
 /*
- * measure.c - the clock and the figures of bench.h. The thread's own clock leaves out what else the machine did, but
- * is a system call, which takes as long as the shortest phases; so it is for what takes long, where being interrupted is
+ * measure.c - the clock and the figures of bench.h. The thread's own clock leaves out what else the machine did, but is
+ * a system call, which takes as long as the shortest phases; so it is for what takes long, where being interrupted is
  * likely too. The other is the wall's, whose medians bear a few interruptions.
  */
 #include <stdlib.h>

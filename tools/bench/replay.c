@@ -1,6 +1,6 @@
 /*
- * replay.c - section "replay": what it takes to play a run again without a picture: to verify its demo, and to bring it onto
- * a changed game.
+ * replay.c - section "replay": what it takes to play a run again without a picture: to verify its demo, and to bring it
+ * onto a changed game.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <stdio.h>

@@ -21,7 +21,8 @@ fetch() (
     apt-cache policy libfixmath-dev |
         sed -n 's|^ *[0-9-]* \([a-z+]*://[^ ]*\) \([^ /]*\)/\([^ ]*\) .*|deb-src \1 \2 \3|p' | sort -u >sources.list
     [ -s sources.list ] || return 1
-    options="-qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null -o Dir::State::lists=$PWD/lists"
+    options="-qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null"
+    options="$options -o Dir::State::lists=$PWD/lists"
     apt-get $options update
     apt-get $options source --download-only libfixmath || true # Debian's own changes are not needed
     name=$(sed -n '/^Checksums-Sha256/,/^[^ ]*:$/s/^ [0-9a-f]* [0-9]* \(.*\.orig\.tar\..*\)$/\1/p' ./*.dsc)
@@ -72,8 +73,11 @@ else
 fi
 $CC $FLAGS -c tools/bench_fx/bench_fx_ours.c -o "$dir/ours.o"
 $CC $FLAGS -c src/base/trig.c -o "$dir/trig.o"
-$CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} -o "$dir/bench_fx"
+$CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} \
+    -o "$dir/bench_fx"
 
-echo "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 /proc/loadavg)"
+echo \
+    "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 \
+    /proc/loadavg)"
 echo "$($CC --version | head -n 1), $FLAGS"
 taskset -c 0 "$dir/bench_fx" roms/glasstide roms/glasstide/demos/attract.demo

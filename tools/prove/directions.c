@@ -2,12 +2,12 @@
  * directions.c - proves trig_atan2 and trig_normalise.
  * floor: tools
  *
- * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks on
- * which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth of a
- * turn has 2^29 rays, of slope t. Where |dt - n| < 1/(2d), the vector (d, n) is a convergent of the continued fraction of
- * t, or a multiple of one (Legendre): so is all that lies within 2^-64 radians of a ray, and the nearest of all. The
- * fractions of all rays are walked as far as d <= 2^31, and convergents nearer than 2^-60 radians tried, with their
- * largest multiples.
+ * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks
+ * on which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth
+ * of a turn has 2^29 rays, of slope t. Where |dt - n| < 1/(2d), the vector (d, n) is a convergent of the continued
+ * fraction of t, or a multiple of one (Legendre): so is all that lies within 2^-64 radians of a ray, and the nearest of
+ * all. The fractions of all rays are walked as far as d <= 2^31, and convergents nearer than 2^-60 radians tried, with
+ * their largest multiples.
  *
  * Oracle: the vector's side of the rays half an ang away from the result, from sines and cosines to 124 bits; what is
  * within 2^-88 of a ray, by MPFR.

@@ -157,8 +157,8 @@ static void few_tied_div(uint64_t chunk, struct tally *t, uint64_t *random)
 }
 
 /*
- * The hardest that are no ties: b = 2^e b' with b' odd; with e < 17 the distance of 2^17 a from an odd multiple of b is an
- * odd multiple of 2^e, and least where 2^(17-e) a = +-1 modulo b'.
+ * The hardest that are no ties: b = 2^e b' with b' odd; with e < 17 the distance of 2^17 a from an odd multiple of b is
+ * an odd multiple of 2^e, and least where 2^(17-e) a = +-1 modulo b'.
  */
 static void hard_div_by(struct tally *t, int64_t b, uint64_t *random)
 {

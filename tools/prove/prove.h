@@ -4,9 +4,9 @@
  *
  *     PROGRAM [--sample] [--seed N] [--threads N] [--only NAME] [--hard FILE]
  *
- * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.inc) and a few chunks
- * of everything else, chosen by the seed. Inputs depend on the seed alone, not on the threads. --hard appends the inputs
- * found nearest to a tie to FILE, in the form of hard.inc. Exit 1 if anything was misrounded.
+ * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.inc) and a few
+ * chunks of everything else, chosen by the seed. Inputs depend on the seed alone, not on the threads. --hard appends
+ * the inputs found nearest to a tie to FILE, in the form of hard.inc. Exit 1 if anything was misrounded.
  */
 #ifndef PROVE_H
 #define PROVE_H

@@ -18,9 +18,9 @@
 enum {
     SECOND = 1000000,
     MAX_LATE = 4,
-    MAX_TURBO = 32,      /* ticks a frame */
-    TURBO_USEC = 12000,  /* of a frame spent on them */
-    SAVE_EVERY = 60,     /* frames */
+    MAX_TURBO = 32,          /* ticks a frame */
+    TURBO_USEC = 12000,      /* of a frame spent on them */
+    SAVE_EVERY = 60,         /* frames */
     MAX_NVRAM_KEPT = 1 << 20 /* bytes that are kept of a damaged score file */
 };
 
