@@ -66,14 +66,14 @@ tree() {
 # game DIR: one of everything, 64 x 64, with a white 16 x 16 sheet; main.lua is standard input.
 game() {
     mkdir -p "$1/art"
-    cat >"$1/rom.lua" <<'LUA'
+    cat >"$1/rom.lua" <<LUA
 return {
   id = "probe", title = "Probe", screen = { w = 64, h = 64 },
-  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128,
-            lua_kib = 1024 },
+  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, \
+lua_kib = 1024 },
   sheets = { all = { file = "art/all.png" } },
-  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 },
-              dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
+  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, \
+dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
   difficulties = { "easy", "normal", "hard" }, dip = { coins = { "free", "one" }, ships = { min = 1, max = 9 } },
   players = 2,
 }

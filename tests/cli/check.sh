@@ -218,7 +218,7 @@ main.lua:7: #: what motion.def returns is a motion, not a table
 main.lua:8: #: what bullet.each hands to its function is a thing, not a table
 main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
 main.lua:10: #: what on.hit hands to its function is a thing, not a table
-main.lua:11: #: what boss.def hands to its function is a thing, not a table
+main.lua:12: #: what boss.def hands to its function is a thing, not a table
 9 problems
 LUA
 lua 'divisions by nothing' <<'LUA'

@@ -100,9 +100,9 @@ void laps_end(struct laps *l, enum lap lap)
     l->last = bench_now();
 }
 
-void laps_phase(void *laps, enum board_phase over)
+void laps_phase(void *laps, enum board_phase phase)
 {
     static const enum lap lap[PHASES] = { LAP_SCRIPTS, LAP_MOTION, LAP_HITS, LAP_EVENTS, LAP_REST };
 
-    laps_end(laps, lap[over]);
+    laps_end(laps, lap[phase]);
 }
