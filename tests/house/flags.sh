@@ -109,9 +109,8 @@ int main(void)
 EOL
 host() { # OBJECT: the sums
     # shellcheck disable=SC2046,SC2086
-    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" $(pkg-config --libs lua5.4) -lm \
-        -pthread \
-        -o "$scratch/host" && "$scratch/host"
+    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" \
+        $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/host" && "$scratch/host"
 }
 check "a board is powered" host "$OUT/src/base/sums.o"
 refuse "a board with such sums is not" "built with flags that change results: it divides" host "$scratch/sums.o"
