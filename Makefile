@@ -186,7 +186,7 @@ uninstall:
 
 # ---- art: the pictures of the games in roms/ are made by a program ----
 
-$(OUT)/art: $(wildcard tools/art*.c)
+$(OUT)/art: $(wildcard tools/art/*.c)
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(SEMANTIC) -O2 -Wno-unused-function $^ -lm -o $@
@@ -277,10 +277,10 @@ $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no
 
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
-            $(patsubst %,$(OUT)/tools/%.o,bench_fx bench_fx_inputs)
+            $(patsubst %,$(OUT)/tools/bench_fx/%.o,bench_fx bench_fx_inputs)
 bench-fx: deps-play-bench
 	@$(MAKE) --no-print-directory bench-fx-objects
-	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx.sh $(BENCH_FX)
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx/bench_fx.sh $(BENCH_FX)
 bench-fx-objects: $(BENCH_FX)
 	@:
 

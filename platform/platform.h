@@ -4,8 +4,8 @@
  *
  * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says
- * so by doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a name
- * an override.
+ * so by doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a
+ * name an override.
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
  * and nothing else of ours. Everything is called from one thread.
@@ -103,8 +103,8 @@ void plat_wait(uint64_t until);
 
 /* ---- those with defaults ---- */
 
-/* For plat_show of a port whose screen has no palette: out[y * out_pitch + x] = rgb[pix[y * pitch + x]]. out_pitch is in
- * pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
+/* For plat_show of a port whose screen has no palette: out[y * out_pitch + x] = rgb[pix[y * pitch + x]]. out_pitch is
+ * in pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
 void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
@@ -128,8 +128,8 @@ long plat_size(const char *name);
 /* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
-/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. A symbolic link stays one:
- * what it leads to is replaced. A device or a pipe is written to. With false, errno may say why; so it may of
+/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. A symbolic link stays
+ * one: what it leads to is replaced. A device or a pipe is written to. With false, errno may say why; so it may of
  * plat_append. */
 bool plat_save(const char *name, const void *buf, size_t len);
 

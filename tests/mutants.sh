@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# mutants.sh - plants each fault of tests/mutants.list in a copy of the tree, builds what it touches, and runs tests until
-# one fails: first those named with the fault, then all C programs and the golden frames.
+# mutants.sh - plants each fault of tests/mutants.list in a copy of the tree, builds what it touches, and runs tests
+# until one fails: first those named with the fault, then all C programs and the golden frames.
 #
 #     tests/mutants.sh [NUMBER...]      all, or only these of the list, counted from 1
 #
-# Two at a time. Ends with "N killed, N survived"; exit 1 if one survived, could not be planted or does not compile, or if
-# a test fails without any fault (MUTANTS_ANYWAY=1: goes on with the others). MUTANTS_KEEP=1 keeps the copies.
+# Two at a time. Ends with "N killed, N survived"; exit 1 if one survived, could not be planted or does not compile, or
+# if a test fails without any fault (MUTANTS_ANYWAY=1: goes on with the others). MUTANTS_KEEP=1 keeps the copies.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 CONFIG=mutant
@@ -42,7 +42,8 @@ run() {
         esac
     )
 }
-# Every program a fault is tried against. The bench's tests and the spoilt files take long and look at what others do too.
+# Every program a fault is tried against. The bench's tests and the spoilt files take long and look at what others do
+# too.
 programs() {
     ls tests/unit/test_*.c tests/machine/test_*.c | sed 's,^tests/,,;s,\.c$,,' | grep -v -e test_readers -e test_bench
     echo golden/run.sh
@@ -67,7 +68,9 @@ if [ "${1:-}" = --one ]; then
         echo "$program" >>"$tree/tried"
         if ! build "$tree" $(target "$program"); then
             # A fault in a script may show when the built-in game is packed; one in C must compile.
-            if grep -qE '(error|warning):' "$tree/said"; then echo "DOES NOT COMPILE $number $what: $(grep -m 1 error "$tree/said")"; else echo "killed $number $what: by the build"; fi | tee "$base/result-$number"
+            if grep -qE '(error|warning):' "$tree/said"
+                then echo "DOES NOT COMPILE $number $what: $(grep -m 1 error "$tree/said")"
+                else echo "killed $number $what: by the build"; fi | tee "$base/result-$number"
             exit 0
         fi
         if ! run "$tree" "$program"; then
@@ -95,7 +98,8 @@ rm -rf build/mutant
 cp -a "$base/build/mutant" build/
 echo "without a fault:"
 for program in $( (programs && grep -E '^[a-z]' tests/mutants.list | grep -oE ' [a-z]+/[a-z_]+\.sh') | sort -u); do
-    run "$base" "$program" || { echo "$program fails without a fault:"; grep -av '^ok ' "$base/said" | head -20; echo "$program" >>"$base/broken"; }
+    run "$base" "$program" || { echo "$program fails without a fault:"; grep -av '^ok ' "$base/said" | head -20
+        echo "$program" >>"$base/broken"; }
 done
 [ ! -f "$base/broken" ] || [ -n "${MUTANTS_ANYWAY:-}" ] || exit 1
 echo "planting $(count) faults"

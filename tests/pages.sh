@@ -1,6 +1,6 @@
-# pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of code block is
-# run. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
-. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+# pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of code block
+# is run. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
+. "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
 case $OUT in /*) ;; *) OUT=$PWD/$OUT ;; esac
 pages=$PWD/tests/cli
 bench=$scratch/bench

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""patient.py - runs a program and ends it when it hangs; however busy the machine is, one that is slow is not taken for one
-that hangs.
+"""patient.py - runs a program and ends it when it hangs; however busy the machine is, one that is slow is not taken
+for one that hangs.
 
     patient.py [--cpu SECONDS] [--asleep SECONDS] OUTPUT COMMAND...
 
 What it prints goes to the file OUTPUT. It hangs when since its last output it (with all that it started) has used more
-than --cpu seconds of the processor (default 900), or was seen asleep for more than --asleep seconds, in each of which none
-of its processes ran or wanted to (default 900). A slow one on a busy machine wants to. Exit code: the program's; 128 and the
-signal that ended it; 124 when it hung, which OUTPUT says in its last line. Where there is no /proc nothing hangs."""
+than --cpu seconds of the processor (default 900), or was seen asleep for more than --asleep seconds, in each of which
+none of its processes ran or wanted to (default 900). A slow one on a busy machine wants to. Exit code: the program's;
+128 and the signal that ended it; 124 when it hung, which OUTPUT says in its last line. Where there is no /proc nothing
+hangs."""
 import ctypes
 import os
 import signal

@@ -25,7 +25,10 @@ count() {
             if ($1 == "not" || toupper($0) ~ /# *(SKIP|TODO)/) failed++; else passed++
         }
         END {
-            if (!plans || planned != ran) { print "# " (plans ? "planned " planned ", ran " ran + 0 : "no plan") >"/dev/stderr"; failed++ }
+            if (!plans || planned != ran) {
+                print "# " (plans ? "planned " planned ", ran " ran + 0 : "no plan") >"/dev/stderr"
+                failed++
+            }
             if (rc != 0 && !failed) { print "# exit code " rc >"/dev/stderr"; failed++ }
             print passed + 0, failed + 0
         }' "$1" 2>>"$1.why"
@@ -82,7 +85,8 @@ torture)
     add "$OUT"/unit/test_*torture* "$OUT"/machine/test_*torture* tests/machine/*torture*.sh
     ;;
 sanitizer)
-    export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+    export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 \
+        UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
     cpu=3600
     add "$OUT"/machine/test_* "$OUT"/unit/test_*
     ;;

@@ -1,8 +1,9 @@
-# scripted.sh - tap.sh, and ./player: curtain with a port that is played by a script (machine/port_keys.c), without window
-# and clock.
+# scripted.sh - tap.sh, and ./player: curtain with a port that is played by a script (machine/port_keys.c), without
+# window and clock.
 #
 #     . "$(dirname "$0")/../scripted.sh"
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
+sandbox
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
     $(pkg-config --libs lua5.4) -lm -pthread || exit 2

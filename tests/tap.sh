@@ -1,51 +1,79 @@
-# tap.sh - what the shell tests share: TAP lines, a folder that goes away, a small game.
+# tap.sh - sourced by the test scripts: TAP for shell, a folder that goes away, a small game.
 #
 #     . "$(dirname "$0")/../tap.sh"
 #
-# Afterwards: $curtain, the program of the build folder $OUT (seen from here or from the repository); $repo; $tmp, the
-# working folder.
+# Afterwards the current folder is the repository's; $repo is its path, $OUT the build folder, $scratch an empty folder
+# that goes away at the end. A script that runs curtain calls `sandbox` then. `finish` is the last line of a script.
 set -u
 repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-: "${OUT:=build/release}"
-[ -d "$OUT" ] || OUT=$repo/$OUT
-OUT=$(cd "$OUT" && pwd) || exit 2
-curtain=$OUT/curtain-null
-[ -x "$curtain" ] || { echo "Bail out! $curtain is not built"; exit 2; }
-tmp=$(mktemp -d) || exit 2
-trap 'cd /; rm -rf "$tmp"' EXIT
-cd "$tmp" || exit 2
-export LC_ALL=C XDG_DATA_HOME=$tmp/data
-tests=0 failed=0
+cd "$repo" || exit 2
+OUT=${OUT:-build/release}
+scratch=$(mktemp -d) || exit 2
+trap 'cd /; rm -rf "$scratch"' EXIT
+tap_n=0 tap_failed=0
 
-ok() { tests=$((tests + 1)); echo "ok $tests - $1"; }
+# sandbox: goes to $scratch, where nothing of the user's is seen; $curtain is the program, $OUT an absolute path.
+sandbox() {
+    OUT=$(cd "$OUT" && pwd) || exit 2
+    curtain=$OUT/curtain-null
+    [ -x "$curtain" ] || { echo "Bail out! $curtain is not built"; exit 2; }
+    cd "$scratch" || exit 2
+    export LC_ALL=C XDG_DATA_HOME=$scratch/data
+}
+
+ok() { tap_n=$((tap_n + 1)); echo "ok $tap_n - $1"; }
 not_ok() { # NAME, then why, a line an argument
-    tests=$((tests + 1)) failed=$((failed + 1))
-    echo "not ok $tests - $1"
+    tap_n=$((tap_n + 1)) tap_failed=1
+    echo "not ok $tap_n - $1"
     shift
-    printf '%s\n' "$@" | head -c 2000 | sed 's/^/# /'
+    printf '%s\n' "$@" | head -c 20000 | sed 's/^/# /'
 }
 same() { # NAME WANT GOT
     if [ "$2" = "$3" ]; then ok "$1"; else not_ok "$1" "want: $2" "got:  $3"; fi
 }
-holds() { # NAME COMMAND...
+check() { # NAME COMMAND...: passes when the command succeeds; what it says is shown when it does not
     local name=$1
     shift
-    if "$@"; then ok "$name"; else not_ok "$name" "does not hold: $*"; fi
+    if "$@" >"$scratch/.said" 2>&1; then
+        ok "$name"
+    else
+        not_ok "$name" "does not hold: $*" "$(cat "$scratch/.said")"
+    fi
+}
+refuse() { # NAME WORDS COMMAND...: passes when the command fails and says the words, so that a planted fault is found
+    local name=$1 words=$2
+    shift 2
+    if "$@" >"$scratch/.said" 2>&1; then
+        not_ok "$name" "does not fail: $*" "$(cat "$scratch/.said")"
+    elif grep -qF -- "$words" "$scratch/.said"; then
+        ok "$name"
+    else
+        not_ok "$name" "does not say \"$words\": $*" "$(cat "$scratch/.said")"
+    fi
 }
 finish() {
-    echo "1..$tests"
-    exit $((failed > 0))
+    echo "1..$tap_n"
+    exit $tap_failed
+}
+
+# tree PATTERN...: the files of the repository as they are now: new ones too, removed ones not.
+tree() {
+    git ls-files -co --exclude-standard -- "$@" | while read -r f; do
+        [ ! -f "$f" ] || echo "$f"
+    done
 }
 
 # game DIR: one of everything, 64 x 64, with a white 16 x 16 sheet; main.lua is standard input.
 game() {
     mkdir -p "$1/art"
-    cat >"$1/rom.lua" <<'LUA'
+    cat >"$1/rom.lua" <<LUA
 return {
   id = "probe", title = "Probe", screen = { w = 64, h = 64 },
-  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, lua_kib = 1024 },
+  board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, \
+lua_kib = 1024 },
   sheets = { all = { file = "art/all.png" } },
-  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
+  sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, \
+dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
   difficulties = { "easy", "normal", "hard" }, dip = { coins = { "free", "one" }, ships = { min = 1, max = 9 } },
   players = 2,
 }

@@ -2,14 +2,10 @@
 #
 #     . "$(dirname "$0")/../xserver.sh"
 #
-# Afterwards DISPLAY is set, $scratch is the working folder, and start TITLE COMMAND... runs a program whose window is $win.
+# Afterwards DISPLAY is set, $scratch is the working folder, and start TITLE COMMAND... runs a program whose window is
+# $win.
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
-scratch=$tmp
-check() { # NAME COMMAND...
-    local name=$1
-    shift
-    if "$@" >"$scratch/said" 2>&1; then ok "$name"; else not_ok "$name" "$(cat "$scratch/said")"; fi
-}
+sandbox
 for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do
     command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
 done

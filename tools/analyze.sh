@@ -3,8 +3,8 @@
 #
 #     tools/analyze.sh [cppcheck] [gcc]      without arguments: both
 #
-# A finding is "TOOL ID FILE:LINE: TEXT". Those that tools/analyze.list names, with the reason, are not reported; an entry
-# that matches none is. Exit 1: something is reported. All findings stay in build/analyze/TOOL.
+# A finding is "TOOL ID FILE:LINE: TEXT". Those that tools/analyze.list names, with the reason, are not reported; an
+# entry that matches none is. Exit 1: something is reported. All findings stay in build/analyze/TOOL.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 export LC_ALL=C
@@ -20,7 +20,8 @@ run_cppcheck() {
         -DFLT_EVAL_METHOD=0 -Dnot=negated --file-list=$out/files 2>&1
 }
 
-flags="-std=c11 -fwrapv -ffp-contract=off -O1 -D_DEFAULT_SOURCE -fanalyzer $(pkg-config --cflags lua5.4 sdl2 | sed 's/-I/-isystem /g')"
+flags="-std=c11 -fwrapv -ffp-contract=off -O1 -D_DEFAULT_SOURCE -fanalyzer $(pkg-config --cflags lua5.4 sdl2 |
+    sed 's/-I/-isystem /g')"
 analyzed() { # FILE: 300 s and 3 GB are enough for each
     ulimit -v 3000000
     # shellcheck disable=SC2086
@@ -33,7 +34,8 @@ run_gcc() {
     # what gcc says: FILE:LINE:COLUMN: warning: TEXT [CWE-...] [-Wanalyzer-ID]
     sources 'src/*.c' 'fb/*.c' platform/stdio.c platform/null.c platform/sdl2.c |
         xargs -P 2 -I % bash -c 'said=$0/$(echo % | tr / -); analyzed % "$said.o" >"$said.said"' $out
-    cat $out/*.said | sed -nE 's/^([^ :]+):([0-9]+):[0-9]+: warning: (.*) \[-W(analyzer-[a-z-]*).*\]$/gcc \4 \1:\2: \3/p' |
+    cat $out/*.said |
+        sed -nE 's/^([^ :]+):([0-9]+):[0-9]+: warning: (.*) \[-W(analyzer-[a-z-]*).*\]$/gcc \4 \1:\2: \3/p' |
         sed -E 's/ \[CWE-[0-9]+\]//; s/[^ -~]+/"/g' | sort -u
     rm -f $out/*.said $out/*.o
 }

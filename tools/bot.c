@@ -8,9 +8,9 @@
  *     --finish        stop two seconds after a score was entered into a table
  *     --quiet         no report
  *
- * While no player is in the game it presses what gets through menus. In the game it saves the board, tries each direction
- * for some frames, restores, and takes the way on which it lives longest and stands best. So it sees what will happen, but
- * knows nothing of any particular game.
+ * While no player is in the game it presses what gets through menus. In the game it saves the board, tries each
+ * direction for some frames, restores, and takes the way on which it lives longest and stands best. So it sees what
+ * will happen, but knows nothing of any particular game.
  * floor: tools
  */
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Records the demos of the built-in game and of the test card anew: needed when their scripts, the standard library or the
-# core version change.
+# Records the demos of the built-in game and of the test card anew: needed when their scripts, the standard library or
+# the core version change.
 set -eu
 cd "$(dirname "$0")/.."
 bot="${OUT:-build/release}/bot"

@@ -82,7 +82,8 @@ for what; do
         have clang || need clang
         have wasm-ld || need lld
         header wasm32-wasi/stdio.h || need wasi-libc
-        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 || need libclang-rt-14-dev-wasm32
+        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 ||
+            need libclang-rt-14-dev-wasm32
         have node || need nodejs
         have dpkg-source || need dpkg-dev
         have xz || need xz-utils

@@ -34,7 +34,8 @@ has() { # COMPILER FLAG...: compiled and linked in two steps, as the Makefile do
 case $what in
 compile)
     # Level 3 asks more than 2 of compiler and library.
-    all="-fPIE -fstack-protector-strong -fcf-protection -U_FORTIFY_SOURCE%-D_FORTIFY_SOURCE=3 -U_FORTIFY_SOURCE%-D_FORTIFY_SOURCE=2"
+    all="-fPIE -fstack-protector-strong -fcf-protection"
+    all="$all -U_FORTIFY_SOURCE%-D_FORTIFY_SOURCE=3 -U_FORTIFY_SOURCE%-D_FORTIFY_SOURCE=2"
     ;;
 link) all="-pie -Wl,-z,relro -Wl,-z,now" ;;
 *)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""pictures.py - frames (PNG or PPM) side by side on one PNG, every pixel a square of the same whole size: pictures.py SCALE
-OUT IN..."""
+"""pictures.py - frames (PNG or PPM) side by side on one PNG, every pixel a square of the same whole size: pictures.py
+SCALE OUT IN..."""
 import os
 import sys
 

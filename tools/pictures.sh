@@ -13,7 +13,8 @@ python3 tools/pictures.py 2 docs/images/testcard.png "$at"/card/*.png
 
 # Looking inside: a port that a script plays, and three of the pictures it is shown. Keys are USB HID usages.
 ${CC:-cc} -O1 -o "$at/player" tests/machine/port_keys.c $(find build/release/src -name '*.o') build/release/fb/*.o \
-    build/release/gen/std.o build/release/gen/no_rom.o build/release/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread
+    build/release/gen/std.o build/release/gen/no_rom.o build/release/platform/stdio.o \
+    $(pkg-config --libs lua5.4) -lm -pthread
 keys() { yes "$2" | head -n "$1"; }
 look() { # NAME: standard input are the keys; the last picture before quitting
     cat >"$at/keys"
@@ -24,6 +25,7 @@ frame=2600 h=11 g=10 n=17 backquote=53 enter=40
 { keys $frame ""; keys 1 $h; keys 5 "~${mouse:-91,118}"; } | look 1
 { keys $frame ""; keys 1 $g; keys 1 ""; keys 1 $n; keys 3 ""; } | look 2
 { keys $((frame + 3)) ""; keys 1 $backquote; keys 1 ""
-  for line in "board.live 'bullets', player.get(1).x" "bullet.fire { kind = 'ryce', x = 1, y = 2, speed = 1 }" "while true do end"
+  for line in "board.live 'bullets', player.get(1).x" "bullet.fire { kind = 'ryce', x = 1, y = 2, speed = 1 }" \
+      "while true do end"
   do printf "'%s\n%s\n\n" "$line" $enter; done; keys 2 ""; } | look 3
 python3 tools/pictures.py 2 docs/images/inside.png "$at/1.ppm" "$at/2.ppm" "$at/3.ppm"

@@ -100,7 +100,7 @@ def sine_error(i, cell):
     return worst
 
 
-# ---- arcs: 65 cells of 0..1, h = -1/128 .. 1/128 about i/64: a polynomial of degree 4, in 2^-24 ang, plus a half ang ----
+# ---- arcs: 65 cells of 0..1, h = -1/128 .. 1/128 about i/64: a polynomial of degree 4, in 2^-24 ang, plus 1/2 ang ----
 
 HALF = 1 << 23
 
@@ -189,7 +189,8 @@ def main():
 #include <stdint.h>
 
 /* clang-format off */
-/* 512 cells of a turn, f = 0 .. 2^23 - 1 in each: 65536 sine + 1/2 is (base + slope * f + bend * (f * f >> 23)) / 2^40. */
+/* 512 cells of a turn, f = 0 .. 2^23 - 1 in each: 65536 sine + 1/2 is
+ * (base + slope * f + bend * (f * f >> 23)) / 2^40. */
 static const struct {
     int64_t base[512];
     int32_t slope[512], bend[512];
@@ -202,7 +203,7 @@ static const struct {
 /* 65 cells of 0..1: atan(i / 64 + h) in 2^-24 angs, plus half an ang, as a polynomial in h. */
 static const double ARC[65][5] = {""")
     for c in arcs:
-        print("    { %s }," % ", ".join(v.hex() for v in c))
+        print("    { %s,\n      %s }," % (", ".join(v.hex() for v in c[:3]), ", ".join(v.hex() for v in c[3:])))
     print("""};
 
 /* Cosine and sine of each of 256 rays. */

@@ -1,4 +1,4 @@
--- rom.lua - Glass Tide: what the packer needs to know. The pictures in art/ are drawn by tools/art.c.
+-- rom.lua - Glass Tide: what the packer needs to know. The pictures in art/ are drawn by tools/art/art.c.
 return {
   title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },

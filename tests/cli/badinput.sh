@@ -2,11 +2,12 @@
 # badinput.sh - wrong words, files, games and disks: each ends with the right exit code and one line that names file and
 # cause. The whole of stderr is compared.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 mounts=()
 clean() {
     cd /
     for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
-    rm -rf "$tmp"
+    rm -rf "$scratch"
 }
 trap clean EXIT
 
@@ -59,7 +60,8 @@ bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damag
 kernel=/sys/kernel/mm/transparent_hugepage/enabled # says that it has 4096 bytes, and gives fewer
 if [ "$(stat -c %s $kernel 2>/dev/null)" = 4096 ]; then
     for command in hash play verify list; do
-        bad "$command of what cannot be read" "$kernel: cannot be read" $command $kernel $([ $command = verify ] && echo g.rom)
+        bad "$command of what cannot be read" "$kernel: cannot be read" $command $kernel \
+            $([ $command = verify ] && echo g.rom)
     done
     mkdir kernel
     ln -s $kernel kernel/rom.lua
@@ -78,7 +80,8 @@ for command in hash play check pack 'list' 'verify g' 'hash g --demo'; do
     bad "$command of a link to itself" 'loop: cannot be read (Too many levels of symbolic links)' $command loop
 done
 for words in hash 'pack g -o' 'hash g --frames 1 --record' 'unpack g' check 'hash g --dip' play; do
-    bad "an endless argument: $words" "an argument is longer than 900 characters: \"$(printf '%032d' 0)...\"" $words "$(printf '%05000d' 0)"
+    bad "an endless argument: $words" "an argument is longer than 900 characters: \"$(printf '%032d' 0)...\"" $words \
+        "$(printf '%05000d' 0)"
 done
 mkfifo fifo
 bad 'a pipe as a ROM' 'fifo: cannot be read' hash fifo
@@ -92,7 +95,8 @@ same 'pack to a link: it stays one' '0 symbolic link' "$? $(stat -c %F link.rom)
 mkdir -p taken && mkfifo taken/main.lua
 bad 'unpack where a pipe is' 'taken/main.lua: is already there' unpack g.rom taken
 mkdir -p taken2 && : >taken2/std
-bad 'unpack where a file is, and a folder would be' 'taken2/std: is a file, where a folder for std/boot.lua would be' unpack g.rom taken2
+bad 'unpack where a file is, and a folder would be' 'taken2/std: is a file, where a folder for std/boot.lua would be' \
+    unpack g.rom taken2
 
 # The standard library makes up most of a ROM; a game may replace it.
 game small <<<''
@@ -107,7 +111,8 @@ for ((n = size - 1; n >= 0; n--)); do
     truncate -s "$n" cut.rom
     line=$("$curtain" list cut.rom 2>&1)
     code=$?
-    if ((n < 32)); then want="curtain: cut.rom: too short for a ROM ($n bytes)"; else want="curtain: cut.rom: $n bytes long, but its header says $size"; fi
+    if ((n < 32)); then want="curtain: cut.rom: too short for a ROM ($n bytes)"
+        else want="curtain: cut.rom: $n bytes long, but its header says $size"; fi
     [ "$code $line" = "2 $want" ] || wrong+="at $n: $code $line"$'\n'
 done
 same "ROM cut short, at each of its $size bytes" '' "$wrong"
@@ -121,29 +126,40 @@ with() { # NAME LINE SED-SCRIPT
     rm -rf bad
 }
 whole='expected a whole number from'
-with 'bullets over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 4194305" 's/bullets = 256/bullets = 4194305/'
+with 'bullets over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 4194305" \
+    's/bullets = 256/bullets = 4194305/'
 with 'shots over the maximum' "rom.lua: board.shots: $whole 0 to 65536, got 65537" 's/shots = 32/shots = 65537/'
 with 'enemies over the maximum' "rom.lua: board.enemies: $whole 0 to 4096, got 4097" 's/enemies = 32/enemies = 4097/'
-with 'sparks over the maximum' "rom.lua: board.sparks: $whole 0 to 4194304, got 4194305" 's/sparks = 64/sparks = 4194305/'
+with 'sparks over the maximum' "rom.lua: board.sparks: $whole 0 to 4194304, got 4194305" \
+    's/sparks = 64/sparks = 4194305/'
 with 'sprites over the maximum' "rom.lua: board.sprites: $whole 0 to 65536, got 65537" 's/sprites = 16/sprites = 65537/'
 with 'motions over the maximum' "rom.lua: board.motions: $whole 0 to 4095, got 4096" 's/motions = 16/motions = 4096/'
 with 'tasks over the maximum' "rom.lua: board.tasks: $whole 1 to 65536, got 65537" 's/tasks = 128/tasks = 65537/'
 with 'no tasks' "rom.lua: board.tasks: $whole 1 to 65536, got 0" 's/tasks = 128/tasks = 0/'
-with 'Lua memory over the maximum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 262145" 's/lua_kib = 1024/lua_kib = 262145/'
-with 'Lua memory under the minimum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 255" 's/lua_kib = 1024/lua_kib = 255/'
-with 'far over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 9223372036854775807" 's/bullets = 256/bullets = 9223372036854775807/'
+with 'Lua memory over the maximum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 262145" \
+    's/lua_kib = 1024/lua_kib = 262145/'
+with 'Lua memory under the minimum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 255" \
+    's/lua_kib = 1024/lua_kib = 255/'
+with 'far over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 9223372036854775807" \
+    's/bullets = 256/bullets = 9223372036854775807/'
 with 'negative' "rom.lua: board.bullets: $whole 0 to 4194304, got -1" 's/bullets = 256/bullets = -1/'
 with 'not a whole number' "rom.lua: board.bullets: $whole 0 to 4194304, got 2.5" 's/bullets = 256/bullets = 2.5/'
 with 'not a number' "rom.lua: board.bullets: $whole 0 to 4194304, got \"many\"" 's/bullets = 256/bullets = "many"/'
 with 'misspelled' 'rom.lua: board.bulets: unknown name (did you mean "bullets"?)' 's/bullets = 256/bulets = 256/'
 with 'a screen too large' "rom.lua: screen.w: $whole 64 to 1024, got 2048" 's/w = 64/w = 2048/'
 with 'a screen of odd width' 'rom.lua: screen.w: expected a multiple of 8, got 65' 's/w = 64/w = 65/'
-with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'" 's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
+with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'" \
+    's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
 with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*//;1s/.*/return 5/'
-with 'sprite outside its sheet' 'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 are not inside the sheet'"'s 16x16 pixels" 's/w = 8, h = 8 }/w = 99, h = 8 }/'
-with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not one of the sheets' 's/sheet = "all"/sheet = "al"/g'
+with 'sprite outside its sheet' \
+    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 are not inside the sheet'"'s 16x16 pixels" \
+    's/w = 8, h = 8 }/w = 99, h = 8 }/'
+with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not one of the sheets' \
+    's/sheet = "all"/sheet = "al"/g'
 with 'picture that is not there' 'art/none.png: no such file' 's/art\/all.png/art\/none.png/'
-with 'picture outside the folder' 'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' 's/art\/all.png/..\/all.png/'
+with 'picture outside the folder' \
+    'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' \
+    's/art\/all.png/..\/all.png/'
 with 'entry that is not there' 'rom.lua: entry: there is no start.lua' 's/id = "probe"/id = "probe", entry = "start"/'
 # All maxima together are below the limit of 1 GiB; in $OUT/curtain-short the limit is 64 MiB.
 idle | game bad
@@ -155,8 +171,9 @@ for command in 'hash bad --frames 1' 'pack bad'; do
         "$? $(sed -E 's/ask for (6[5-9]|[7-9][0-9]|1[0-9][0-9]) MiB/ask for N MiB/' <<<"$line")"
 done
 says 'the same game has room in a whole board' 0 '' hash bad --frames 1
-sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/;s/sprites = 16/sprites = 65536/
-    s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/;s/motions = 16/motions = 4095/;s/lua_kib = [0-9]*/lua_kib = 262144/' bad/rom.lua
+sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/
+    s/sprites = 16/sprites = 65536/;s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/
+    s/motions = 16/motions = 4095/;s/lua_kib = [0-9]*/lua_kib = 262144/' bad/rom.lua
 says 'all maxima at once have room' 0 '' list bad
 line=$("$OUT/curtain-short" list bad 2>&1)
 same 'all maxima at once: the sum' \
@@ -171,11 +188,12 @@ art() { # NAME LINE COMMAND...: run in the game's folder
     idle | game bad
     (cd bad && "$@")
     bad "$name" "bad: $line" pack bad -o bad.rom
-    holds "$name: nothing is written" [ ! -e bad.rom ]
+    check "$name: nothing is written" [ ! -e bad.rom ]
     rm -rf bad
 }
 dotted() { python3 "$repo/tests/cli/png_make.py" art/all.png 16 16 ffffff 3 2 123456; }
-art 'colour that is not in its bank' 'art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest)' dotted
+art 'colour that is not in its bank' \
+    'art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest)' dotted
 idle | game near
 (cd near && dotted)
 says 'and --nearest takes it' 0 '' hash near --nearest --frames 1
@@ -183,12 +201,16 @@ art 'missing art file' 'art/all.png: no such file' rm art/all.png
 art 'art that is not a PNG' 'art/all.png: not a PNG' cp rom.lua art/all.png
 art 'PNG cut short' 'art/all.png: a PNG that is cut short' truncate -s 60 art/all.png
 art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
-art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
-art 'syntax error further down' "stages/one.lua:2: 'end' expected (to close 'do' at line 1) near <eof>" bash -c 'mkdir stages; echo "do" >stages/one.lua'
+art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash \
+    -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
+art 'syntax error further down' "stages/one.lua:2: 'end' expected (to close 'do' at line 1) near <eof>" bash \
+    -c 'mkdir stages; echo "do" >stages/one.lua'
 art 'compiled Lua' 'main.lua:1: compiled Lua, expected text' bash -c 'printf "\33Lua" >main.lua'
-art 'the operator ^' 'main.lua:1: the operator ^ is not available (results differ between machines); use x*x or math.sqrt' \
+art 'the operator ^' \
+    'main.lua:1: the operator ^ is not available (results differ between machines); use x*x or math.sqrt' \
     bash -c 'echo "print(2 ^ 3)" >main.lua'
-art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua 'my file.lua'
+art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua \
+    'my file.lua'
 bad 'a file is packed' 'g.rom: is a file; pack takes a game'"'s folder" pack g.rom
 
 # ---- scripts that fail ----
@@ -200,10 +222,13 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function() error("boo") end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
 LUA
-fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)' <<<'local t = {} while true do t[#t + 1] = {} end'
+fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)' \
+    <<<'local t = {} while true do t[#t + 1] = {} end'
 fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
-fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
-fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
+fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' \
+    <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
+fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' \
+    <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
 
 # ---- demos ----
 
@@ -215,12 +240,14 @@ bad 'demo of another game to play' 'a.demo: a demo of another game ("probe", thi
 bad 'demo of another game to verify' 'a.demo: a demo of another game ("probe", this is "else")' verify else a.demo
 cp -r g later
 echo '-- later' >>later/main.lua
-says 'demo of another build plays' 0 'curtain: a.demo: recorded on another build; it may not play as it was' hash later --demo a.demo
+says 'demo of another build plays' 0 'curtain: a.demo: recorded on another build; it may not play as it was' hash \
+    later --demo a.demo
 says 'demo of another build holds' 0 '' verify later a.demo
 same 'and the report says so' 'a.demo: holds, 200 frames (recorded on another build)' "$(cat out)"
 echo 'board.note(1)' >>later/main.lua
 says 'demo of a build that differs' 1 '' verify later a.demo
-same 'and the report names frame and parts' 'a.demo: frame 0: script, board differ (recorded on another build)' "$(cat out)"
+same 'and the report names frame and parts' 'a.demo: frame 0: script, board differ (recorded on another build)' \
+    "$(cat out)"
 bad 'no such demo' 'none.demo: no such file' hash g --demo none.demo
 bad 'not a demo' 'g/rom.lua: not a demo' hash g --demo g/rom.lua
 # Cut at every byte: refused in its header, then played as far as it goes, and never said to hold.
@@ -238,7 +265,8 @@ for ((n = size - 1; n >= 0; n -= 1)); do
 done
 same "demo cut short, at each of its $size bytes" '1 1 ' "$refused $played $wrong"
 head -c $((size - 90)) a.demo >cut.demo
-says 'a demo cut short plays as far as it goes' 0 'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
+says 'a demo cut short plays as far as it goes' 0 \
+    'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
 cp a.demo spoilt.demo
 printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
 bad 'damaged demo' 'spoilt.demo: the record at byte 8 is damaged (CRC)' verify g spoilt.demo
@@ -271,7 +299,8 @@ bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --s
 bad 'an option of another command' '--scale does not go with hash (it goes with play)' hash g --scale 2
 bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
 bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceback=1
-bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g --trace input,bulets
+bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g \
+    --trace input,bulets
 bad 'a part that is none' '--trace: unknown part "" (hash --parts names them all)' hash g --trace input,
 bad 'names that end in NUL, and no names' '--null goes with names from standard input: verify ROM -' verify g a.demo -0
 bad 'bisect of one' 'verify: expected ROM DEMO... (curtain help verify)' verify --bisect a.demo
@@ -283,10 +312,13 @@ bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)
 bad 'DIP value far off' '--dip: coins: unknown value "two" (expected free or one)' hash g --dip coins=two
 bad 'DIP number out of range' '--dip: ships: expected a whole number from 1 to 9, got "10"' hash g --dip ships=10
 bad 'DIP number in letters' '--dip: ships: expected a whole number from 1 to 9, got "x"' hash g --dip ships=x
-bad 'DIP number of many digits' '--dip: ships: expected a whole number from 1 to 9, got "99999999999999999999"' hash g --dip ships=99999999999999999999
+bad 'DIP number of many digits' '--dip: ships: expected a whole number from 1 to 9, got "99999999999999999999"' hash g \
+    --dip ships=99999999999999999999
 bad 'DIP without a value' '--dip: expected NAME=VALUE, got "coins"' hash g --dip coins
-bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did you mean "hard"?)' hash g --difficulty hrd
-bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g --difficulty insane
+bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did you mean "hard"?)' hash g \
+    --difficulty hrd
+bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g \
+    --difficulty insane
 bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
 bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lists all names)' help lua nothing
 
@@ -295,7 +327,8 @@ bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lis
 game s <<'LUA'
 player.def("p", { sprite = "dot", hit = { circle = 1 }, registers = { bombs = 2, power = 0 } })
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
-boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20, phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
+boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20,
+  phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
 stage.def("one", function() stage.at(10) stage.mark("guard") stage.at(60) end)
 stage.def("ever", function() while enemy.count() == 0 do wait(1) end end)
 boot.run { stages = { "one" }, players = { "p" } }
@@ -303,34 +336,50 @@ LUA
 says 'a stage' 0 '' hash s --stage one --frames 20
 says 'a mark' 0 '' hash s --stage one:guard --frames 20
 says 'a phase' 0 '' hash s --stage queen/bloom --frames 20
-says 'unknown stage' 2 'main.lua:6: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen --frames 20
-says 'unknown mark' 2 'main.lua:6: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s --stage one:gurad --frames 20
-says 'unknown boss' 2 'main.lua:6: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s --stage quene/bloom --frames 20
-says 'unknown phase' 2 'main.lua:6: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s --stage queen/bloon --frames 20
-says 'a game without stages' 2 '--stage: the game cannot start at "one": main.lua does not call boot.run' hash g --stage one
-says 'a mark far off' 2 'main.lua:6: stage one: mark "middle" is not declared (there is guard)' hash s --stage one:middle --frames 20
+says 'unknown stage' 2 'main.lua:6: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen \
+    --frames 20
+says 'unknown mark' 2 'main.lua:6: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s \
+    --stage one:gurad --frames 20
+says 'unknown boss' 2 'main.lua:6: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s \
+    --stage quene/bloom --frames 20
+says 'unknown phase' 2 'main.lua:6: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s \
+    --stage queen/bloon --frames 20
+says 'a game without stages' 2 '--stage: the game cannot start at "one": main.lua does not call boot.run' hash g \
+    --stage one
+says 'a mark far off' 2 'main.lua:6: stage one: mark "middle" is not declared (there is guard)' hash s \
+    --stage one:middle --frames 20
 says 'a stage that waits for ever on the way to its mark' 2 \
-    'main.lua:5: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?' hash s --stage ever:on --frames 20
+    'main.lua:5: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?' hash \
+    s --stage ever:on --frames 20
 bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
-says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=0 --invincible --frames 20
+says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=0 \
+    --invincible --frames 20
 bad 'no lives' '--lives: expected a whole number from 1 to 99, got "0"' hash s --stage one --lives 0
 bad 'too many lives' '--lives: expected a whole number from 1 to 99, got "100"' hash s --stage one --lives 100
 bad 'lives without a piece' '--lives needs --stage: it is for a practice start' hash s --lives 3
 bad 'registers without a piece' '--register needs --stage: it is for a practice start' hash s --register power=3
 bad 'invincible without a piece' '--invincible needs --stage: it is for a practice start' hash s --invincible
 bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
-bad 'a register in letters' '--register: power: expected a whole number from 0 to 2147483647, got "x"' hash s --stage one --register power=x
+bad 'a register in letters' '--register: power: expected a whole number from 0 to 2147483647, got "x"' hash s \
+    --stage one --register power=x
 bad 'a register out of range' '--register: power: expected a whole number from 0 to 2147483647, got "2147483648"' \
     hash s --stage one --register power=2147483648
-bad 'a register below 0' '--register: power: expected a whole number from 0 to 2147483647, got "-1"' hash s --stage one --register power=-1
-bad 'a register after a blank' '--register: power: expected a whole number from 0 to 2147483647, got " 4"' hash s --stage one --register 'power= 4'
+bad 'a register below 0' '--register: power: expected a whole number from 0 to 2147483647, got "-1"' hash s \
+    --stage one --register power=-1
+bad 'a register after a blank' '--register: power: expected a whole number from 0 to 2147483647, got " 4"' hash s \
+    --stage one --register 'power= 4'
 bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
-bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one --register "$(printf '%032d' 0)=1"
-bad 'more registers than there can be' '--register: more than 16' hash s --stage one $(for i in $(seq 17); do echo --register "r$i=1"; done)
-says 'a register the ship has not, near one' 2 'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
+bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one \
+    --register "$(printf '%032d' 0)=1"
+bad 'more registers than there can be' '--register: more than 16' hash s --stage one \
+    $(for i in $(seq 17); do echo --register "r$i=1"; done)
+says 'a register the ship has not, near one' 2 \
+    'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
     hash s --stage one --register bombz=1
-says 'a register the ship has not' 2 'main.lua:6: --register: ship "p" has no register "speed" (there is bombs, power)' hash s --stage one --register speed=1
+says 'a register the ship has not' 2 \
+    'main.lua:6: --register: ship "p" has no register "speed" (there is bombs, power)' hash s --stage one \
+    --register speed=1
 bad 'practice and a demo' '--lives does not go with --demo, which holds its own' hash g --lives 1 --demo a.demo
 bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters' hash g --stage $'o\tne'
 bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
@@ -344,7 +393,7 @@ quiet() { # NAME LINES ARGUMENT...
     local name=$1 lines=$2
     shift 2
     "$curtain" "$@" >out 2>err </dev/null
-    holds "$name: nothing for the terminal" eval '! obeyed'
+    check "$name: nothing for the terminal" eval '! obeyed'
     same "$name: lines" "$lines" "$(cat out err | wc -l)"
 }
 cp -r g "$nasty"
@@ -368,7 +417,7 @@ quiet 'with its traceback' 6 hash "$nasty" --frames 1 -v
 disk() { # NAME OPTIONS
     mkdir "$1"
     mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "a disk of its own for $1"; return 1; }
-    mounts+=("$tmp/$1")
+    mounts+=("$scratch/$1")
 }
 touch file
 host 'output folder is a file' 'file/000001.png: cannot be written (Not a directory)' render g --frames 1 -o file
@@ -385,10 +434,13 @@ done
 
 if disk locked size=64k; then
     mount -o remount,ro locked
-    host 'read-only folder: picture' 'locked/000001.png: cannot be written (Read-only file system)' render g --frames 1 -o locked
-    host 'read-only folder: sheet' 'locked/a.png: cannot be written (Read-only file system)' render g --frames 1 --sheet locked/a.png
+    host 'read-only folder: picture' 'locked/000001.png: cannot be written (Read-only file system)' render g \
+        --frames 1 -o locked
+    host 'read-only folder: sheet' 'locked/a.png: cannot be written (Read-only file system)' render g --frames 1 \
+        --sheet locked/a.png
     host 'read-only folder: ROM' 'locked/a.rom: cannot be written (Read-only file system)' pack g -o locked/a.rom
-    host 'read-only folder: demo' 'locked/a.demo: cannot be written (Read-only file system)' hash g --frames 2 --record locked/a.demo
+    host 'read-only folder: demo' 'locked/a.demo: cannot be written (Read-only file system)' hash g --frames 2 \
+        --record locked/a.demo
     host 'read-only folder: unpack' 'locked/lumps/gfx/dart: cannot be written (Read-only file system)' unpack g locked
 fi
 
@@ -405,17 +457,18 @@ if disk full size=256k; then
     host 'full disk: sheet' "full/a.png: $full" render later --frames 1:9 --sheet full/a.png
     host 'full disk: demo' "full/a.demo: $full" hash later --frames 2 --record full/a.demo
     host 'full disk: unpack' "full/u/lumps/gfx/dart: $full" unpack g full/u
-    holds 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
-    holds 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
-    holds 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
-    holds 'full disk: and the sheet' cmp -s picture full/a.png
+    check 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
+    check 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
+    check 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
+    check 'full disk: and the sheet' cmp -s picture full/a.png
     rm -rf full/u
     same 'full disk: nothing half made is left' '000001.png a.demo a.png a.rom filler' "$(cd full && echo *)"
     # Room for one page: the disk is full in the middle of a recording.
     truncate -s -4096 full/filler
     host 'disk full while recording' "full/long.demo: $full" hash g --frames 3000 --record full/long.demo
     line=$("$curtain" verify g full/long.demo 2>&1)
-    holds "what was recorded stays readable ($line)" grep -Eq '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
+    check "what was recorded stays readable ($line)" grep -Eq \
+        '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
     "$curtain" hash g --demo full/long.demo --frames 60 >one 2>/dev/null
     "$curtain" hash g --frames 60 >two
     same 'and plays' "$(cat two)" "$(cat one)"

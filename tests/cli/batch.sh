@@ -2,6 +2,7 @@
 # batch.sh - `verify ROM -` as a score server uses it: a thousand names, some of demos that are damaged in places this
 # script knows; a line each, every one right, in the order of the names; and memory that does not grow with them.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 # Five demos of a game that draws random numbers and listens to the pads.
 game g <<'LUA'
@@ -16,7 +17,8 @@ end)
 LUA
 frames=(1 60 125 200 333)
 for i in 0 1 2 3 4; do
-    "$curtain" hash g --seed $((i + 1)) --difficulty hard --frames "${frames[$i]}" --every 1000 --record "good$i.demo" >/dev/null
+    "$curtain" hash g --seed $((i + 1)) --difficulty hard --frames "${frames[$i]}" --every 1000 --record "good$i.demo" \
+        >/dev/null
 done
 
 # patch DEMO BYTE: one bit of it flipped, and the checksums made good again.
@@ -79,7 +81,8 @@ patch good3.demo "$(pads good3.demo 2)" bad17.demo && bad bad17.demo 'frame 1: i
 patch good3.demo "$(pads good3.demo 4)" bad18.demo && bad bad18.demo 'frame 121: input differs'
 patch good3.demo "$(pads good3.demo 5)" bad19.demo && bad bad19.demo 'frame 181: input differs'
 core=$("$curtain" version | sed -n 's/^curtain core version //p')
-patch good3.demo 16 bad20.demo && bad bad20.demo "holds, 200 frames (recorded on core version $((core ^ 1)), this is $core)"
+patch good3.demo 16 bad20.demo &&
+    bad bad20.demo "holds, 200 frames (recorded on core version $((core ^ 1)), this is $core)"
 
 # A thousand names: each bad one once, between good ones.
 python3 - >names <<'END'
@@ -101,7 +104,8 @@ END
 read -r code most < <(run names got)
 same 'a thousand names: the worst code is that of bad input' 2 "$code"
 same 'a thousand lines' 1000 "$(wc -l <got)"
-if cmp -s wanted got; then ok 'every verdict is right'; else not_ok 'every verdict is right' "$(diff wanted got | head -20)"; fi
+if cmp -s wanted got; then ok 'every verdict is right'; else not_ok 'every verdict is right' \
+    "$(diff wanted got | head -20)"; fi
 same 'nothing is said elsewhere' '' "$("$curtain" verify g - <names 2>&1 >/dev/null)"
 
 # ---- memory ----
@@ -109,7 +113,7 @@ same 'nothing is said elsewhere' '' "$("$curtain" verify g - <names 2>&1 >/dev/n
 head -20 names >few
 read -r code least < <(run few few.got)
 same 'twenty of them' "$(head -20 wanted)" "$(cat few.got)"
-holds "memory is flat: $least KiB after 20 names, $most after 1000" [ "$most" -le $((least + 1024)) ]
+check "memory is flat: $least KiB after 20 names, $most after 1000" [ "$most" -le $((least + 1024)) ]
 
 # ---- names ----
 
@@ -119,13 +123,15 @@ tr '\n' '\0' <few | "$curtain" verify g - --null >got
 same 'names may end in NUL' "$(head -20 wanted)" "$(cat got)"
 printf '\n\ngood1.demo\n\n\ngood2.demo' | "$curtain" verify g - >got
 code=$?
-same 'empty lines are passed over, and the last may lack its end' "0 $(printf 'good1.demo: %s\ngood2.demo: %s' "${want[good1.demo]}" "${want[good2.demo]}")" "$code $(cat got)"
+same 'empty lines are passed over, and the last may lack its end' \
+    "0 $(printf 'good1.demo: %s\ngood2.demo: %s' "${want[good1.demo]}" "${want[good2.demo]}")" "$code $(cat got)"
 cp good1.demo $'odd \n name.demo'
 printf 'odd \n name.demo\0' | "$curtain" verify g - -0 >got
 same 'a name with a newline is one line' 'odd   name.demo: holds, 60 frames' "$(cat got)"
 { printf '%02000d\n' 0 && echo good1.demo; } | "$curtain" verify g - >got
 code=$?
-same 'a name without end, and the one after it' "2 $(printf '%01023d' 0): the name is too long|good1.demo: holds, 60 frames|" "$code $(tr '\n' '|' <got)"
+same 'a name without end, and the one after it' \
+    "2 $(printf '%01023d' 0): the name is too long|good1.demo: holds, 60 frames|" "$code $(tr '\n' '|' <got)"
 "$curtain" verify g - </dev/null >got 2>&1
 same 'no names' '0 ' "$? $(cat got)"
 # A line comes before the next name is there.

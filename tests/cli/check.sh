@@ -2,6 +2,7 @@
 # check.sh - curtain check: every kind of finding, planted, with its file, line and words, and exit code 1; what is no
 # game's folder, exit code 2; and what is fine is let through: the games and examples here, and what the manual shows.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 finds() { # NAME DIR [OPTION...], standard input: exactly these lines, in this order
     local name=$1 want got
@@ -15,7 +16,9 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    holds "$name ($got)" grep -Eq "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played [0-9]+ demos?, [0-9]+ stages? (or|and) phases?; Lua RAM [0-9]+ % of [0-9]+ KiB exit 0$" <<<"$got"
+    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?' lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
+    check "$name ($got)" grep -Eq \
+        "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
 }
 refuses() { # NAME LINE WORD...
     local name=$1 line=$2 got
@@ -41,7 +44,7 @@ good() { # NAME, standard input: main.lua, and nothing is found
 
 cd "$repo" || exit 2
 for dir in roms/*/ examples/*/; do fine "${dir%/}" "${dir%/}"; done
-cd "$tmp" || exit 2
+cd "$scratch" || exit 2
 game everything <"$repo/tests/cli/everything.lua"
 fine 'a game that uses everything' everything
 mkdir -p pages
@@ -204,7 +207,8 @@ print(#p, #task.scope(), #motion.def { { wait = 1 } })
 bullet.each("x", function(b) print(#b) end)
 enemy.def("e", { sprite = "dot", hit = "none", run = function(e) for k in pairs(e) do print(k) end end })
 on.hit(function(_, by) print(#by) end)
-boss.def("b", { title = "B", kind = "e", x = 1, y = 1, phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
+boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
+  phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
 ----
 main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
 main.lua:4: ipairs: what shot.fire returns is a shot, not a table
@@ -214,7 +218,7 @@ main.lua:7: #: what motion.def returns is a motion, not a table
 main.lua:8: #: what bullet.each hands to its function is a thing, not a table
 main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
 main.lua:10: #: what on.hit hands to its function is a thing, not a table
-main.lua:11: #: what boss.def hands to its function is a thing, not a table
+main.lua:12: #: what boss.def hands to its function is a thing, not a table
 9 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
@@ -242,7 +246,7 @@ task.go(function() wait(20) local t = nil print(t.x) end)
 main.lua:2: attempt to index a nil value (local 't')
 1 problem
 LUA
-lua 'pools that are full, in the line that asked; sparks are not missed' <<'LUA'
+lua 'pools that are full, in the line that asked; sparks are not missed' <<LUA
 bullet.def("d", { sprite = "dot", hit = "none" })
 spark.def("s", { sprite = "dot", life = 900 })
 local function fire(turn)
@@ -255,7 +259,8 @@ task.go(function()
   pattern.ring { kind = "d", x = 9, y = 9, speed = 0, n = 300 }
 end)
 ----
-main.lua:5: the pool of motions is full (16; motions in rom.lua): what is given a program that finds no room flies straight
+main.lua:5: the pool of motions is full (16; motions in rom.lua): what is given a program that finds no room \
+flies straight
 main.lua:11: the pool of bullets is full (256; bullets in rom.lua): what finds no room is not made
 2 problems
 LUA
@@ -369,7 +374,8 @@ art 'a number out of range' 's/w = 64/w = 60/' <<END
 rom.lua:2: screen.w: expected a whole number from 64 to 1024, got 60
 1 problem$not_run
 END
-art 'a sprite without its size' 's/dot = { sheet = "all", x = 0, y = 0, w = 8/dot = { sheet = "all", x = 0, y = 0/' <<END
+art 'a sprite without its size' 's/dot = { sheet = "all", x = 0, y = 0, w = 8/dot = { sheet = "all", x = 0, y = 0/' \
+    <<END
 rom.lua:5: sprites.dot.w: expected a whole number from 1 to 1024, got nil
 1 problem$not_run
 END
@@ -386,7 +392,8 @@ main.lua: no script requires it
 rom.lua:2: entry: there is no start.lua
 2 problems$not_run
 END
-art 'no palette, no font, no picture' '4s/.*/palette = "p.png", font = "f.png", sheets = { all = { file = "all.png" } },/' <<END
+art 'no palette, no font, no picture' \
+    '4s/.*/palette = "p.png", font = "f.png", sheets = { all = { file = "all.png" } },/' <<END
 art/all.png: rom.lua does not name it
 rom.lua:4: there is no p.png
 rom.lua:4: there is no all.png
@@ -457,8 +464,10 @@ end)
 LUA
 sed -i 's/lua_kib = 1024/lua_kib = 512/' m/rom.lua
 got=$("$curtain" check m)
-holds "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
-    grep -Eq '^rom.lua:3: board.lua_kib = 512: 600 frames of nobody playing had (38[4-9]|39[0-9]|4[0-9][0-9]) KiB of it in use, more than 75 %$' <<<"$got"
+much='(38[4-9]|39[0-9]|4[0-9][0-9]) KiB'
+check "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
+    grep -Eq "^rom.lua:3: board.lua_kib = 512: 600 frames of nobody playing had $much of it in use, more than 75 %$" \
+    <<<"$got"
 same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
 sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
 fine 'the same with more room' m
@@ -468,7 +477,9 @@ main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua)
 1 problem
 END
 
-echo 'print("dot", "dart") task.go(function() while true do wait(1) if pad.down("fire") then error("fired") end end end)' | game d
+game d <<'LUA'
+print("dot", "dart") task.go(function() while true do wait(1) if pad.down("fire") then error("fired") end end end)
+LUA
 mkdir d/demos
 "$curtain" hash d --frames 700 --record d/demos/idle.demo >/dev/null 2>&1
 fine 'a demo that holds' d
@@ -550,7 +561,8 @@ echo 'return {}' >mygame/stages/one.lua
 rm mygame/art/*.png
 png mygame/art/palette.png 16 16 ffffff
 png mygame/art/draft.png 8 8 ffffff
-png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
+png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa \
+    $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
 finds 'what the manual shows' mygame < <(sample)
 
 # ---- what only playing finds ----
@@ -560,13 +572,14 @@ same 'a stage that is right' '0' "$("$curtain" check deep >/dev/null 2>&1; echo 
 sed -i '0,/kind = "orb"/s//kind = KIND/; 1i local KIND = "orbb"' deep/main.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a stage' 1 $?
-holds '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
+check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
 sed -i '0,/kind = "needle"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
-holds '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' <<<"$got"
+check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
+    <<<"$got"
 
 # ---- what is no game ----
 

@@ -10,7 +10,8 @@ import sys
 import zlib
 
 MOST = {b"H": 65536, b"S": 4636, b"M": 38, b"F": 4, b"E": 8}  # bytes of a payload
-KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register", "listed"]
+KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
+         "listed"]
 
 
 class Bad(Exception):
@@ -61,7 +62,8 @@ def header(b, form):
     d["parts"] = [b.text(15) for _ in range(b.num("B"))]
     need(1 <= len(d["parts"]) <= 32 and "script" in d["parts"], "parts")
     size = b.num("I")
-    d.update(nvram=nvram(b.take(len(b.data) - b.at), size), pads=[], prints=[], rows=[], moments=[], flags=0, end=None, open=True)
+    d.update(nvram=nvram(b.take(len(b.data) - b.at), size), pads=[], prints=[], rows=[], moments=[], flags=0,
+             end=None, open=True)
     return d
 
 

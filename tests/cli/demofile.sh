@@ -3,7 +3,7 @@
 # and refuses what Curtain refuses; the demo taken apart on the page is the one in the repository.
 #
 #     tests/cli/demofile.sh --page    puts the dump on the page anew
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 program=$OUT/curtain-null
 
 # The page with the dump as it should be.
@@ -11,9 +11,10 @@ page() { # PAGE DEMO
     python3 - "$1" "$2" <<'END'
 import re, subprocess, sys
 text = open(sys.argv[1], encoding="utf-8").read()
-dump = subprocess.run([sys.executable, "tests/cli/demo_dump.py", sys.argv[2]], capture_output=True, text=True, check=True).stdout
+dump = subprocess.check_output([sys.executable, "tests/cli/demo_dump.py", sys.argv[2]], text=True)
 dump = re.sub(r" +$", "", dump, flags=re.M)
-print(re.sub(r"(<!-- demo_dump.py [^\n]*\n```\n).*?(```\n<!-- end -->)", lambda m: m[1] + dump + m[2], text, flags=re.S), end="")
+block = re.compile(r"(<!-- demo_dump.py [^\n]*\n```\n).*?(```\n<!-- end -->)", re.S)
+print(block.sub(lambda m: m[1] + dump + m[2], text), end="")
 END
 }
 if [ "${1:-}" = --page ]; then
@@ -64,8 +65,9 @@ for f, pads in enumerate(d["pads"]):
             assert (f + 1, 0) not in held and (f + 1, 1) not in held, "pads of frame %d" % (f + 1)
             resets.add(f + 1)
 assert len(resets) <= 3, "frames whose pads the board forgot, as board.reset does: %s" % sorted(resets)
-for want in ("holds, %d frames" % len(d["pads"]), "format %(format)d, core version %(core)d, Lua %(lua)s, game %(game)016x, ROM %(rom)016x" % d,
-             "seed %(seed)d, difficulty %(difficulty)d, from %(mark)s" % d if d["mark"] else "seed %(seed)d, difficulty %(difficulty)d, from power-on" % d,
+for want in ("holds, %d frames" % len(d["pads"]),
+             "format %(format)d, core version %(core)d, Lua %(lua)s, game %(game)016x, ROM %(rom)016x" % d,
+             "seed %d, difficulty %d, from %s" % (d["seed"], d["difficulty"], d["mark"] or "power-on"),
              "%d parts, %d rows, %d moments" % (len(d["parts"]), len(d["rows"]), len(d["moments"]))):
     assert want in said, want
 assert d["end"] == 0
@@ -79,7 +81,8 @@ for demo in tests/demos/*.demo; do # those of this core version: what an older o
 done
 "$program" hash tests/demos/frozen.rom --seed 5 --frames 130 --every 1000 --record "$scratch/now.demo" >/dev/null
 check "the page's reader agrees about one of now" agrees tests/demos/frozen.rom "$scratch/now.demo"
-"$program" hash roms/glasstide --stage queen/held --difficulty hard --seed 18446744073709551615 --frames 130 --every 1000 --record "$scratch/fresh.demo" >/dev/null
+"$program" hash roms/glasstide --stage queen/held --difficulty hard --seed 18446744073709551615 --frames 130 \
+    --every 1000 --record "$scratch/fresh.demo" >/dev/null
 check "the page's reader agrees about a practice start" agrees roms/glasstide "$scratch/fresh.demo"
 
 # repaired FROM TO BYTE VALUE: one byte changed, the checksums made good.
@@ -116,7 +119,8 @@ sys.path.insert(0, "tests/cli")
 from demo_read import read, Bad
 program, demo, rom, at = sys.argv[1:]
 good = open(demo, "rb").read()
-refusals = re.compile("damaged|not a demo|demo format|cut short in its header|bytes after its end|longer than|larger than")
+refusals = re.compile("damaged|not a demo|demo format|cut short in its header|bytes after its end|"
+                      "longer than|larger than")
 
 def repair(data):
     pos, crc = 8, 0
@@ -133,7 +137,8 @@ refused = 0
 for i in range(300):
     data = bytearray(good)
     for _ in range(random.choice((1, 1, 1, 2, 3))):
-        data[random.choice((random.randrange(len(data)), random.randrange(min(len(data), 700))))] = random.choice((0, 1, 2, 59, 60, 61, 127, 128, 255, random.randrange(256)))
+        byte = random.choice((random.randrange(len(data)), random.randrange(min(len(data), 700))))
+        data[byte] = random.choice((0, 1, 2, 59, 60, 61, 127, 128, 255, random.randrange(256)))
     repair(data)
     open(at, "wb").write(data)
     try:
@@ -150,6 +155,7 @@ if not 60 < refused < 300:
     sys.exit("%d of 300 were refused" % refused)
 END
 for demo in tests/demos/*.demo; do
-    check "300 changes to $demo are refused by both or neither" python3 "$scratch/lies.py" "$program" "$demo" "${demo%-*}.rom" "$scratch/lie.demo"
+    check "300 changes to $demo are refused by both or neither" python3 "$scratch/lies.py" "$program" "$demo" \
+        "${demo%-*}.rom" "$scratch/lie.demo"
 done
-done_testing
+finish

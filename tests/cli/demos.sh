@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # demos.sh - demo files for ever: every demo of tests/demos/table holds and ends in the hash it always ended in; every
-# demo of the repository is in the table; every core version has its frozen ROM, and the demos of older ones run to their
-# end on this one, and end in the hash that tests/demos/rerecorded says; every format that was ever written is there; every
-# core version says which tick differs. See tests/demos/README.md.
+# demo of the repository is in the table; every core version has its frozen ROM, and the demos of older ones run to
+# their end on this one, and end in the hash that tests/demos/rerecorded says; every format that was ever written is
+# there; every core version says which tick differs. See tests/demos/README.md.
 #
 #     tests/cli/demos.sh --table           prints the table anew; the lines of older core versions stay
 #     tests/cli/demos.sh --rerecorded      prints what the demos of older core versions end in on this one
 #     tests/cli/demos.sh --freeze          packs tests/demos/whole as this core version's ROM, records demos of it with
 #                                          $OUT/bot, and writes both tables
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 program=$OUT/curtain-null
 core=$("$program" version | sed -n 's/^curtain .*(core \([0-9]*\),.*/\1/p')
 
@@ -52,7 +52,8 @@ write() { # FILE COMMAND
 }
 freeze() {
     local bot=$OUT/bot name=tests/demos/whole$core
-    [ ! -e "$name.rom" ] || { echo "$name.rom is there: core version $core is frozen, and stays as it is" >&2 && return 1; }
+    [ ! -e "$name.rom" ] || { echo "$name.rom is there: core version $core is frozen, and stays as it is" >&2 &&
+        return 1; }
     [ -x "$bot" ] || { echo "$bot is not built: make $bot" >&2 && return 1; }
     "$program" pack tests/demos/whole -o "$name.rom" &&
         "$bot" "$name.rom" "$name-run.demo" --frames 2000 --deaths 2 --seed 1 --quiet &&
@@ -70,7 +71,8 @@ holds() { # CORE DEMO ROM FRAMES HASH
     local got line
     got=$(last_hash "$3" "$2" "$4")
     if [ "$got" != "$5" ]; then
-        echo "core version $core: ${2##*/} ended in $got, the table says $5: the tick changed: raise CORE_VERSION and say in docs/determinism.md which tick differs"
+        echo "core version $core: ${2##*/} ended in $got, the table says $5: the tick changed: raise CORE_VERSION" \
+            "and say in docs/determinism.md which tick differs"
         return 1
     fi
     line=$("$program" verify "$3" "$2") || { echo "$line" && return 1; }
@@ -89,31 +91,37 @@ runs() { # CORE DEMO ROM FRAMES [LIST]
     code=$?
     echo "$line"
     [ $code -le 1 ] || { echo "a ROM of core version $1 does not run: what its scripts call has to stay" && return 1; }
-    [ "$(field core "$again") $(field end "$again")" = "$core $4 fault 0" ] || { echo 'it did not get to its end' && return 1; }
-    "$program" verify "$3" "$again" | grep -q ": holds, $4 frames$" || { echo 'what was rerecorded does not hold' && return 1; }
+    [ "$(field core "$again") $(field end "$again")" = "$core $4 fault 0" ] || { echo 'it did not get to its end' &&
+        return 1; }
+    "$program" verify "$3" "$again" | grep -q ": holds, $4 frames$" || { echo 'what was rerecorded does not hold' &&
+        return 1; }
     got=$(last_hash "$3" "$again" "$4")
     want=$(awk -v demo="$2" -v core="$core" '$1 == core && $2 == demo { print $3 }' "${5:-tests/demos/rerecorded}")
     [ "$got" = "$want" ] && return
-    echo "core version $core: ${2##*/} of core version $1 ended in $got, tests/demos/rerecorded says ${want:-nothing}: the tick changed: raise CORE_VERSION"
+    echo "core version $core: ${2##*/} of core version $1 ended in $got," \
+        "tests/demos/rerecorded says ${want:-nothing}: the tick changed: raise CORE_VERSION"
     return 1
 }
 # Every core version from the second on has a frozen ROM with all of @std, and a demo of it.
 frozen() { # CORE TABLE
     local v
     for ((v = 2; v <= $1; v++)); do
-        [ -f "tests/demos/whole$v.rom" ] && grep -q "^$v tests/demos/whole$v-run.demo tests/demos/whole$v.rom " "$2" && continue
+        [ -f "tests/demos/whole$v.rom" ] && grep -q "^$v tests/demos/whole$v-run.demo tests/demos/whole$v.rom " \
+            "$2" && continue
         echo "core version $v is not frozen: tests/cli/demos.sh --freeze"
         return 1
     done
 }
 listed() { # DEMO TABLE
-    awk -v demo="$1" '$2 == demo { found = 1 } END { exit !found }' "$2" || { echo "$1 is not in tests/demos/table" && return 1; }
+    awk -v demo="$1" '$2 == demo { found = 1 } END { exit !found }' "$2" || { echo "$1 is not in tests/demos/table" &&
+        return 1; }
 }
 # Every core version up to the program's has its line under "Core versions".
 versions() { # PAGE CORE
     local v
     for ((v = 1; v <= $2; v++)); do
-        sed -n '/^## Core versions/,/^## [^C]/p' "$1" | grep -Eq "^\| $v \| .+ \|$" || { echo "docs/determinism.md has no line for core version $v" && return 1; }
+        sed -n '/^## Core versions/,/^## [^C]/p' "$1" | grep -Eq "^\| $v \| .+ \|$" ||
+            { echo "docs/determinism.md has no line for core version $v" && return 1; }
     done
 }
 format_of() { od -An -tu4 -j4 -N4 "$1" | tr -d ' '; }
@@ -142,7 +150,9 @@ check 'the table has rows' [ $rows -gt 4 ]
 check 'every core version is frozen' frozen "$core" tests/demos/table
 for demo in $(demos); do check "$demo is listed" listed "$demo" tests/demos/table; done
 check 'every core version says what changed' versions docs/determinism.md "$core"
-read -r oldest newest < <(sed -n 's/.*DEMO_FORMAT = \([0-9]*\).*/\1/p;s/.*DEMO_OLDEST = \([0-9]*\).*/\1/p' src/cab/demo/demo.h | sort -n | xargs)
+read -r oldest newest \
+    < <(sed -n 's/.*DEMO_FORMAT = \([0-9]*\).*/\1/p;s/.*DEMO_OLDEST = \([0-9]*\).*/\1/p' src/cab/demo/demo.h |
+    sort -n | xargs)
 check 'a demo of every format' formats "$oldest" "$newest" tests/demos/*.demo
 # Format 1 came with core version 1 and ended with it.
 check 'no format of core version 2 is refused' [ "$oldest" = 2 ]
@@ -162,26 +172,34 @@ open(sys.argv[2], "wb").write(data)
 END
 }
 
-# Planted: another hash, a demo that nobody listed, a core version nobody explained or froze, a format that is not there;
-# a demo of an older core version that ends elsewhere, and one whose ROM calls what is gone.
+# Planted: another hash, a demo that nobody listed, a core version nobody explained or froze, a format that is not
+# there; a demo of an older core version that ends elsewhere, and one whose ROM calls what is gone.
 demo=$scratch/now.demo rom=tests/demos/frozen.rom frames=120
-"$program" hash "$rom" --frames 120 --every 120 --record "$demo" >"$scratch/hash" && hash=$(sed -n 's/^120 //p' "$scratch/hash")
+"$program" hash "$rom" --frames 120 --every 120 --record "$demo" >"$scratch/hash" &&
+    hash=$(sed -n 's/^120 //p' "$scratch/hash")
 check 'a demo of now' holds "$core" "$demo" "$rom" 120 "$hash"
-refuse 'planted: another hash' "core version $core: now.demo ended in $hash, the table says 0000000000000000: the tick changed: raise CORE_VERSION" \
+refuse 'planted: another hash' \
+    "now.demo ended in $hash, the table says 0000000000000000: the tick changed: raise CORE_VERSION" \
     holds "$core" "$demo" "$rom" 120 0000000000000000
-refuse 'planted: another length' 'is not the demo the table lists' holds "$core" "$demo" "$rom" 60 "$(last_hash "$rom" "$demo" 60)"
+refuse 'planted: another length' 'is not the demo the table lists' holds "$core" "$demo" "$rom" 60 \
+    "$(last_hash "$rom" "$demo" 60)"
 grep -v frozen-2 tests/demos/table >"$scratch/table"
-refuse 'planted: a demo that is not listed' 'tests/demos/frozen-2.demo is not in tests/demos/table' listed tests/demos/frozen-2.demo "$scratch/table"
-refuse 'planted: a core version without its line' "no line for core version $((core + 1))" versions docs/determinism.md $((core + 1))
-refuse 'planted: a core version that is not frozen' "core version $((core + 1)) is not frozen" frozen $((core + 1)) tests/demos/table
+refuse 'planted: a demo that is not listed' 'tests/demos/frozen-2.demo is not in tests/demos/table' listed \
+    tests/demos/frozen-2.demo "$scratch/table"
+refuse 'planted: a core version without its line' "no line for core version $((core + 1))" versions \
+    docs/determinism.md $((core + 1))
+refuse 'planted: a core version that is not frozen' "core version $((core + 1)) is not frozen" frozen $((core + 1)) \
+    tests/demos/table
 refuse 'planted: a format without a demo' 'no demo of format 2' formats 2 3 tests/demos/frozen-3.demo
-refuse 'planted: a format to come' "no demo of format $((newest + 1))" formats "$oldest" $((newest + 1)) tests/demos/*.demo
+refuse 'planted: a format to come' "no demo of format $((newest + 1))" formats "$oldest" $((newest + 1)) \
+    tests/demos/*.demo
 old=$scratch/old.demo
 aged "$demo" "$old" 1
 echo "$core $old $hash" >"$scratch/rerecorded"
 echo "$core $old 0123456789abcdef" >"$scratch/elsewhere"
 check 'a demo of an older core version' runs 1 "$old" "$rom" 120 "$scratch/rerecorded"
-refuse 'planted: it ends elsewhere' "old.demo of core version 1 ended in $hash, tests/demos/rerecorded says 0123456789abcdef: the tick changed" \
+refuse 'planted: it ends elsewhere' \
+    "old.demo of core version 1 ended in $hash, tests/demos/rerecorded says 0123456789abcdef: the tick changed" \
     runs 1 "$old" "$rom" 120 "$scratch/elsewhere"
 refuse 'planted: nobody wrote where it ends' 'tests/demos/rerecorded says nothing' runs 1 "$old" "$rom" 120 /dev/null
 refuse 'planted: verify does not doubt it' 'holds, 120 frames' runs "$core" "$demo" "$rom" 120 /dev/null
@@ -189,4 +207,4 @@ cp -r tests/demos/frozen "$scratch/lost"
 echo 'task.go(function() wait(30) local gone = sys.gone() end)' >>"$scratch/lost/main.lua"
 refuse 'planted: what it calls is gone' 'a ROM of core version 1 does not run: what its scripts call has to stay' \
     runs 1 "$old" "$scratch/lost" 120 "$scratch/rerecorded"
-done_testing
+finish

@@ -3,6 +3,7 @@
 # game's whole run, a changed script; tracks and traces of two builds, and what is no such file.
 # tests/machine/test_desync.c does the first with boards side by side, 200 times; test_trace.c plants bits.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 rom=$repo/roms/glasstide
 "$curtain" pack "$rom" -o game.rom
 cp "$rom/demos/run.demo" .
@@ -35,7 +36,8 @@ while good and pos < len(data):
 open(out, "wb").write(data)
 print(frame)
 END
-wrong='' # a held button that is pressed as well makes no difference only where its opposite is held: nowhere in this run
+# a held button that is pressed as well makes no difference only where its opposite is held: nowhere in this run
+wrong=''
 for i in $(seq 12); do
     frame=$(python3 change.py "$i" changed.demo repaired)
     got=$("$curtain" verify game.rom changed.demo) && wrong+="$i: $got"$'\n'
@@ -44,14 +46,16 @@ for i in $(seq 12); do
     "$curtain" hash game.rom --demo run.demo --parts --frames "$frame" >a.track 2>/dev/null
     "$curtain" hash game.rom --demo changed.demo --parts --frames "$frame" >b.track 2>/dev/null
     parts=$("$curtain" verify --bisect a.track b.track | sed -n 's/^  \([a-z_]*\): .*/\1/p' | xargs | sed 's/ /, /g')
-    [[ $got == "changed.demo: frame $frame: $parts differ"* ]] || wrong+="$i: frame $frame: $got, side by side $parts"$'\n'
+    [[ $got == "changed.demo: frame $frame: $parts differ"* ]] ||
+        wrong+="$i: frame $frame: $got, side by side $parts"$'\n'
 done
 same '12 flipped buttons of a whole run: frame and parts' '' "$wrong"
 wrong=''
 for i in $(seq 12); do
     python3 change.py "$i" changed.demo spoilt >/dev/null
     got=$("$curtain" verify game.rom changed.demo 2>&1)
-    [[ "$? $got" =~ ^'2 curtain: changed.demo: the record at byte '[0-9]+' is damaged (CRC)'$ ]] || wrong+="$i: $got"$'\n'
+    [[ "$? $got" =~ ^'2 curtain: changed.demo: the record at byte '[0-9]+' is damaged (CRC)'$ ]] ||
+        wrong+="$i: $got"$'\n'
 done
 same 'the same without the repair: one sentence, and 2' '' "$wrong"
 
@@ -62,9 +66,10 @@ sed -i '0,/stage.at(\([0-9]*\)0)/s//stage.at(\11)/' changed/glasstide/stages/one
 same 'a script has one other byte' 1 "$(cmp -l "$rom/stages/one.lua" changed/glasstide/stages/one.lua | wc -l)"
 line=$("$curtain" verify changed/glasstide run.demo)
 frame=$(sed -n 's/.*: frame \([0-9]*\): .*script.* (recorded on another build)$/\1/p' <<<"$line")
-holds "it is found: $line" [ -n "$frame" ]
+check "it is found: $line" [ -n "$frame" ]
 "$curtain" hash game.rom --demo run.demo --parts >a.track 2>/dev/null
-"$curtain" hash changed/glasstide --demo run.demo --parts --frames $((frame + 200)) 2>/dev/null | head -n $((frame + 150)) >b.track
+"$curtain" hash changed/glasstide --demo run.demo --parts --frames $((frame + 200)) 2>/dev/null |
+    head -n $((frame + 150)) >b.track
 head -n $((frame + 150)) a.track >a2.track
 "$curtain" verify --bisect a2.track b.track >out
 same 'tracks of both builds say the same frame' "1 frame $frame is the first that differs" "$? $(head -1 out)"
@@ -74,7 +79,7 @@ command=$(sed -n 's/^for columns and slots.*: hash ROM --demo DEMO //p' out)
 "$curtain" verify --bisect a.trace b.trace >out
 code=$?
 same 'and their traces, by the command it prints' "1 frame $frame is the first that differs" "$code $(head -1 out)"
-holds 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
+check 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
 
 # ---- bisect ----
 
@@ -105,17 +110,22 @@ pal=$(sed -n '51s/.* pal=\([0-9a-f]*\).*/\1/p' parts) input=$(sed -n '51s/.* inp
 bisect 'several parts, one of them missing' 1 "frame 50 is the first that differs
   input: $input in parts, missing in other
   pal: $pal in parts, 0123456789abcdef in other
-for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace input,pal --frames 49:50" parts other
+for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace input,pal --frames 49:50" \
+    parts other
 head -n 100 whole >short
-bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' whole short
-bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' short whole
+bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' whole \
+    short
+bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' \
+    short whole
 "$curtain" hash game.rom --demo run.demo --frames 198:199 --trace input,player,pal >short 2>/dev/null
-bisect 'a shorter trace' 2 'curtain: short ends in frame 199, trace goes on; as far as they go they are equal' trace short
+bisect 'a shorter trace' 2 'curtain: short ends in frame 199, trace goes on; as far as they go they are equal' trace \
+    short
 sed 1d whole >other
 bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: not of the same frames' whole other
 "$curtain" hash game.rom --demo run.demo --frames 198:200 --trace input,pal >other 2>/dev/null
 line=$(grep -nm1 ' player ' trace | cut -d: -f1)
-bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: not traces of the same parts" trace other
+bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: not traces of the same parts" \
+    trace other
 bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole trace
 : >empty
 bisect 'an empty file' 2 'curtain: empty: empty' whole empty
@@ -146,7 +156,8 @@ for line in open("trace"):
 END
 "$curtain" verify --bisect trace many >out
 code=$?
-same 'many differences are counted' "1 42 1 $(($(grep -c '^198 pal .*rgb=' trace) - 40))" "$code $(wc -l <out) $(grep -c '^frame 198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
+same 'many differences are counted' "1 42 1 $(($(grep -c '^198 pal .*rgb=' trace) - 40))" \
+    "$code $(wc -l <out) $(grep -c '^frame 198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
 
 # Files of any size: a megabyte of trace or a hundred, the memory is the same.
 "$curtain" hash game.rom --demo run.demo --frames 1000:1100 --trace all >little 2>/dev/null
@@ -159,5 +170,6 @@ print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss if code == 0 else "
 END
 }
 a=$(peak little) b=$(peak large)
-holds "memory: $a KiB for $(($(stat -c %s little) >> 20)) MiB, $b KiB for $(($(stat -c %s large) >> 20)) MiB" [ "$b" -le $((a + 512)) ]
+check "memory: $a KiB for $(($(stat -c %s little) >> 20)) MiB, $b KiB for $(($(stat -c %s large) >> 20)) MiB" [ "$b" \
+    -le $((a + 512)) ]
 finish

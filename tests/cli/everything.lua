@@ -14,17 +14,21 @@ bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
-  { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 }, { speed = 4.75, over = 9 } }
-motion.def { name = "spin", { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
+  { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 },
+  { speed = 4.75, over = 9 } }
+motion.def { name = "spin",
+  { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
 enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 170, spark = "pop",
   run = function(e)
     while true do
       wait(rng.int(3, 9))
-      pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 3, hard = 7 }, spread = 71.5, aim = true, speed = 1.7 }
+      pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 3, hard = 7 }, spread = 71.5, aim = true,
+        speed = 1.7 }
     end
   end })
 enemy.def("king", { sprite = "dot", hit = { box = { 12, 12 } }, score = 9000, spark = "pop" })
-local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 }, { x = 75, y = 5, over = 41, ease = "both" } }
+local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 },
+  { x = 75, y = 5, over = 41, ease = "both" } }
 boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
   { id = "a", hp = 60, time = 200, rest = 10, run = function(e)
       pattern.spiral { from = e, kind = "orb", n = forever, arms = 3, step = 11.3, every = 5, speed = 1.1 }
@@ -54,7 +58,8 @@ local function library(i)
   local out = {}
   for k, v in ipairs(t) do out[k] = ("%d:%.6f:%g"):format(v[2], math.sin(v[1] * i), math.sqrt(v[1]) / 3) end
   local text = table.concat(out, ","):gsub("(%d+):(%-?)", "%2<%1>"):upper()
-  fold(text .. tostring(i / 7) .. tostring(-0.0) .. (7.5 // -2) .. (7.5 % -2) .. math.atan(i, 3) .. utf8.char(228, 8364))
+  fold(text .. tostring(i / 7) .. tostring(-0.0) .. (7.5 // -2) .. (7.5 % -2) .. math.atan(i, 3) ..
+    utf8.char(228, 8364))
   fold(("%q %5.2f %x %s"):format("a\0b", i * 0.1, i * 7919, { } ~= nil) .. (pcall(error, "x") and 1 or 0))
   for k, v in pairs { z = 1, a = 2, [3] = 3, [-1] = 4 } do fold(k .. "=" .. v) end
 end
@@ -76,7 +81,8 @@ task.go(function()
   palette.cycle { first = 17, last = 30, every = 3 }
   for i = 1, forever do
     library(i)
-    bullet.fire { kind = "ghost", x = rng.number(0, 64), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(), motion = "spin" }
+    bullet.fire { kind = "ghost", x = rng.number(0, 64), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(),
+      motion = "spin" }
     if i % 50 == 0 then
       petals.speed, petals.bank = 0.5, 6
       bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)

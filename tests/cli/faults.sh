@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # faults.sh - the n-th call of malloc, open, fopen, fwrite, fflush, fsync, fclose, rename and mkdir fails, for every n,
-# in pack, list, unpack, render, hash --record and verify --restamp: what was to be replaced is whole, old or new;
-# a failure is one sentence and exit code 2 or 3, and leaves nothing behind, neither files nor memory; no call is missed by
-# a crash. The game has a sheet of each kind of PNG that is read in a way of its own.
+# in pack, list, unpack, render, hash --record and verify --restamp: what was to be replaced is whole, old or new; a
+# failure is one sentence and exit code 2 or 3, and leaves nothing behind, neither files nor memory; no call is missed
+# by a crash. The game has a sheet of each kind of PNG that is read in a way of its own.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 cc -std=gnu11 -O1 -shared -fPIC "$repo/tests/inject/inject.c" -o inject.so -ldl || not_ok 'inject.c compiles'
 
@@ -13,7 +14,8 @@ bullet.def("d", { sprite = "dot", hit = { circle = 2 } })
 LUA
 for kind in rgba rgba16 indexed; do
     python3 "$repo/tests/cli/png_make.py" --$kind g/art/$kind.png 16 16 ffffff 3 3 888888
-    sed -i "s,^  sheets = { ,&$kind = { file = \"art/$kind.png\" }\, ,; s,^  sprites = { ,&$kind = { sheet = \"$kind\"\, x = 0\, y = 0\, w = 8\, h = 8 }\, ," g/rom.lua
+    sed -i "s,^  sheets = { ,&$kind = { file = \"art/$kind.png\" }\, ,
+        s,^  sprites = { ,&$kind = { sheet = \"$kind\"\, x = 0\, y = 0\, w = 8\, h = 8 }\, ," g/rom.lua
 done
 "$curtain" pack g -o new.rom || not_ok 'the game is packed'
 game h <<<'task.go(function() while true do wait(1) end end)'
@@ -55,7 +57,8 @@ whole() { # WHAT
     case $1 in
     pack) [ "$files" = './out ' ] && { cmp -s at/out old.rom || cmp -s at/out new.rom; } ;;
     restamp) [ "$files" = './out ' ] && { cmp -s at/out g.demo || cmp -s at/out fresh.demo; } ;;
-    record) [ "$files" = './out ' ] && { cmp -s at/out g.demo || "$curtain" verify g at/out >/dev/null 2>&1 || grep -q 'cut short' <("$curtain" verify g at/out 2>&1); } ;;
+    record) [ "$files" = './out ' ] && { cmp -s at/out g.demo || "$curtain" verify g at/out >/dev/null 2>&1 ||
+        grep -q 'cut short' <("$curtain" verify g at/out 2>&1); } ;;
     unpack) [ "$files" = '' ] || { [ $got = 0 ] && [ "$files" = "$all" ]; } ;;
     render) [ "$files" = '' ] || { [ "$files" = './out/000003.png ' ] && cmp -s at/out/000003.png three.png; } ;;
     list) [ "$files" = '' ] ;;

@@ -3,7 +3,7 @@
 # which the installed program checks and packs; the manual page and the desktop's entry, which their checkers pass; and
 # make uninstall takes all of it away. One file for a friend, with another game in it. What is missing is said by make and
 # make all, which install nothing, and installed by make play; make null asks for no SDL2.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
 
@@ -89,7 +89,8 @@ built_in() { # GAME [ARGUMENT]...: of make
     local game=$1 want got
     shift
     makes "$@" build/curtain || return 1
-    want=$("$OUT/curtain-null" hash "$game" --frames 30 --parts) && got=$("$tree/build/curtain" hash --frames 30 --parts) || return 1
+    want=$("$OUT/curtain-null" hash "$game" --frames 30 --parts) &&
+        got=$("$tree/build/curtain" hash --frames 30 --parts) || return 1
     [ "$want" = "$got" ] || { echo "built in is another game" && return 1; }
 }
 check 'one file with a game in it' built_in examples/first GAME=examples/first
@@ -105,7 +106,8 @@ rm "$tree/mine/more.lua"
 check 'a file less' built_in "$tree/mine" GAME=mine
 check 'and the game of its own again' built_in roms/glasstide
 not_again() { # nothing that is there is made once more
-    touch "$scratch/then" && makes build/curtain && [ ! "$tree/build/curtain" -nt "$scratch/then" ] && [ ! "$tree/build/release/game.rom" -nt "$scratch/then" ]
+    touch "$scratch/then" && makes build/curtain && [ ! "$tree/build/curtain" -nt "$scratch/then" ] &&
+        [ ! "$tree/build/release/game.rom" -nt "$scratch/then" ]
 }
 check 'nothing is built twice' not_again
 check 'it is one file' bash -c 'cd / && exec "$1" hash --frames 1' - "$tree/build/curtain"
@@ -148,4 +150,4 @@ lua_only() { # a machine whose pkg-config has no Lua
     says all liblua5.4-dev
 }
 check 'one library that is missing is one word' lua_only
-done_testing
+finish

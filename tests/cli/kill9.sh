@@ -2,12 +2,13 @@
 # kill9.sh - a recording that is killed with -9 at 50 random moments of a whole run plays up to all but its last 60
 # frames. The moments are frames the process printed, not times; what it printed after them, until it was dead, counts.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 rom=$repo/roms/glasstide
 "$curtain" pack "$rom" -o game.rom
 cp "$rom/demos/run.demo" .
 "$curtain" hash game.rom --demo run.demo 2>/dev/null --every 60 >whole
 frames=$(python3 "$repo/tests/cli/demo_read.py" run.demo | sed -n 's/^end \([0-9]*\) .*/\1/p')
-holds "the whole run: $frames frames" [ "$frames" -gt 10000 ]
+check "the whole run: $frames frames" [ "$frames" -gt 10000 ]
 
 cat >kill.py <<'END'
 """Records the run, kills the recorder after the frame told, prints the last frame that it printed."""
@@ -35,13 +36,18 @@ last = seen.split(b"\n")[-2].split()[0]
 print(int(last), run.wait())
 END
 wrong='' short=0 least=999999 most=0
-for at in $(python3 -c 'import random, sys; random.seed(9); print(*(random.randrange(1, int(sys.argv[1]) - 400) for _ in range(50)))' "$frames"); do
+for at \
+    in \
+    $(python3 \
+    -c 'import random, sys; random.seed(9); print(*(random.randrange(1, int(sys.argv[1]) - 400) for _ in range(50)))' \
+    "$frames"); do
     rm -f cut.demo
     read -r printed code < <(python3 kill.py "$curtain" "$at" cut.demo)
     [ "$code" = -9 ] || wrong+="at $at it ended by itself ($code)"$'\n'
     "$curtain" hash game.rom --demo cut.demo --every 60 >played 2>said # what is cut short ends in a whole second
     got=$(tail -1 played | cut -d' ' -f1)
-    grep -q "cut.demo: cut short (no end mark); playing the $got frames it has" said || wrong+="at $at: $(cat said)"$'\n'
+    grep -q "cut.demo: cut short (no end mark); playing the $got frames it has" said ||
+        wrong+="at $at: $(cat said)"$'\n'
     [ "${got:-0}" -ge $((printed - 60)) ] || wrong+="at $at: $printed frames were printed, $got play"$'\n'
     head -n $((got / 60 + 1)) whole | cmp -s - played || wrong+="at $at: the $got frames are not those of the run"$'\n'
     short=$((short + (got < frames)))
@@ -49,7 +55,7 @@ for at in $(python3 -c 'import random, sys; random.seed(9); print(*(random.randr
 done
 same "killed 50 times, between frames $least and $most" '' "$wrong"
 same 'each time before its end' 50 $short
-holds 'all over the run' [ $least -lt 1500 ] && [ $most -gt 12000 ]
+check 'all over the run' [ $least -lt 1500 ] && [ $most -gt 12000 ]
 
 # What it keeps can be recorded on: the cut demo, played and recorded, holds.
 "$curtain" hash game.rom --demo cut.demo --record mended.demo --every 1000 >/dev/null 2>&1

@@ -2,6 +2,7 @@
 # leaves.sh - what a headless run leaves behind: the pictures it was asked for, and nothing else. Every file and folder
 # of the home, the working folder, the game's and the one for temporary files is compared before and after.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 unset XDG_DATA_HOME XDG_CONFIG_HOME XDG_CACHE_HOME
 mkdir home here short
 cp -r "$repo/roms/glasstide" .
@@ -13,7 +14,8 @@ leaves() { # NAME ADDED ARGUMENT...: ADDED: the files that are new
     local name=$1 added=$2 got
     shift 2
     tree >before
-    (cd here && HOME=$tmp/home TMPDIR=$tmp/short "$curtain" "$@" >/dev/null 2>../err) || not_ok "$name: it runs" "$(cat err)"
+    (cd here && HOME=$scratch/home TMPDIR=$scratch/short "$curtain" "$@" >/dev/null 2>../err) ||
+        not_ok "$name: it runs" "$(cat err)"
     tree >after
     got=$(diff before after | sed -n 's/^> f .* //p')
     same "$name" "$added" "$got"
@@ -45,5 +47,5 @@ leaves 'verify' '' verify ../glasstide ../glasstide/demos/attract.demo
 same 'hash without a ROM is of the built-in game' "$(cat one)" "$(cat two)"
 "$curtain" render "$repo/roms/glasstide" --frames 30 -o one.d
 "$curtain" render --frames 30 -o two.d
-holds 'render without a ROM draws it' cmp one.d/000030.png two.d/000030.png
+check 'render without a ROM draws it' cmp one.d/000030.png two.d/000030.png
 finish

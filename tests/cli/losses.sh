@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is closed, a
-# score file that is damaged. In SDL's own dummy window.
+# losses.sh - playing on a host where things go wrong: a recording for which there is no room, a terminal that is
+# closed, a score file that is damaged. In SDL's own dummy window.
 
 # Under nohup SIGHUP is ignored, here and in all that is started from here, and a shell cannot undo that.
 python3 - "$0" <<'PY' || exec python3 -c 'import os, signal, sys
@@ -10,6 +10,7 @@ import signal, sys
 sys.exit(signal.getsignal(signal.SIGHUP) == signal.SIG_IGN)
 PY
 . "$(dirname "$0")/../tap.sh"
+sandbox
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 windowed=$OUT/curtain
 scores=$XDG_DATA_HOME/curtain/probe.nv
@@ -43,7 +44,8 @@ play_until TERM --record full
 same 'a recording without room says so, and is played' \
     'curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
 play_until TERM --record /proc/nothing/x.demo
-same 'and so where there is no such folder' 'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
+same 'and so where there is no such folder' \
+    'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
     "$(grep curtain err) $got"
 
 saved() { # how often it was counted, at least 30
@@ -58,7 +60,7 @@ for signal in TERM HUP; do # a shell lets what runs in its background ignore INT
     rm -f "$scores"
     play_until $signal
     same "SIG$signal ends it well" 0 "$got"
-    holds "SIG$signal: the saves are written" saved
+    check "SIG$signal: the saves are written" saved
 done
 rm -f "$scores"
 (
@@ -72,14 +74,15 @@ saved_again() { # it goes on: what it saved once, it saves anew
     for _ in $(seq 300); do cmp -s "$scores" was || return 0; sleep 0.1; done
     return 1
 }
-holds 'a hangup that is ignored stays ignored' saved_again
+check 'a hangup that is ignored stays ignored' saved_again
 kill -TERM "$(cat child)"
 wait $shielded
 
 rm -rf "$scores"
 mkdir -p "$scores"
 play_until TERM
-same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' "$(grep -m 1 curtain: err)"
+same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' \
+    "$(grep -m 1 curtain: err)"
 rmdir "$scores"
 
 mkdir -p "$(dirname "$scores")"
@@ -87,9 +90,10 @@ damaged() { # NAME BYTES
     head -c "$2" /dev/zero | tr '\0' '\377' >"$scores"
     cp "$scores" was
     play_until TERM
-    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" "$(grep curtain: err)"
-    holds "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
-    holds "$1: begun anew" saved
+    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" \
+        "$(grep curtain: err)"
+    check "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
+    check "$1: begun anew" saved
 }
 damaged 'a damaged score file' 500 probe.nv.damaged
 damaged 'another one' 32768 probe.nv.damaged-2

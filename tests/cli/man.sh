@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # man.sh - the manual page, which tools/manpage.sh makes of what `curtain help` says: all of it is there, no checker finds
 # anything in it, and its examples run.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 page=$scratch/curtain.1
 
@@ -69,4 +69,4 @@ examples() ( # PAGE
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"
-done_testing
+finish

@@ -14,4 +14,4 @@ printf '%s\n' '```lua error' 'wait(1)' '```' '```' 'nothing' '```' >"$scratch/ba
 take "$scratch/bad.md"
 refuse "planted: an error that does not come" "no fault" block "$scratch/blocks/1.error"
 refuse "planted: a page without an entry" "no example uses wait" covers "$scratch/bad.md"
-done_testing
+finish

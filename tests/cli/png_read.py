@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """png_read.py FILE.png: the picture as raw bytes on standard output, read by nothing of Curtain's.
 
-"W H KIND\\n" (KIND 3: palette, 2: RGB), the palette's 768 bytes if it has one, then the pixels row by row. Every chunk's CRC is
-checked, and that the pixels are as many as they should be. Filters are undone; 8 bits a sample, not interlaced.
+"W H KIND\\n" (KIND 3: palette, 2: RGB), the palette's 768 bytes if it has one, then the pixels row by row. Every
+chunk's CRC is checked, and that the pixels are as many as they should be. Filters are undone; 8 bits a sample, not
+interlaced.
 """
 import struct
 import sys

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# porting.sh - docs/porting.md: its commands run, the template links and ends at once, the seam's functions are all named.
+# porting.sh - docs/porting.md: its commands run, the template links and ends at once, the seam's functions are all
+# named.
 . "$(dirname "$0")/../pages.sh"
 compiler=${CC:-cc}
 
@@ -14,7 +15,9 @@ template() {
 }
 check "the template links, and its play ends at once" template
 
-seam() { grep -oE "^[a-z0-9_ ]+ plat_[a-z]+\(" platform/platform.h | grep -v inline | grep -oE "plat_[a-z]+" | sort -u; }
+seam() {
+    grep -oE "^[a-z0-9_ ]+ plat_[a-z]+\(" platform/platform.h | grep -v inline | grep -oE "plat_[a-z]+" | sort -u
+}
 named() { # PAGE
     local f bad=0
     for f in $(seam); do
@@ -28,4 +31,4 @@ check "README names them all" named README.md
 check "the page on porting names them all" named docs/porting.md
 grep -v plat_alarm README.md >"$scratch/bad.md"
 refuse "planted: a function left out" "plat_alarm" named "$scratch/bad.md"
-done_testing
+finish

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass Tide's.
+# readme.sh - README's commands run, its game is examples/first to the letter, and that game's pictures are Glass
+# Tide's.
 . "$(dirname "$0")/../pages.sh"
 
 blocks README.md
@@ -16,4 +17,4 @@ sed 's/speed = 1.6/speed = 1.7/' README.md >"$scratch/bad.md"
 take "$scratch/bad.md"
 other() { local f; for f in "$scratch"/blocks/*.file; do block "$f" || return; done; }
 refuse "planted: a text that is not the file's" "speed = 1.7" other
-done_testing
+finish

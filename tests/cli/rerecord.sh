@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# rerecord.sh - `verify --rerecord`: demos of another core version or build are played to their end and written anew, with
-# all of their start; what became of prints, score, moments and length is told, as far as a demo lets it be known; what is
-# not this run any more, or cannot be written, is left alone.
+# rerecord.sh - `verify --rerecord`: demos of another core version or build are played to their end and written anew,
+# with all of their start; what became of prints, score, moments and length is told, as far as a demo lets it be known;
+# what is not this run any more, or cannot be written, is left alone.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 core=$("$curtain" version | sed -n 's/^curtain core version //p')
 reader=$repo/tests/cli/demo_read.py
 
@@ -13,7 +14,8 @@ local late, points, stop, deaths = 0, 10, 0, 1
 player.def("ship", { sprite = "dot", hit = { circle = 1 }, registers = { power = 2 } })
 bullet.def("orb", { sprite = "dot", hit = { circle = 4 } })
 enemy.def("queen", { sprite = "dot", hit = "none" })
-boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 270, run = function() end } } })
+boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20,
+  phases = { { id = "bloom", hp = 100, time = 270, run = function() end } } })
 stage.def("one", function()
   stage.at(50) stage.mark("middle")
   stage.at(90 + late) stage.mark("far")
@@ -36,11 +38,12 @@ LUA
 }
 local_is() { points "s/^local late, points, stop, deaths = .*/local late, points, stop, deaths = $1/"; }
 run_of() { # NAME FRAMES [OPTION]...
-    "$curtain" hash g --stage one:middle --seed 5 --difficulty hard --dip ships=3 --frames "$2" --every 1000 --record "$1.demo" "${@:3}" >/dev/null 2>"$1.said"
+    "$curtain" hash g --stage one:middle --seed 5 --difficulty hard --dip ships=3 --frames "$2" --every 1000 \
+        --record "$1.demo" "${@:3}" >/dev/null 2>"$1.said"
 }
 practised=(--lives 7 --register power=3)
-# FROM as of core version 1; here: of this one. forged: its last row is not what it was. untold: by a program that did not write the points; lost: its part player has another name;
-# a number: its flags.
+# FROM as of core version 1; here: of this one. forged: its last row is not what it was. untold: by a program that did
+# not write the points; lost: its part player has another name; a number: its flags.
 aged() { # FROM TO [untold] [lost] [FLAGS]
     python3 - "$@" <<'PY'
 import struct, sys, zlib
@@ -99,15 +102,15 @@ python3 "$repo/tests/cli/demo_old.py" plain.demo new2.demo
 aged new2.demo two.was
 as_they_were old untold two flags
 again 'an older core, all alike' 0 old "rerecorded: holds, 400 frames$doubt"
-holds 'it is as one recorded here' cmp old.demo new.demo
+check 'it is as one recorded here' cmp old.demo new.demo
 again 'of a program that told no points' 0 untold "rerecorded: holds, 400 frames$doubt"
-holds 'it tells them now' cmp untold.demo new.demo
+check 'it tells them now' cmp untold.demo new.demo
 same 'a recording tells what everybody had in the end' 'moment 400 listed points 1 200,moment 400 listed points 2 0,' \
     "$(python3 "$reader" new.demo | sed -n '/points/p' | tr '\n' ',')"
 again 'format 2' 0 two "rerecorded: holds, 400 frames$doubt"
-holds 'format 2: it is as one recorded here' cmp two.demo plain.demo
+check 'format 2: it is as one recorded here' cmp two.demo plain.demo
 again 'of this very build' 0 new 'rerecorded: holds, 400 frames'
-holds 'it stays as it is' cmp new.demo old.demo
+check 'it stays as it is' cmp new.demo old.demo
 again 'branched and assisted' 0 flags "rerecorded: holds, 400 frames$doubt"
 same 'they stay so' 'flags 5' "$(python3 "$reader" flags.demo | grep flags)"
 
@@ -117,20 +120,28 @@ local_is '3, 11, 0, 0'
 aged new.demo lost.was lost untold
 as_they_were old untold two lost
 lost='frame 0: pilots differs'
-late='moments: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114, death of player 1 310 -> never and 1 more'
-again 'points and moments' 1 old "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt"
+late='moments: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114'
+late="$late, death of player 1 310 -> never and 1 more"
+same_length='length 400 as before'
+again 'points and moments' 1 old \
+    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt"
 verified 'points and moments' old 400
 python3 "$reader" old.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >is
 python3 "$reader" new.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >was
-holds 'seed, switches, difficulty, practice start, saves and flags are as they were' cmp was is
-holds 'they are those it was recorded with' grep -qx 'registers power=3' is
+check 'seed, switches, difficulty, practice start, saves and flags are as they were' cmp was is
+check 'they are those it was recorded with' grep -qx 'registers power=3' is
 pads() { python3 "$reader" "$1" | grep ^pads; }
 same 'so are the pads' "$(pads new.demo)" "$(pads old.demo)"
-again 'the program told no points' 1 untold "rerecorded: frame 1: script, tasks differ; score not told -> 220 (known up to frame 19: 0); $late; length 400 as before$doubt"
+again 'the program told no points' 1 untold \
+    "rerecorded: frame 1: script, tasks differ; score not told -> 220 (known up to frame 19: 0); $late; \
+$same_length$doubt"
 again 'no part with points' 1 lost "rerecorded: $lost; score not told -> 220; $late; length 400 as before$doubt"
-again 'format 2 tells less' 1 two "rerecorded: frame 1: script differs; score not told -> 220 (known up to frame 0: 0); moments not told; length 400 as before$doubt"
+again 'format 2 tells less' 1 two \
+    "rerecorded: frame 1: script differs; score not told -> 220 (known up to frame 0: 0); moments not told; \
+$same_length$doubt"
 as_they_were old
-again 'verbose: all moments' 1 old "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt
+again 'verbose: all moments' 1 old \
+    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt
   mark far 41 -> 44
   boss queen 51 -> 54
   phase bloom 111 -> 114
@@ -139,11 +150,13 @@ again 'verbose: all moments' 1 old "rerecorded: frame 1: script, tasks differ; s
 local_is '0, 10, 0, 2'
 sed -i 's/frame == 320/frame == 310 + 60 * deaths/' g/main.lua # the same again, told otherwise
 as_they_were old
-again 'hashes alone' 0 old "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$doubt"
+again 'hashes alone' 0 old \
+    "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$doubt"
 
 build=' (recorded on another build)'
 cp new.demo other.demo
-again 'another build of this core version' 0 other "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$build"
+again 'another build of this core version' 0 other \
+    "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$build"
 verified 'another build of this core version' other 400
 
 # ---- faults ----
@@ -152,61 +165,78 @@ local_is '0, 10, 200, 0'
 run_of fault 400
 aged fault.demo ends.was
 as_they_were ends
-again 'the fault it was recorded with' 0 ends "rerecorded: holds, 200 frames, ends in the fault it was recorded with$doubt"
-holds 'it ends in it still' cmp ends.demo fault.demo
+again 'the fault it was recorded with' 0 ends \
+    "rerecorded: holds, 200 frames, ends in the fault it was recorded with$doubt"
+check 'it ends in it still' cmp ends.demo fault.demo
 as_they_were old
-again 'a fault before its end' 2 old "frame 200: a fault that is not in the demo: main.lua:17: the end; length 400 -> 200; not rerecorded: the rest of it would be lost$doubt"
-holds 'it is left alone' cmp old.demo old.was
+cut='not rerecorded: the rest of it would be lost'
+again 'a fault before its end' 2 old \
+    "frame 200: a fault that is not in the demo: main.lua:18: the end; length 400 -> 200; $cut$doubt"
+check 'it is left alone' cmp old.demo old.was
 local_is '0, 10, 0, 0'
 as_they_were ends
-again 'a fault that does not come' 1 ends "rerecorded: frame 200: the fault it was recorded with does not happen; score 100 as before; moments as before; length 200 as before$doubt"
+gone='the fault it was recorded with does not happen'
+again 'a fault that does not come' 1 ends \
+    "rerecorded: frame 200: $gone; score 100 as before; moments as before; length 200 as before$doubt"
 verified 'a fault that does not come' ends 200
 local_is '0, 11, 0, 0'
 as_they_were ends
-again 'nor does it after a difference' 1 ends "rerecorded: frame 20: script, player differ; score 100 -> 110; moments as before; the fault it was recorded with does not happen; length 200 as before$doubt"
+again 'nor does it after a difference' 1 ends \
+    "rerecorded: frame 20: script, player differ; score 100 -> 110; moments as before; $gone; \
+length 200 as before$doubt"
 sed -i 's/local late/error("at once", 0) local late/' g/main.lua
 as_they_were old
-again 'a fault at power-on' 2 old "frame 0: a fault that is not in the demo: main.lua:1: at once; length 400 -> 0; not rerecorded: the rest of it would be lost$doubt"
-holds 'that one is left alone' cmp old.demo old.was
+again 'a fault at power-on' 2 old \
+    "frame 0: a fault that is not in the demo: main.lua:1: at once; length 400 -> 0; $cut$doubt"
+check 'that one is left alone' cmp old.demo old.was
 
 # ---- what is not this run ----
 
 local_is '0, 11, 0, 0'
 aged new.demo touched.was 2
 as_they_were touched
-again 'touched from outside' 2 touched "frame 20: script, player differ; not rerecorded: the board was touched from outside, which a demo does not hold$doubt"
-holds 'touched: left alone' cmp touched.demo touched.was
+outside='the board was touched from outside, which a demo does not hold'
+again 'touched from outside' 2 touched \
+    "frame 20: script, player differ; not rerecorded: $outside$doubt"
+check 'touched: left alone' cmp touched.demo touched.was
 points
 again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"
 aged new.demo forged.was here forged
 as_they_were forged
-again 'of this very build, and differs' 2 forged 'frame 120: spark_kinds differs; not rerecorded: it is of this very build'
-holds 'forged: left alone' cmp forged.demo forged.was
+again 'of this very build, and differs' 2 forged \
+    'frame 120: spark_kinds differs; not rerecorded: it is of this very build'
+check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was
-says 'cut short' '2 curtain: short.demo: cut short: it has 400 frames and no end mark' "$curtain" verify g --rerecord short.demo
-holds 'short: left alone' cmp short.demo short.was
+says 'cut short' '2 curtain: short.demo: cut short: it has 400 frames and no end mark' "$curtain" verify g \
+    --rerecord short.demo
+check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
-says 'another game' '2 curtain: old.demo: a demo of another game ("probe", this is "lanterns")' "$curtain" verify h --rerecord old.demo
-holds 'another game: left alone' cmp old.demo old.was
+says 'another game' '2 curtain: old.demo: a demo of another game ("probe", this is "lanterns")' "$curtain" verify h \
+    --rerecord old.demo
+check 'another game: left alone' cmp old.demo old.was
 
 # ---- many, and hosts that fail ----
 
 as_they_were old untold touched
 printf '%s\n' old.demo short.demo untold.demo | "$curtain" verify g --rerecord - >out 2>said
-same 'names from standard input' "2 old.demo: rerecorded: holds, 400 frames$doubt|short.demo: cut short: it has 400 frames and no end mark|untold.demo: rerecorded: holds, 400 frames$doubt|" "$? $(tr '\n' '|' <out)"
+status=$? good="rerecorded: holds, 400 frames$doubt"
+same 'names from standard input' \
+    "2 old.demo: $good|short.demo: cut short: it has 400 frames and no end mark|untold.demo: $good|" \
+    "$status $(tr '\n' '|' <out)"
 full() { # FOLDER: has no room
     mkdir full && mount -t tmpfs -o size=64k tmpfs full || return 1
-    trap 'cd /; umount "$tmp/full"; rm -rf "$tmp"' EXIT
+    trap 'cd /; umount "$scratch/full"; rm -rf "$scratch"' EXIT
     cp old.was full/old.demo
     dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
     true
 }
-holds 'a disk of its own' full
-says 'a full disk' '3 curtain: full/old.demo: cannot be written (No space left on device)' "$curtain" verify g --rerecord full/old.demo
-holds 'a full disk: the demo is whole' cmp full/old.demo old.was
+check 'a disk of its own' full
+says 'a full disk' '3 curtain: full/old.demo: cannot be written (No space left on device)' "$curtain" verify g \
+    --rerecord full/old.demo
+check 'a full disk: the demo is whole' cmp full/old.demo old.was
 same 'a full disk: nothing half made is left' 'filler old.demo' "$(cd full && echo *)"
 
 # Killed at any time, it is the old demo or the new one.
@@ -226,6 +256,8 @@ same 'killed at 25 times: old or new, and whole' '' "$wrong"
 as_they_were old two
 for demo in old two; do
     "$curtain" render g --demo $demo.demo --frames 400 -o $demo >/dev/null 2>$demo.said
-    same "render plays an older demo ($demo)" "0 $(echo "curtain: $demo.demo: recorded on core version 1, this is $core; it may not play as it was")" "$? $(cat $demo.said)"
+    same "render plays an older demo ($demo)" \
+        "0 $(echo "curtain: $demo.demo: recorded on core version 1, this is $core; it may not play as it was")" \
+        "$? $(cat $demo.said)"
 done
 finish

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # roundtrip.sh - the same in, the same out: packing, unpacking, playing from folder and file, and other compilers.
 #
-# Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*), which
-# takes a while the first time.
+# Builds the program once more with clang, with -O0, with -O3 and without doubles in its arithmetic (build/cross-*),
+# which takes a while the first time.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 glasstide=$repo/roms/glasstide
 
 game g <"$repo/tests/cli/everything.lua"
@@ -20,11 +21,11 @@ for folder in g "$glasstide" "$repo/roms/testcard"; do
     find "copy of $name" -exec touch -d 2001-02-03 {} +
     mkdir -p "elsewhere/$name" && cp -r "$folder/." "elsewhere/$name"
     "$curtain" pack "elsewhere/$name/" -o "$name.2.rom"
-    holds "$name: packs to the same bytes in another place and time" cmp "$name.1.rom" "$name.2.rom"
+    check "$name: packs to the same bytes in another place and time" cmp "$name.1.rom" "$name.2.rom"
     "$curtain" list "$folder" >one
     "$curtain" list "$name.1.rom" >two
     same "$name: a list of the folder is that of the ROM" "$(cat two)" "$(cat one)"
-    holds "$name: the list is sorted" bash -c "head -n -2 one | cut -d' ' -f1 | LC_ALL=C sort -c"
+    check "$name: the list is sorted" bash -c "head -n -2 one | cut -d' ' -f1 | LC_ALL=C sort -c"
     "$curtain" unpack "$name.1.rom" "un$name"
     same "$name: every lump becomes a file" "$(($(wc -l <two) - 2))" "$(find "un$name" -type f | wc -l)"
     wrong=
@@ -36,14 +37,18 @@ for folder in g "$glasstide" "$repo/roms/testcard"; do
         demo/*) file=un$name/demos/${lump#demo/}.demo ;;
         *) file=un$name/lumps/$lump ;;
         esac
-        got=$(python3 -c 'import sys, zlib; d = open(sys.argv[1], "rb").read(); print(len(d), "%08x" % zlib.crc32(d))' "$file" 2>&1)
+        got=$(python3 -c 'import sys, zlib; d = open(sys.argv[1], "rb").read(); print(len(d), "%08x" % zlib.crc32(d))' \
+            "$file" 2>&1)
         [ "$got" = "$size $crc" ] || wrong+="$lump: $size $crc, $file: $got"$'\n'
     done < <(head -n -2 two)
     same "$name: the files have the sizes and CRCs of the list" '' "$wrong"
     wrong=
     while read -r file; do
         cmp -s "$folder/$file" "un$name/$file" || wrong+="$file "
-    done < <(cd "$folder" && find . \( -name '*.lua' -o -name '*.txt' -o -name '*.demo' \) ! -name rom.lua ! -path './tests/*')
+    done \
+        < \
+        <(cd "$folder" && find . \( -name '*.lua' -o -name '*.txt' -o -name '*.demo' \) ! -name rom.lua ! -path \
+        './tests/*')
     same "$name: scripts, texts and demos come back as they were" '' "$wrong"
     "$curtain" hash "$folder" --frames 200 --parts >one 2>&1
     "$curtain" hash "$name.1.rom" --frames 200 --parts >two 2>&1
@@ -65,18 +70,20 @@ tracks() { # PROGRAM FOLDER
         "$1" verify "$rom" "$rom"/demos/*.demo
         echo "exit $?"
     done >"$2/verify" 2>&1
-    "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 --parts >"$2/boss" 2>&1
+    "$1" hash "$glasstide" --stage queen --difficulty hard --frames 900 --every 10 --seed 12345678901 \
+        --parts >"$2/boss" 2>&1
     "$1" render g --stage one --frames 1:1200:117 -o "$2/frames" 2>/dev/null
-    "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" --sheet "$2/sheet.png" 2>/dev/null
+    "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" \
+        --sheet "$2/sheet.png" 2>/dev/null
     "$1" render "$repo/roms/testcard" --frames 1,2,100 -o "$2/frames" 2>/dev/null
 }
 tracks "$curtain" here
 same 'the script that uses everything runs to its end' 'exit 0' "$(tail -1 here/everything)"
-holds 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
+check 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
 same 'the demo runs to its end' 'exit 0' "$(tail -1 here/demo)"
-holds 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
+check 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
 tracks "$curtain" again
-holds 'twice the same: hashes, pictures, ROMs' diff -r here again
+check 'twice the same: hashes, pictures, ROMs' diff -r here again
 
 same 'all demos hold' 'exit 0' "$(grep '^exit' here/verify | sort -u)"
 for i in $(seq 20); do
@@ -85,7 +92,7 @@ for i in $(seq 20); do
 done | sort -u >distinct
 same 'hash tracks of both demos are alike in 20 processes' 2 "$(wc -l <distinct)"
 tracks "$OUT/curtain" window
-holds 'the same in the program with a window' diff -r here window
+check 'the same in the program with a window' diff -r here window
 
 wrong=
 for picture in here/frames/*.png here/sheet.png; do
@@ -96,7 +103,8 @@ same 'another reader reads the pictures' '' "$wrong"
 other() { # NAME MAKE-ARGUMENT...
     local name=$1
     shift
-    if ! env -u MAKEFLAGS -u MFLAGS make -j2 -s -C "$repo" --no-print-directory CONFIG="cross-$name" "$@" "build/cross-$name/curtain-bare" >make.log 2>&1; then
+    if ! env -u MAKEFLAGS -u MFLAGS make -j2 -s -C "$repo" --no-print-directory CONFIG="cross-$name" "$@" \
+        "build/cross-$name/curtain-bare" >make.log 2>&1; then
         not_ok "builds with $*" "$(tail -5 make.log)"
         return
     fi
@@ -104,7 +112,8 @@ other() { # NAME MAKE-ARGUMENT...
     same "$name: without a warning" '' "$(grep -i warning make.log)"
     tracks "$repo/build/cross-$name/curtain-bare" "$name"
     for file in everything demo verify boss g.rom glasstide.rom frames sheet.png; do
-        if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"; else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
+        if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"
+            else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
     done
 }
 command -v clang >/dev/null || not_ok 'clang is installed'

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# verify.sh - what `verify` says of a demo that does not hold: the very frame, and the parts; of a demo of format 2, which
-# has prints of scripts alone, the frames between two rows of hashes when it is another part. What --verbose adds, and
-# --restamp.
+# verify.sh - what `verify` says of a demo that does not hold: the very frame, and the parts; of a demo of format 2,
+# which has prints of scripts alone, the frames between two rows of hashes when it is another part. What --verbose adds,
+# and --restamp.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 # play [FRAME ACT]...: the game; in these frames its script does that too. narrow: its bullet is gone in frame 61.
 play() {
@@ -62,7 +63,8 @@ END
 play 75 'board.note(1)' 76 'board.note(2)' 130 'board.note(3)'
 differs 'the first of several frames' a 'frame 75: script, board differ'
 "$curtain" verify g a.demo first.demo second.demo >out 2>&1
-same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded on another build)" "$? $(sed -n 2p out)"
+same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded on another build)" \
+    "$? $(sed -n 2p out)"
 play
 sed -i '1s/^/board.note(1) /' g/main.lua
 differs 'a script differs at power-on' a 'frame 0: script, board differ'
@@ -109,7 +111,7 @@ done
 play 95 "$end"
 differs 'a fault that comes too soon' fault 'frame 95: a fault that is not in the demo: main.lua:4: the end'
 "$curtain" verify g fault.demo -v >out 2>&1
-holds 'verbose: the traceback' grep -qx '  stack traceback:' out
+check 'verbose: the traceback' grep -qx '  stack traceback:' out
 play
 differs 'a fault that does not come' fault 'frame 100: the fault it was recorded with does not happen'
 
@@ -129,7 +131,8 @@ task.go(function()
   wait(1)
   b:remove()
 end)
-boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20, phases = { { id = "bloom", hp = 100, time = 270, run = function() end } } })
+boss.def("queen", { title = "Queen", kind = "queen", x = 32, y = 20,
+  phases = { { id = "bloom", hp = 100, time = 270, run = function() end } } })
 local across = path.def { { x = 10, y = 10 }, { x = 60, y = 10, over = 300 } }
 stage.def("one", function()
   stage.at(10) stage.wave { kind = "wisp", n = 1, every = 1, path = across }
@@ -144,24 +147,36 @@ moments | game g
 "$curtain" hash g --stage one --frames 600 --every 1000 --record m.demo >/dev/null 2>&1
 python3 "$repo/tests/cli/demo_read.py" m.demo >m.txt
 at() { # NAME [KIND]: the first frame of such a moment
-    awk -v name="$1" -v kind="${2:-}" '$1 == "moment" && $4 == name && (kind == "" || kind == $3) { print $2; exit }' m.txt
+    awk -v name="$1" -v kind="${2:-}" '$1 == "moment" && $4 == name && (kind == "" || kind == $3) { print $2; exit }' \
+        m.txt
 }
-same 'the moments of a run' 'start ,stage one,wave wisp,point middle,boss queen,phase bloom,death 1,lost bloom,clear one,start ,' "$(awk '$1 == "moment" && n++ < 10 { printf "%s %s,", $3, $4 }' m.txt)"
+same 'the moments of a run' \
+    'start ,stage one,wave wisp,point middle,boss queen,phase bloom,death 1,lost bloom,clear one,start ,' \
+    "$(awk '$1 == "moment" && n++ < 10 { printf "%s %s,", $3, $4 }' m.txt)"
 line() { # NAME FRAME WORDS: where --verbose says the frame is
     moments "$2" 'board.note(7)' | game g
     "$curtain" verify g m.demo -v >out 2>&1
-    same "$1" "m.demo: frame $2: script, board differ (recorded on another build)|$3" "$(sed -n 1p out)|$(grep -E '^  (in|[0-9.]+ s)' out)"
+    same "$1" "m.demo: frame $2: script, board differ (recorded on another build)|$3" \
+        "$(sed -n 1p out)|$(grep -E '^  (in|[0-9.]+ s)' out)"
 }
 seconds() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.1f s", (b - a) / 60 }'; }
 line 'verbose: in the first frame' 1 '  in stage one, 0.0 s after it began'
 f=$(($(at one) + 6)) && line 'verbose: in a stage' $f '  in stage one, 0.1 s after it began'
 f=$(($(at wisp) + 30)) && line 'verbose: in a wave' $f '  in stage one, wave wisp, 0.5 s after it began'
-f=$(($(at middle) + 3)) && line 'verbose: after a mark' $f "  in stage one, mark middle, $(seconds $(at middle) $f) after it began"
-f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f '  in stage one, mark middle, boss queen, 0.0 s after it began'
-f=$(($(at bloom) + 66)) && line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after it began'
-f=$(($(at 1) + 90)) && line 'verbose: after a death' $f "  in stage one, mark middle, boss queen, phase bloom, $(seconds $(at bloom) $f) after it began; player 1 died 1.5 s before"
-f=$(($(at bloom lost) + 6)) && line 'verbose: after a phase' $f "  in stage one, mark middle, boss queen, $(seconds $(at queen) $f) after it began; player 1 died $(seconds $(at 1) $f) before"
-f=$(at one clear) && line 'verbose: after a stage' $f "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) before"
+f=$(($(at middle) + 3)) && line 'verbose: after a mark' $f \
+    "  in stage one, mark middle, $(seconds $(at middle) $f) after it began"
+f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f \
+    '  in stage one, mark middle, boss queen, 0.0 s after it began'
+f=$(($(at bloom) + 66)) &&
+    line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after it began'
+f=$(($(at 1) + 90)) && line 'verbose: after a death' $f \
+    "  in stage one, mark middle, boss queen, phase bloom, $(seconds $(at bloom) \
+    $f) after it began; player 1 died 1.5 s before"
+f=$(($(at bloom lost) + 6)) && line 'verbose: after a phase' $f \
+    "  in stage one, mark middle, boss queen, $(seconds $(at queen) $f) after it began; player 1 died $(seconds \
+    $(at 1) $f) before"
+f=$(at one clear) && line 'verbose: after a stage' $f \
+    "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) before"
 f=$((f + 1)) && line 'verbose: a piece played anew' $f '  in stage one, 0.0 s after it began'
 
 play
@@ -173,16 +188,17 @@ same 'verbose: prints of the parts that differ' 'board script' \
 python3 "$repo/tests/cli/demo_read.py" v.demo >v.txt
 for part in script board; do
     print=$(sed -n "s/^prints 75 .*\b$part=\([0-9a-f]*\).*/\1/p" v.txt)
-    hash=$("$curtain" hash g --frames 75 --parts --every 75 | sed -n "s/^75 .* $part=[0-9a-f]*\([0-9a-f]\{4\}\)\b.*/\1/p")
-    holds "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
+    hash=$("$curtain" hash g --frames 75 --parts --every 75 |
+        sed -n "s/^75 .* $part=[0-9a-f]*\([0-9a-f]\{4\}\)\b.*/\1/p")
+    check "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
 done
 play 120 'board.note(1)'
 "$curtain" verify g v.demo -v >out 2>&1
-holds 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
-holds 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
-holds 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
+check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
+check 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
+check 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
 "$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
-holds 'verbose: of one that holds too' grep -Eqx '  20 parts, 11 rows, [0-9]+ moments' out
+check 'verbose: of one that holds too' grep -Eqx '  20 parts, 11 rows, [0-9]+ moments' out
 
 # ---- restamp ----
 
@@ -198,32 +214,36 @@ cp other.demo other.was
 play 201 'board.note(1)' # another build, on which r holds
 python3 "$repo/tests/cli/demo_read.py" r.demo >before
 "$curtain" verify g --restamp r.demo two.demo >out 2>&1
-same 'restamp: two that hold' '0 r.demo: holds, 200 frames, restamped (recorded on another build)|two.demo: holds, 200 frames, restamped (recorded on another build)|' "$? $(tr '\n' '|' <out)"
+status=$? good='holds, 200 frames, restamped (recorded on another build)'
+same 'restamp: two that hold' "0 r.demo: $good|two.demo: $good|" "$status $(tr '\n' '|' <out)"
 says 'restamp: it is of this build now' 0 r 'holds, 200 frames'
 says 'restamp: so is the one of format 2' 0 two 'holds, 200 frames'
-holds 'restamp: and from either format the same bytes' cmp r.demo two.demo
+check 'restamp: and from either format the same bytes' cmp r.demo two.demo
 python3 "$repo/tests/cli/demo_read.py" r.demo >after
 same 'restamp: nothing else changed' 'game|rom|' "$(diff before after | sed -n 's/^> \([a-z]*\) .*/\1/p' | tr '\n' '|')"
 cp r.demo again.demo
 "$curtain" verify g --restamp again.demo >/dev/null
-holds 'restamp: once more changes nothing' cmp r.demo again.demo
+check 'restamp: once more changes nothing' cmp r.demo again.demo
 got=$("$curtain" verify g --restamp other.demo 2>&1)
 same 'restamp: one that differs' '1 other.demo: frame 75: script, board differ (recorded on another build)' "$? $got"
-holds 'restamp: is left alone' cmp other.demo other.was
+check 'restamp: is left alone' cmp other.demo other.was
 got=$("$curtain" verify g --restamp short.demo 2>&1)
 same 'restamp: one cut short' '2 curtain: short.demo: cut short: it has 180 frames and no end mark' "$? $got"
-holds 'restamp: is left alone too' cmp short.demo short.was
+check 'restamp: is left alone too' cmp short.demo short.was
 play 100 "$end"
 record fault 200
 cp fault.demo fault.was
 play 100 "$end" 150 'board.note(1)'
 "$curtain" verify g --restamp fault.demo old-fault.demo >out 2>&1
-same 'restamp: one that ends in a fault' '0 fault.demo: holds, 100 frames, ends in the fault it was recorded with, restamped (recorded on another build)' "$? $(head -1 out)"
-holds 'restamp: of either format' cmp fault.demo old-fault.demo
+same 'restamp: one that ends in a fault' \
+    '0 fault.demo: holds, 100 frames, ends in the fault it was recorded with, restamped (recorded on another build)' \
+    "$? $(head -1 out)"
+check 'restamp: of either format' cmp fault.demo old-fault.demo
 says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
 moments | game g
-"$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo >/dev/null 2>&1
+"$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo \
+    >/dev/null 2>&1
 python3 "$repo/tests/cli/demo_old.py" m.demo old-m.demo
 "$curtain" verify g --restamp old-m.demo >/dev/null 2>&1
-holds 'restamp: start and moments' cmp m.demo old-m.demo
+check 'restamp: start and moments' cmp m.demo old-m.demo
 finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # version.sh - `curtain version` names the release, which src/cab/version.h has and CHANGELOG.md begins with; the core
 # version, which src/board/board.h has; and the release of Lua.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
@@ -39,4 +39,4 @@ cores() { # FILE: has a line for every core version
 check "CHANGELOG.md has every core version" cores CHANGELOG.md
 sed "/^| $core | /d" CHANGELOG.md >"$scratch/changes.md"
 refuse "planted: one is missing" "no core version $core" cores "$scratch/changes.md"
-done_testing
+finish

@@ -1,6 +1,6 @@
 /*
- * fuzz_args.c - libFuzzer: any words, each up to a NUL byte, as a command line; and the first as what --frames is given.
- * What is taken is in range and points at these words; what is refused says why in one sentence.
+ * fuzz_args.c - libFuzzer: any words, each up to a NUL byte, as a command line; and the first as what --frames is
+ * given. What is taken is in range and points at these words; what is refused says why in one sentence.
  */
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /*
- * fuzz_bisect.c - libFuzzer: any two texts as tracks or traces, divided by a NUL byte (without one: the same twice). The
- * same twice never differs, and what differs does so the other way round.
+ * fuzz_bisect.c - libFuzzer: any two texts as tracks or traces, divided by a NUL byte (without one: the same twice).
+ * The same twice never differs, and what differs does so the other way round.
  */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
 #include <stddef.h>

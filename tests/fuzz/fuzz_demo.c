@@ -1,6 +1,7 @@
 /*
  * fuzz_demo.c - libFuzzer: any bytes as a demo. Odd inputs go in as they are; for even ones the records' CRCs are made
- * good first, and the format is 2 or 3, by the next bit. What is read must hang together, and must not be much larger than the file.
+ * good first, and the format is 2 or 3, by the next bit. What is read must hang together, and must not be much larger
+ * than the file.
  */
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /*
- * fuzz_game.c - libFuzzer: any words, each up to a NUL byte, as what --dip, --register, --stage, --difficulty and --lives
- * are given: a word's first letter, d r s h or l, names its option. What is taken is what the words say, in the game's ranges; what
- * is refused says which option and why, in one sentence.
+ * fuzz_game.c - libFuzzer: any words, each up to a NUL byte, as what --dip, --register, --stage, --difficulty and
+ * --lives are given: a word's first letter, d r s h or l, names its option. What is taken is what the words say, in the
+ * game's ranges; what is refused says which option and why, in one sentence.
  */
 #include <stddef.h>
 #include <stdint.h>

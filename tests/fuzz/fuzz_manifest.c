@@ -1,7 +1,7 @@
 /*
  * fuzz_manifest.c - libFuzzer: any bytes as the binary manifest and as the text of rom.lua and of a script. What is
- * taken is in range and survives packing; what is refused comes with one line. A script that compiles is one that the lint
- * reads to its end.
+ * taken is in range and survives packing; what is refused comes with one line. A script that compiles is one that the
+ * lint reads to its end.
  */
 #include <stddef.h>
 #include <stdint.h>

@@ -17,23 +17,31 @@ if [ "${1:-}" = --one ]; then
     ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
         tests/patient.py "$OUT/log/$target" \
         "$OUT/fuzz/$target" -max_total_time="$seconds" -timeout=300 -rss_limit_mb=2048 \
-        -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$OUT/crashes/$target-" "$corpus" "${seeds[@]}"
+        -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$OUT/crashes/$target-" "$corpus" \
+        "${seeds[@]}"
     rc=$?
     # "#123 DONE cov: 45 ft: 67 corp: 8/90b ..." and "stat::number_of_executed_units: 123"
     awk -v name="$target" -v rc=$rc -v seconds="$seconds" '
-        / cov: / { for (i = 1; i < NF; i++) { if ($i == "cov:") edges = $(i + 1); if ($i == "corp:") corpus = $(i + 1) } }
+        / cov: / {
+            for (i = 1; i < NF; i++) {
+                if ($i == "cov:") edges = $(i + 1)
+                if ($i == "corp:") corpus = $(i + 1)
+            }
+        }
         /^stat::number_of_executed_units/ { runs = $2 }
         /^stat::powered_boards/ { powered = $2 }
         /^stat::ran_to_the_end/ { ended = $2 }
         END {
             sub("/.*", "", corpus)
-            printf "%sok - %s: %d executions, corpus %d, %d edges", (rc == 0 && runs > 0 ? "" : "not "), name, runs, corpus, edges
+            printf "%sok - %s: ", (rc == 0 && runs > 0 ? "" : "not "), name
+            printf "%d executions, corpus %d, %d edges", runs, corpus, edges
             if (powered != "") printf ", %d boards powered, %d ran to the end", powered, ended
             printf ", %s\n", (rc == 0 ? "no crash" : "CRASH")
         }' "$OUT/log/$target" >"$OUT/log/$target.line"
     cat "$OUT/log/$target.line"
     if [ $rc != 0 ]; then
-        grep -aE 'ERROR|SUMMARY|runtime error|^    #[0-9]|Test unit written' "$OUT/log/$target" | head -40 | sed 's/^/# /'
+        grep -aE 'ERROR|SUMMARY|runtime error|^    #[0-9]|Test unit written' "$OUT/log/$target" | head -40 |
+            sed 's/^/# /'
         exit 1
     fi
     exit 0

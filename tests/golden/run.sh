@@ -6,7 +6,7 @@
 #
 # Hashes differ: the run itself is another. Only the pixels differ: it is drawn in another way. A failure leaves
 # expected, got and difference as PNG in build/golden-failed/.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 here=tests/golden
 failed=build/golden-failed
 curtain=$OUT/curtain-null
@@ -29,7 +29,8 @@ render() {
         done
     done
     "$curtain" hash "$rom" --frames "$last" --every "$((every ? every : 1))" "$@" |
-        awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' "$scratch/wanted" - \
+        awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' \
+            "$scratch/wanted" - \
             >>"$scratch/hashes"
     rm -r "$scratch/one" "$scratch/wanted"
 }
@@ -94,11 +95,13 @@ spoilt() {
     failed=$scratch picture_holds "$here/frames/$first" "$scratch/spoilt.png" spoilt
 }
 refuse "planted: one pixel, one shade off" "1 of" spoilt
-drawn() { [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]; }
+drawn() {
+    [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]
+}
 check "a failure leaves its three pictures" drawn
 spoilt_hash() {
     sed -i '1s/.$/x/' "$scratch/hashes"
     hash_holds "$(awk 'NR == 1 { print $1 "-" $2 }' "$scratch/hashes")"
 }
 refuse "planted: one digit of a hash" "state hash" spoilt_hash
-done_testing
+finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine is
-# computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
-. "$(dirname "$0")/../check.sh"
+# accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine
+# is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
+. "$(dirname "$0")/../tap.sh"
 lab=$OUT/lab
 
 # A page with its times taken out.
@@ -33,8 +33,7 @@ check "plots are well-formed" well_formed
 planted() { # NAME WORDS SED
     sed "$3" docs/accuracy.md >"$scratch/planted.md"
     if cmp -s docs/accuracy.md "$scratch/planted.md"; then
-        echo "nothing was planted" >"$scratch/said"
-        result 1 "planted: $1"
+        not_ok "planted: $1" "nothing was planted"
         return
     fi
     refuse "planted: $1" "$2" same_page "$scratch/planted.md"
@@ -63,9 +62,10 @@ unswept() {
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/lab" "$tree"/src/board/hits/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o \
+        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        "$OUT"/gen/no_rom.o \
         "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }
 refuse "planted: an engine that does not sweep" "does not hold: hit test" unswept
-done_testing
+finish

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/, the sandbox's own and the icons are what tools/art.c draws, pixel by pixel, with gcc and clang.
+# art.sh - the pictures in roms/ the sandbox's own and the icons are what tools/art/art.c draws, pixel by pixel, with gcc and
+# clang.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 
 compare() { # WHAT ROM MODE
     local dir=$1-$2 picture
@@ -29,11 +31,12 @@ icons() { # WHAT
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
-    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art*.c -lm -o art-$cc || { not_ok "$cc builds tools/art.c"; continue; }
+    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art/*.c -lm -o art-$cc ||
+        { not_ok "$cc builds tools/art/art.c"; continue; }
     compare art-$cc glasstide
     compare art-$cc testcard card
     compare art-$cc bench bench
-    holds "the sandbox's glow is what art-$cc draws" glow art-$cc
-    holds "the icons are what art-$cc draws" icons art-$cc
+    check "the sandbox's glow is what art-$cc draws" glow art-$cc
+    check "the icons are what art-$cc draws" icons art-$cc
 done
 finish

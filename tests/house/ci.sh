@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # ci.sh - .ci/run adds up what make test and the other builds count, and what says no count has failed.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 tree=$scratch/tree
 mkdir -p "$tree/.ci" "$tree/tests"
@@ -21,4 +21,4 @@ check 'a first part without a count has failed' ends 'echo no compiler; exit 2' 
 check 'so has a second' ends "$three" 'exit 1' '3 passed, 1 failed' 1
 check 'what comes after a count is no count' ends "$three; echo x" 'echo "1 passed, 0 failed"; echo 7' '4 passed, 0 failed' 0
 refuse 'planted: another sum' 'expected 5 passed, 0 failed' ends "$three" "$three" '5 passed, 0 failed' 0
-done_testing
+finish

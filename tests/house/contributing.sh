@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # contributing.sh - what CONTRIBUTING.md shows works: files it names are there, its function of the API, its chip and its
 # tests compile without a warning and do what is said, and its commit message follows its own rule.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 page=CONTRIBUTING.md
 
 names() { # PAGE: files that are not the examples' own
@@ -116,4 +116,4 @@ subject() {
     [ ${#line} -le 60 ] && [[ $line =~ ^[a-z_-]+:\ .+ ]]
 }
 check "its subject follows its own rule" subject
-done_testing
+finish

@@ -2,7 +2,7 @@
 # cross.sh - docs/determinism.md has a build for each machine, and the last hashes of all of them are what this build
 # computes; a build that diverges is found out; make cross does not begin without its compilers. The builds for other
 # machines themselves are too much for a test: make cross makes them.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 demos() { ls roms/*/demos/*.demo tests/demos/*.demo; }
 rom() { case $1 in tests/*) echo "${1%-*}.rom" ;; *) echo "${1%/demos/*}" ;; esac; }
@@ -11,9 +11,14 @@ key() { echo "$(basename "$(rom "$1")" .rom)-$(basename "$1" .demo)"; }
 # What the page must say of each demo: "KEY N: `HASH`".
 for demo in $(demos); do
     n=$(python3 tests/cli/demo_read.py "$demo" | sed -n 's/^end \([0-9]*\) .*/\1/p')
-    echo "$(key "$demo") $("$curtain" hash "$(rom "$demo")" --demo "$demo" --every "$n" 2>/dev/null | tail -n 1 | sed 's/ \(.*\)/: `\1`/')"
+    echo \
+        "$(key "$demo") $("$curtain" hash "$(rom "$demo")" --demo "$demo" --every "$n" 2>/dev/null | tail -n 1 |
+        sed 's/ \(.*\)/: `\1`/')"
 done >"$scratch/now" 2>"$scratch/doubts"
-enough() { [ "$(wc -l <"$scratch/now")" -ge 4 ] && ! grep -vE '^[a-z0-9]+-[a-z0-9-]+ [1-9][0-9]*: `[0-9a-f]{16}`$' "$scratch/now"; }
+enough() {
+    [ "$(wc -l <"$scratch/now")" -ge 4 ] && ! grep -vE '^[a-z0-9]+-[a-z0-9-]+ [1-9][0-9]*: `[0-9a-f]{16}`$' \
+        "$scratch/now"
+}
 check "every demo has its last hash" enough
 
 # Both tables of the page, a row a line, fields without their blanks.
@@ -23,8 +28,18 @@ builds() { rows "$1" | awk -F '|' '/^build/ { on = /file/; next } on && !/^-/'; 
 
 same_hashes() { # PAGE: a column for each demo and no other, every row of it what was computed
     hashes "$1" | awk -F '|' -v now="$scratch/now" '
-        BEGIN { while ((getline line < now) > 0) { at = index(line, " "); want[substr(line, 1, at - 1)] = substr(line, at + 1); n++ } }
-        NR == 1 { for (i = 2; i <= NF - 2; i++) name[i] = $i; if (NF - 3 != n) { print NF - 3 " demos on the page, " n " here"; bad = 1 } next }
+        BEGIN {
+            while ((getline line < now) > 0) {
+                at = index(line, " ")
+                want[substr(line, 1, at - 1)] = substr(line, at + 1)
+                n++
+            }
+        }
+        NR == 1 {
+            for (i = 2; i <= NF - 2; i++) name[i] = $i
+            if (NF - 3 != n) { print NF - 3 " demos on the page, " n " here"; bad = 1 }
+            next
+        }
         { for (i in name) if ($i != want[name[i]]) { print $1 ": " name[i] " " $i ", now " want[name[i]]; bad = 1 } }
         { frames[$(NF - 1)]; pictures[$NF]; rows++ }
         END { exit bad || rows < 6 || length(frames) != 1 || length(pictures) != 1 }'
@@ -44,8 +59,10 @@ machines() { # PAGE
 ^wasm32\|WebAssembly .*\|32-bit little-endian\|
 END
     [ "$(builds "$1" | wc -l)" = "$(($(hashes "$1" | wc -l) - 1))" ] || { echo "the tables have other rows"; bad=1; }
-    [ "$(builds "$1" | awk -F '|' '{ print $NF }' | sort -u | grep -c '^5\.4\.[0-9]$')" -ge 2 ] || { echo "one release of Lua"; bad=1; }
-    [ "$(builds "$1" | awk -F '|' '{ print $(NF - 1) }' | cut -d ' ' -f 1 | sort -u | wc -l)" -ge 2 ] || { echo "one compiler"; bad=1; }
+    [ "$(builds "$1" | awk -F '|' '{ print $NF }' | sort -u | grep -c '^5\.4\.[0-9]$')" -ge 2 ] ||
+        { echo "one release of Lua"; bad=1; }
+    [ "$(builds "$1" | awk -F '|' '{ print $(NF - 1) }' | cut -d ' ' -f 1 | sort -u | wc -l)" -ge 2 ] ||
+        { echo "one compiler"; bad=1; }
     grep -qE '^out: `keys\.demo: frames? [0-9].* differs?`' "$1" || { echo "no build that was found out"; bad=1; }
     return $bad
 }
@@ -54,8 +71,7 @@ check "the page has all machines, two releases of Lua, two compilers" machines d
 planted() { # NAME WORDS CHECK SED
     sed "$4" docs/determinism.md >"$scratch/planted.md"
     if cmp -s docs/determinism.md "$scratch/planted.md"; then
-        echo "nothing was planted" >"$scratch/said"
-        result 1 "planted: $1"
+        not_ok "planted: $1" "nothing was planted"
         return
     fi
     refuse "planted: $1" "$2" "$3" "$scratch/planted.md"
@@ -68,12 +84,13 @@ planted "one release of Lua" "one release" machines '/^<!-- cross/,$s/5\.4\.[0-9
 
 # ---- a build that diverges ----
 
-"$curtain" hash tests/cross/keys --record "$scratch/keys.demo" --frames 120 --every 120 >"$scratch/said"
+"$curtain" hash tests/cross/keys --record "$scratch/keys.demo" --frames 120 --every 120 >"$scratch/.said"
 found_out() { tools/cross/unsorted.sh "$OUT" "$scratch/keys.demo" | grep -E 'keys\.demo: frames? [0-9]+.* differs?$'; }
 check "unsorted pairs differ, in a frame and a part" found_out
 check "as it is, the demo holds" "$curtain" verify tests/cross/keys "$scratch/keys.demo"
 printf 'return { 1 }' >"$scratch/nothing.demo"
-refuse "planted: a build that is not found out" "not found out: exit code 2" tools/cross/unsorted.sh "$OUT" "$scratch/nothing.demo"
+refuse "planted: a build that is not found out" "not found out: exit code 2" tools/cross/unsorted.sh "$OUT" \
+    "$scratch/nothing.demo"
 
 # ---- what is missing ----
 
@@ -87,4 +104,4 @@ without() { env PATH="$scratch/bin" tools/cross/run.sh "$@"; }
 refuse "a missing compiler is named" "s390x: there is no s390x-linux-gnu-gcc here" without s390x
 refuse "so is what runs the programs" "wasm32: there is no node here" without wasm32
 refuse "a build that is not there" "riscv64: there is no such build" without riscv64
-done_testing
+finish

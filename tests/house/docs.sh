@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # docs.sh - the manual's API section is what the program says, and the program's help covers what it offers. README has the
 # figures of docs/proof.txt, says what is not there yet, and offers no key for it.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 current() { tools/apidoc.sh "$curtain" | diff "$1" -; }
@@ -49,4 +49,18 @@ sed 's/| F2 | .* |$/| M | sound off and on |/' README.md >"$scratch/readme.md"
 refuse "planted: a key for sound" "offers sound" missing "$scratch/readme.md"
 sed 's/; lasers/; beams/' README.md >"$scratch/readme.md"
 refuse "planted: one is not named" "lasers is missing" missing "$scratch/readme.md"
-done_testing
+# The glossary: sorted, every word once, every file there.
+glossary() {
+    awk '/^## /{ on = $0 == "## Words" } on' "$1" | grep '^| ' | sed '1d' >"$scratch/words"
+    [ "$(wc -l <"$scratch/words")" -gt 60 ] || { echo "there are hardly any words"; return 1; }
+    cut -d '|' -f 2 "$scratch/words" | tr -d '@' | tr A-Z a-z | sort -fc || return 1
+    sed -n 's/.*| `\([^`]*\)` |$/\1/p' "$scratch/words" | while read -r file; do
+        [ -f "$file" ] || { echo "there is no $file"; return 1; }
+    done
+}
+check "every word of the glossary lives in a file" glossary docs/design.md
+sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/design.md >"$scratch/design.md"
+refuse "planted: a word without a file" "there is no fb/gone.h" glossary "$scratch/design.md"
+sed 's/^| demo |/| zebra |/' docs/design.md >"$scratch/design.md"
+refuse "planted: words out of order" "disorder" glossary "$scratch/design.md"
+finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # flags.sh - flags that change results are refused: by the compiler, or by a sentence when the program starts. And those
 # that change none are not.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 flags="-std=c11 -fwrapv -ffp-contract=off -O2"
 cat >"$scratch/main.c" <<'EOL'
@@ -35,8 +35,10 @@ for compiler in gcc clang; do
         refuse "$compiler $flag does not compile" "build without -ffast-math" built $compiler $flag
         refuse "$compiler $flag, silent, divides" "it divides by reciprocals" built $compiler $flag $silent
     done
-    refuse "$compiler -ffinite-math-only does not compile" "build without -ffast-math" built $compiler -ffinite-math-only
-    refuse "$compiler -ffinite-math-only, silent, knows no nan" "it does not know" built $compiler -ffinite-math-only $silent
+    refuse "$compiler -ffinite-math-only does not compile" "build without -ffast-math" built $compiler \
+        -ffinite-math-only
+    refuse "$compiler -ffinite-math-only, silent, knows no nan" "it does not know" built $compiler -ffinite-math-only \
+        $silent
     refuse "$compiler -funsafe-math-optimizations, silent" "it divides by reciprocals" \
         built $compiler -funsafe-math-optimizations $silent
     refuse "$compiler -freciprocal-math, silent" "it divides by reciprocals" built $compiler -freciprocal-math $silent
@@ -54,7 +56,8 @@ done
 refuse "clang -fno-honor-nans" "it does not know" built clang -fno-honor-nans
 refuse "clang -fno-honor-infinities" "it does not know" built clang -fno-honor-infinities
 if fma; then refuse "clang -ffp-contract=on" "it adds to products" built clang -mfma -ffp-contract=on; fi
-refuse "gcc -fsingle-precision-constant" "build without -fsingle-precision-constant" built gcc -fsingle-precision-constant
+refuse "gcc -fsingle-precision-constant" "build without -fsingle-precision-constant" built gcc \
+    -fsingle-precision-constant
 if [ "$(uname -m)" = x86_64 ]; then
     refuse "gcc -mfpmath=387" "evaluated without excess precision" built gcc -mfpmath=387
     refuse "gcc -mfpmath=both" "evaluated without excess precision" built gcc -mfpmath=both
@@ -71,10 +74,12 @@ link() {
     clang $flags -freciprocal-math -c src/base/ieee.c -o "$scratch/sums.o" &&
         ${CC:-cc} $(objects) "$scratch/sums.o" $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/curtain"
 }
-said="curtain: built with flags that change results: it divides by reciprocals (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)
+said="curtain: built with flags that change results: it divides by reciprocals (-freciprocal-math, \
+-funsafe-math-optimizations, -ffast-math)
 exit 3"
 check "a program with such sums links" link
-for command in "hash roms/testcard --frames 1" "pack roms/testcard -o $scratch/x.rom" "verify roms/testcard roms/testcard/demos/card.demo" \
+for command in "hash roms/testcard --frames 1" "pack roms/testcard -o $scratch/x.rom" \
+    "verify roms/testcard roms/testcard/demos/card.demo" \
     "check roms/testcard" "play roms/testcard"; do
     # shellcheck disable=SC2086
     check "it refuses to ${command%% *}" [ "$(whole $command)" = "$said" ]
@@ -104,10 +109,10 @@ int main(void)
 EOL
 host() { # OBJECT: the sums
     # shellcheck disable=SC2046,SC2086
-    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" $(pkg-config --libs lua5.4) -lm -pthread \
-        -o "$scratch/host" && "$scratch/host"
+    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" \
+        $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/host" && "$scratch/host"
 }
 check "a board is powered" host "$OUT/src/base/ieee.o"
 refuse "a board with such sums is not" "built with flags that change results: it divides" host "$scratch/sums.o"
 check "the program as built is fine" "$OUT/curtain-null" hash roms/testcard --frames 1
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # floors.sh - every #include obeys the floors, and a planted one that does not is found.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 floors() { tree '*.c' '*.h' | xargs python3 tests/house/floors.py; }
 check "every include is of its own floor or below, and no room is large or in a circle" floors
@@ -22,7 +22,8 @@ refuse "planted: a chip includes the board" "higher floor" planted src/chips/pal
 refuse "planted: a chip includes another" "no other chip" planted src/chips/sparks.c '"bullets.h"'
 refuse "planted: a chip sees Lua" "only src/board sees Lua" planted src/chips/fix.c '<lua.h>'
 refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab/pack/pack.c '<lauxlib.h>'
-refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c '"../../platform/platform.h"'
+refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c \
+    '"../../platform/platform.h"'
 refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/host/keys.h"'
 refuse "planted: stb in the board" "stb is for" planted src/board/draw/video.c '<stb/stb_image.h>'
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
@@ -33,4 +34,4 @@ for i in $(seq 26); do echo >"$scratch/src/board/rom/more$i.c"; done
 refuse "planted: a room too large" "src/board/rom: 31 files; a room has 25 at most" planted src/board/rom/cart.c '"../../base/bytes.h"'
 rm "$scratch"/src/board/rom/more*.c
 refuse "planted: a clock below the cabinet" "there is no <time.h>" planted src/base/rng.h '<time.h>'
-done_testing
+finish

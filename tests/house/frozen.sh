@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# frozen.sh - frozen ROMs bring the standard library of their time: every sys.NAME that the scripts of any of them use, and
-# every entry that they have arguments checked by, is still there. What changes is added beside it. The names are those in
-# the ROMs; whether they are there is asked of a board, in a game whose own std/boot.lua takes the place of @std's.
-. "$(dirname "$0")/../check.sh"
+# frozen.sh - frozen ROMs bring the standard library of their time: every sys.NAME that the scripts of any of them use,
+# and every entry that they have arguments checked by, is still there. What changes is added beside it. The names are
+# those in the ROMs; whether they are there is asked of a board, in a game whose own std/boot.lua takes the place of
+# @std's.
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 # Names after "sys." in all scripts of a ROM but those that the scripts themselves declare; names sys.check is told.
@@ -42,7 +43,8 @@ there() { # NAMES (a file)
 entries() { # NAMES (a file)
     local name bad=0
     while read -r name; do
-        grep -rqF "\"$name\"" src/board/api/*.c || { echo "gone, and a frozen ROM has its arguments checked by it: $name"; bad=1; }
+        grep -rqF "\"$name\"" src/board/api/*.c || { echo "gone, and a frozen ROM has its arguments checked by it: $name"
+            bad=1; }
     done <"$1"
     return $bad
 }
@@ -60,4 +62,4 @@ echo gone >>"$scratch/used"
 refuse 'planted: a name that is gone' 'gone, and a frozen ROM calls it: sys.gone' there "$scratch/used"
 echo boss.gone >>"$scratch/checked"
 refuse 'planted: an entry that is gone' 'checked by it: boss.gone' entries "$scratch/checked"
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # hardened.sh - the programs as built have the guards that tools/harden.sh asks the compiler and linker for.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 has() { # FILE COMMAND WORDS: what the command prints of the file has the words
     local file=$1 words=$3
@@ -59,7 +59,8 @@ cat >"$scratch/bare.c" <<'END'
 int main(int argc, char **argv) { char a[64]; snprintf(a, sizeof a, "%s", argv[argc - 1]); return puts(a) < 0; }
 END
 bare() { # FLAG...: a program without guards but for these
-    "$compiler" -O2 -fno-stack-protector -U_FORTIFY_SOURCE -fcf-protection=none -no-pie -Wl,-z,norelro,-z,lazy "$@" "$scratch/bare.c" -o "$scratch/bare" &&
+    "$compiler" -O2 -fno-stack-protector -U_FORTIFY_SOURCE -fcf-protection=none -no-pie -Wl,-z,norelro,-z,lazy "$@" \
+        "$scratch/bare.c" -o "$scratch/bare" &&
         "$compiler" -O2 -fcf-protection=none -c "$scratch/bare.c" -o "$scratch/bare.o"
 }
 if [ "$(uname -m)" = x86_64 ] && bare 2>/dev/null; then
@@ -71,4 +72,4 @@ if [ "$(uname -m)" = x86_64 ] && bare 2>/dev/null; then
     bare -z execstack 2>/dev/null
     refuse "planted: a stack that is run" "GNU_STACK" no_code_in_data "$scratch/bare"
 fi
-done_testing
+finish

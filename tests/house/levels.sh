@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # levels.sh - what must be fast at every level of optimisation: the stamps (fb/stamp.c), whose loops over sixteen bytes are
 # vector instructions with gcc and clang, at -O2 and at -O3. Reads the compilers' output for x86-64, and no clock.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 vectors() { # COMPILER LEVEL FILE: instructions that work on a single byte; 30 are the rest's, 300 a loop taken apart
     local asm=$scratch/stamp.s single
@@ -19,4 +19,4 @@ if [ "$(uname -m)" = x86_64 ]; then
 else
     check "nothing to read on $(uname -m): the instructions' names are x86-64's" true
 fi
-done_testing
+finish

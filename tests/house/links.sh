@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # links.sh - what refers to threads is linked with -pthread: glibc has had them in a library of its own until 2.34.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 targets="programs build/release/bot build/release/curtain-bare build/release/curtain-null
     $(ls tools/prove/{roots,sines,polar,directions,products,shapes}.c | sed 's,.*/,build/release/prove/,;s,\.c$,,')"
@@ -38,11 +38,12 @@ threads() {
 all_links() { links "$@" | threads; }
 check "every program that refers to threads is linked with -pthread" all_links
 refuse "planted: without it" "build/release/curtain: platform/stdio.c refers to threads" all_links THREADS=
-check "WebAssembly has none" bash -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
+check "WebAssembly has none" bash \
+    -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
 
 # Scripts that link the engine themselves.
 by_hand() { grep -Hn '(pkg-config --libs lua5.4' "$@" | awk '!/-pthread/ { print; bad = 1 } END { exit bad || !NR }'; }
 check "so are the programs that scripts link" by_hand $(tree 'tests/*.sh' 'tools/*.sh')
 sed 's/ -pthread//' tests/scripted.sh >"$scratch/scripted.sh"
-refuse "planted: a script without it" "scripted.sh:8" by_hand "$scratch/scripted.sh"
-done_testing
+refuse "planted: a script without it" "scripted.sh:9" by_hand "$scratch/scripted.sh"
+finish

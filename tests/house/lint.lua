@@ -20,7 +20,8 @@ local globals = set [[
   tostring type math string table utf8 forever hud menu
 ]]
 local fields = {
-  math = set "abs atan ceil cos floor huge max maxinteger min mininteger pi sin sqrt tan tointeger type ult acos asin fmod modf exp log deg rad",
+  math = set("abs atan ceil cos floor huge max maxinteger min mininteger pi sin sqrt tan tointeger type ult " ..
+    "acos asin fmod modf exp log deg rad"),
   string = set "byte char find format gmatch gsub len lower match rep reverse sub upper",
   table = set "concat insert move pack remove sort unpack",
   utf8 = set "char charpattern codepoint codes len offset",

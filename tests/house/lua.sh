@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # lua.sh - no file of the cabinet or of a port sees Lua's headers or the board's insides, by way of other headers either.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 # seen FILE...: fails for each that the preprocessor finds to depend on them. -MG: headers that are not found are listed.
 seen() {
@@ -32,4 +32,4 @@ refuse "planted: Lua in the table that check reads" "check_lua.c sees lua.h" \
 refuse "planted: the same, by way of two headers" "machine.h" planted src/chips/slots.h '"../board/machine.h"' src/cab/cli.c
 refuse "planted: the board's insides in a port's header" "machine.h" \
     planted platform/platform.h '"../src/board/machine.h"' platform/null.c
-done_testing
+finish

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# mutants.sh - tests/mutants.list is current: what tests/mutants.sh will plant can be planted, and the tests it names are
-# there. That they find it is for `make mutants`.
-. "$(dirname "$0")/../check.sh"
+# mutants.sh - tests/mutants.list is current: what tests/mutants.sh will plant can be planted, and the tests it names
+# are there. That they find it is for `make mutants`.
+. "$(dirname "$0")/../tap.sh"
 
-# Of a list: entries whose old line is not found exactly once in its file, whose new line is the old one, or which name a
-# file or test that is not there.
+# Of a list: entries whose old line is not found exactly once in its file, whose new line is the old one, or which name
+# a file or test that is not there.
 current() {
     python3 - "$1" <<'END'
 import os, sys
@@ -46,6 +46,8 @@ same_count() { [ "$(current tests/mutants.list | tail -n 1)" = "$(grep -c '^- ' 
 check "no entry is lost between two" same_count
 refuse "planted: a line that is not there" "found 0 times" planted 'q -= q \& 3;'
 refuse "planted: a line that is there often" "found" planted 'return'
-refuse "planted: a file that is not there" "there is no src/base/fy.h" eval 'sed "s,src/base/fx.h ,src/base/fy.h ," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
-refuse "planted: a test that is not there" "there is no tests/unit/test_fy.c" eval 'sed "s,unit/test_fx,unit/test_fy," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
-done_testing
+refuse "planted: a file that is not there" "there is no src/base/fy.h" eval \
+    'sed "s,src/base/fx.h ,src/base/fy.h ," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
+refuse "planted: a test that is not there" "there is no tests/unit/test_fy.c" eval \
+    'sed "s,unit/test_fx,unit/test_fy," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
+finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # objects.sh - what the objects below the cabinet hold and call: no writable memory, and of C and Lua only what touches
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c src/board/*/*.c; }
 linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
@@ -36,12 +36,14 @@ qsort: of names that all differ, so that how it sorts cannot show
 sqrt fmod ldexp frexp floor fabs: exact or correctly rounded by IEEE 754
 __assert_fail abort: the C programmer was wrong
 _GLOBAL_OFFSET_TABLE_ __stack_chk_fail: the compiler's own
-__memcpy_chk __memmove_chk __memset_chk __strcpy_chk __snprintf_chk __vsnprintf_chk: the same where the compiler fortifies
+__memcpy_chk __memmove_chk __memset_chk __strcpy_chk: the same where the compiler fortifies
+__snprintf_chk __vsnprintf_chk: the same where the compiler fortifies
 luaopen_base luaopen_table luaopen_string luaopen_math luaopen_utf8: vm.c takes the good parts of them
 EOL
 sed 's/:.*//' "$scratch/allowed" | tr ' ' '\n' | sort -u >"$scratch/names_allowed"
 # Lua: all but what allocates with malloc, reads files or reaches the host.
-lua_forbidden='^(luaL_newstate|luaL_openlibs|luaL_loadfilex|luaL_fileresult|luaL_execresult|luaL_testudata|luaopen_(os|io|debug|package|coroutine))$'
+lua_forbidden='luaL_newstate|luaL_openlibs|luaL_loadfilex|luaL_fileresult|luaL_execresult|luaL_testudata'
+lua_forbidden="^($lua_forbidden|luaopen_(os|io|debug|package|coroutine))$"
 
 calls() {
     nm --defined-only "$@" | awk 'NF == 3 { print $3 }' | sort -u >"$scratch/defined"
@@ -55,13 +57,18 @@ calls() {
 
 # The parts and the pictures know no script.
 low_calls() {
-    nm -uA $(linked | grep -v /src/board/) | awk '$NF ~ /^lua|strtod$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
+    nm -uA $(linked | grep -v /src/board/) |
+        awk '$NF ~ /^lua|strtod$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
 }
 
 # What the host has set is known to host.c alone.
 host_calls() {
     nm -uA $(linked | grep -v /src/base/host.o) "$@" |
-        awk '$NF ~ /^(fe(get|set|test|clear|raise|hold|update).*|.*locale|localeconv)$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
+        awk '$NF ~ /^(fe(get|set|test|clear|raise|hold|update).*|.*locale|localeconv)$/ {
+                print $1 " calls " $NF
+                bad = 1
+            }
+            END { exit bad }'
 }
 
 check "the link map names every object below the cabinet" all_linked
@@ -74,7 +81,8 @@ check "what the host has set is for host.c alone" host_calls
 planted() {
     sed "s,#include \",&$PWD/src/board/hits/," src/board/hits/hit.c >"$scratch/planted.c"
     echo "$2" >>"$scratch/planted.c"
-    ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" -o "$scratch/planted.o" || return 0
+    ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" \
+        -o "$scratch/planted.o" || return 0
     case $1 in
     writable) writable "$scratch/planted.o" ;;
     calls) calls $(linked | grep -v /hit.o) "$scratch/planted.o" ;;
@@ -84,7 +92,8 @@ planted() {
 check "hit.c as it is has none" planted writable ""
 check "hit.c as it is calls none" planted calls ""
 refuse "planted: a static" ".bss" planted writable 'int planted(void); int planted(void) { static int n; return ++n; }'
-refuse "planted: a static with a value" ".data" planted writable 'int planted(void); static int n = 3; int planted(void) { return n++; }'
+refuse "planted: a static with a value" ".data" planted writable \
+    'int planted(void); static int n = 3; int planted(void) { return n++; }'
 refuse "planted: a global" ".bss" planted writable 'int planted;'
 refuse "planted: a static of the thread" ".tbss" planted writable '_Thread_local int planted;'
 refuse "planted: a common symbol" "common" planted writable '__attribute__((common)) int planted;'
@@ -110,4 +119,4 @@ refuse "planted: a locale for the process" "calls setlocale" planted calls '#inc
 void *planted(void) { return setlocale(LC_ALL, ""); }'
 refuse "planted: Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
 void *planted(void) { return luaL_newstate(); }'
-done_testing
+finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# patient.sh - tests/patient.py ends what hangs, asleep or awake, with all that it started, and nothing that is slow; the
-# runner says so; no test ends a program by the clock.
-. "$(dirname "$0")/../check.sh"
+# patient.sh - tests/patient.py ends what hangs, asleep or awake, with all that it started, and nothing that is slow;
+# the runner says so; no test ends a program by the clock.
+. "$(dirname "$0")/../tap.sh"
 said=$scratch/output
 runs() { # CODE LAST-LINE [OPTION]... COMMAND...: of bash
     local code=$1 last=$2
@@ -13,13 +13,18 @@ runs() { # CODE LAST-LINE [OPTION]... COMMAND...: of bash
 check 'output and exit code are the program'"'"'s' runs 7 'two words' 'echo two words; exit 7'
 check 'so are errors' runs 0 'an error' 'echo an error >&2'
 check 'a signal' runs 139 'before' 'echo before; kill -SEGV $$'
-check 'an endless loop hangs' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 'while :; do :; done'
-check 'so it does in a child of a child' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 '(bash -c "while :; do :; done"; true); true'
+check 'an endless loop hangs' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 \
+    'while :; do :; done'
+check 'so it does in a child of a child' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 \
+    '(bash -c "while :; do :; done"; true); true'
 check 'what waits for ever hangs' runs 124 '# it hangs: asleep for 1 s' --asleep 1 'sleep 1000'
-check 'what looks after something for ever does too' runs 124 '# it hangs: asleep for 2 s' --asleep 2 'while sleep 0.2; do [ ! -e /nowhere ] || break; done'
-check 'what prints lines does not, however long it takes' runs 0 20 --cpu 1 --asleep 1 'for i in $(seq 20); do sleep 0.2; echo $i; done'
+check 'what looks after something for ever does too' runs 124 '# it hangs: asleep for 2 s' --asleep 2 \
+    'while sleep 0.2; do [ ! -e /nowhere ] || break; done'
+check 'what prints lines does not, however long it takes' runs 0 20 --cpu 1 --asleep 1 \
+    'for i in $(seq 20); do sleep 0.2; echo $i; done'
 # Stopped for longer than it may sleep: on a busy machine it would want to run.
-check 'what wants to run is not asleep' runs 0 done --asleep 1 'for i in 1 2 3; do timeout 0.7 bash -c "while :; do :; done"; done; echo done'
+check 'what wants to run is not asleep' runs 0 done --asleep 1 \
+    'for i in 1 2 3; do timeout 0.7 bash -c "while :; do :; done"; done; echo done'
 gone() { # nothing is left of what hung
     tests/patient.py --asleep 1 "$said" bash -c "echo \$\$; setsid sleep 12345 & sleep 12345"
     ! pgrep -f '^sleep 12345$' >/dev/null
@@ -33,14 +38,21 @@ sed -i 's/^cpu=900/cpu=1/' "$scratch/tree/tests/run.sh"
 printf '#!/bin/sh\necho "ok 1 - good"\necho 1..1\n' >"$scratch/tree/tests/cli/good.sh"
 printf '#!/bin/sh\necho "ok 1 - begun"\nwhile :; do :; done\n' >"$scratch/tree/tests/cli/hangs.sh"
 chmod +x "$scratch"/tree/tests/cli/*.sh
-runner() { (cd "$scratch/tree" && OUT=build/release tests/run.sh >"$said" 2>&1) && return 1; cat "$said"; grep -q 'cli/good.sh  *1 passed' "$said" && grep -q "# it hangs: 1 s of the processor's time without a line" "$said" && grep -qx '2 passed, 1 failed' "$said"; }
+runner() {
+    (cd "$scratch/tree" && OUT=build/release tests/run.sh >"$said" 2>&1) && return 1
+    cat "$said"
+    grep -q 'cli/good.sh  *1 passed' "$said" && grep -q "# it hangs: 1 s of the processor's time without a line" \
+        "$said" && grep -qx '2 passed, 1 failed' "$said"
+}
 check 'the runner tells what hangs' runner
 
-# A program that is ended by the clock is a verdict that depends on it. What may: a wait for the window system's answer, of
-# which it is asked again.
-by_the_clock() { grep -nE '(^|[^a-z_])timeout [^#]*[0-9]' "$@" | grep -vE 'timeout 100 xdotool|tests/house/patient\.sh'; }
+# A program that is ended by the clock is a verdict that depends on it. What may: a wait for the window system's answer,
+# of which it is asked again.
+by_the_clock() {
+    grep -nE '(^|[^a-z_])timeout [^#]*[0-9]' "$@" | grep -vE 'timeout 100 xdotool|tests/house/patient\.sh'
+}
 none() { ! by_the_clock "$@"; }
 check 'no test ends a program by the clock' none $(tree 'tests/*.sh')
 echo 'timeout 300 ./program' >"$scratch/planted.sh"
 refuse 'planted: one that does' 'timeout 300' none "$scratch/planted.sh"
-done_testing
+finish

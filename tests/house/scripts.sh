@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts.sh - every game packs, and no script names what nobody declared.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 for rom in roms/*/; do
@@ -16,7 +16,8 @@ planted() {
     printf '%s\n' "$1" >"$scratch/planted.lua"
     lint "$scratch/planted.lua"
 }
-check "a good script is let through" planted 'local n = math.floor(2.5) bullet.fire { kind = "a", speed = n, x = 1, y = 2 } wait(1)'
+check "a good script is let through" planted \
+    'local n = math.floor(2.5) bullet.fire { kind = "a", speed = n, x = 1, y = 2 } wait(1)'
 refuse "planted: a misspelt function" "unknown name bullet.fyre" planted 'bullet.fyre { }'
 refuse "planted: a misspelt table" "unknown name bulet" planted 'bulet.fire { }'
 refuse "planted: a new global" "writes the global speed" planted 'speed = 3'
@@ -24,4 +25,4 @@ refuse "planted: a name the sandbox lacks" "unknown name os" planted 'local t = 
 refuse "planted: a random number of the host" "unknown name math.random" planted 'return math.random(6)'
 refuse "planted: a misspelt local" "unknown name conut" planted 'local count = 1 return function() return conut + 1 end'
 refuse "planted: a syntax error" "does not compile" planted 'local = 1'
-done_testing
+finish

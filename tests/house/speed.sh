@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is looked
-# at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is wrong.
-. "$(dirname "$0")/../check.sh"
+# speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is
+# looked at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is
+# wrong.
+. "$(dirname "$0")/../tap.sh"
 bench=$OUT/bench
 
 cat >"$scratch/sections" <<'END'
@@ -70,8 +71,9 @@ another() {
         -o "$scratch/bench" "$tree/src/board/hits/hit_shots.c" \
         $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
         $(find "$OUT/src" -name '*.o' ! -name hit_shots.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread || return 2
+        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread ||
+        return 2
     "$scratch/bench" battle
 }
 refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another
-done_testing
+finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # warnings.sh - every C file that make compiles is free of warnings by the Makefile's own flags (WARN and its exceptions).
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 # commands [VARIABLE=VALUE...]: a line for each file that make compiles: its flags and its name
 commands() {
@@ -26,4 +26,4 @@ sed -n "s,src/base/hash\.c,$scratch/planted.c,p" "$scratch/commands" >"$scratch/
 refuse "planted: what ISO C forbids" "Werror=pedantic" quiet "$scratch/planted"
 grep ' tests/machine/test_fine\.c' "$scratch/commands" | sed 's/ -Wno-pedantic//' >"$scratch/fine"
 refuse "planted: without the exception" "test_fine.c" quiet "$scratch/fine"
-done_testing
+finish

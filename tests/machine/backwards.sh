@@ -1,23 +1,26 @@
 #!/usr/bin/env bash
-# backwards.sh - a playback in a real (virtual) window, gone to and fro in by keys and mouse: the window's pictures, bar of
-# time and words included, are those of tests/golden/backwards, and under them lie the frames that `render` makes.
+# backwards.sh - a playback in a real (virtual) window, gone to and fro in by keys and mouse: the window's pictures, bar
+# of time and words included, are those of tests/golden/backwards, and under them lie the frames that `render` makes.
 #
 #     CURTAIN_UPDATE=1 tests/machine/backwards.sh     makes tests/golden/backwards anew
 . "$(dirname "$0")/../xserver.sh"
 rom=$repo/roms/glasstide golden=$repo/tests/golden/backwards
 export SDL_AUDIODRIVER=dummy
 
-window_png() { found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null; }
+window_png() {
+    found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null
+}
 pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
 is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
-# No two presses in one poll: a press is over when the window shows what it did, or the program has gone round for long and
-# it does nothing.
+# No two presses in one poll: a press is over when the window shows what it did, or the program has gone round for long
+# and it does nothing.
 key() {
     window_png before.png
     local from
     from=$(used)
     xdotool key --delay 100 "$1"
-    until [ $(($(used) - from)) -gt 60 ] || { window_png after.png && ! cmp -s <(pixels before.png) <(pixels after.png); }; do sleep 0.1; done
+    until [ $(($(used) - from)) -gt 60 ] || { window_png after.png &&
+        ! cmp -s <(pixels before.png) <(pixels after.png); }; do sleep 0.1; done
     sleep 0.3
 }
 # It has gone round for a while, and its picture stays the same.

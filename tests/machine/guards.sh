@@ -5,6 +5,7 @@
 # Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame, and a
 # look after 20 ms), a few of them also with the real one. One that does not end prints no line: the runner sees it.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 short=$OUT/curtain-short
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
 LOOP='endless loop: more than 50000000 instructions in one frame'
@@ -41,10 +42,10 @@ both 'loop around and inside pcall' 'while true do pcall(function() while true d
 task 'loop around pcall around wait' 'while true do pcall(wait, 0) end'
 both '__index' 'local t = setmetatable({}, { __index = function() while true do end end }) print(t.x)'
 both '__close' 'local t <close> = setmetatable({}, { __close = function() while true do end end })'
-both 'a __close in the way of every return' \
-    'for i = 1, 9 do local t <close> = setmetatable({}, { __close = function() while true do end end }) while true do end end'
+close='local t <close> = setmetatable({}, { __close = function() while true do end end })'
+both 'a __close in the way of every return' "for i = 1, 9 do $close while true do end end"
 both 'a __close chain' \
-    'local function f(n) local t <close> = setmetatable({}, { __close = function() while true do end end }) if n > 0 then f(n - 1) end while true do end end f(1000)'
+    "local function f(n) $close if n > 0 then f(n - 1) end while true do end end f(1000)"
 both '__eq' 'local m = { __eq = function() while true do end end } print(setmetatable({}, m) == setmetatable({}, m))'
 both '__concat' 'print(setmetatable({}, { __concat = function() while true do end end }) .. "x")'
 both '__tostring' 'print(setmetatable({}, { __tostring = function() while true do end end }))'
@@ -66,7 +67,8 @@ task 'each callback' 'local s = task.scope() enemy.each("x", print) while true d
 task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP"
 task 'long texts' 'local s = ("x"):rep(4000) while true do local t = s .. "y" end'
 task 'a task that waits in between' 'while true do for i = 1, 3 do pcall(wait, 0) end end'
-bomb 'after a thousand good turns' "main.lua:1: $LOOP" <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
+bomb 'after a thousand good turns' "main.lua:1: $LOOP" \
+    <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
 bomb 'loop in a handler' "main.lua:2: $LOOP" <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) while true do end end)
@@ -98,8 +100,10 @@ rom() { # NAME LINE: rom.lua is standard input
     cmp -s one two || not_ok "$1: the same again" "$(cat two)"
 }
 rom 'endless loop in rom.lua' 'rom.lua:1: takes too long (an endless loop?)' <<<'while true do end'
-rom 'endless recursion in rom.lua' 'rom.lua:1: needs too much memory' <<<'local function f() return 1 + f() end return f()'
-rom 'memory bomb in rom.lua' 'rom.lua:1: needs too much memory' <<<'local t = {} for i = 1, 100000000 do t[i] = { i } end'
+rom 'endless recursion in rom.lua' 'rom.lua:1: needs too much memory' \
+    <<<'local function f() return 1 + f() end return f()'
+rom 'memory bomb in rom.lua' 'rom.lua:1: needs too much memory' \
+    <<<'local t = {} for i = 1, 100000000 do t[i] = { i } end'
 rom 'long text in rom.lua' 'rom.lua:1: needs too much memory' <<<'local s = "x" for i = 1, 60 do s = s .. s end'
 rom 'no functions in rom.lua' "rom.lua:1: attempt to call a nil value (global 'print')" <<<'print("x")'
 
@@ -110,10 +114,12 @@ both 'string.rep of much' '("x"):rep(1 << 40)' 'resulting string too large'
 both 'string.rep with a separator' '(""):rep(1 << 40, "x")' 'resulting string too large'
 both 'table.move' 'table.move({}, 1, 1 << 40, 2)'
 both 'table.move wraps' 'table.move({}, math.mininteger, -2, 1)'
-both 'table.concat' 'table.concat(setmetatable({}, { __index = function() return "" end, __len = function() return 1 << 40 end }))'
+both 'table.concat' \
+    'table.concat(setmetatable({}, { __index = function() return "" end, __len = function() return 1 << 40 end }))'
 both 'table.insert' 'table.insert(setmetatable({}, { __len = function() return 1 << 40 end }), 1, "x")'
 both 'table.unpack' 'table.unpack({}, 1, 1 << 40)' 'too many results to unpack'
-both 'table.sort' 'table.sort(setmetatable({}, { __len = function() return 1 << 40 end }))' "bad argument #1 to 'sort' (array too big)"
+both 'table.sort' 'table.sort(setmetatable({}, { __len = function() return 1 << 40 end }))' \
+    "bad argument #1 to 'sort' (array too big)"
 both 'select' 'select(1 << 40)'$' while true do end'
 both 'pattern bomb, minimal' '("a"):rep(300):find((".-"):rep(5) .. "b")'
 both 'pattern bomb, greedy' '("a"):rep(300):find(("a*"):rep(8) .. "b")'
@@ -149,13 +155,17 @@ both 'memory: many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(6000
 both 'a text too long by string.rep' 'local s = ("x"):rep(1 << 17)' 'a text of 131072 bytes: a text has 65536 at most'
 both 'memory: closures' 'local f while true do local g = f f = function() return g end end' "$MEMORY"
 both 'memory: many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end' "$MEMORY"
-both 'memory: table.concat' 'local t = {} for i = 1, 2000 do t[i] = ("x"):rep(200) end local u = {} while true do u[#u + 1] = table.concat(t, #u) end' "$MEMORY"
+both 'memory: table.concat' \
+    'local t, u = {}, {} for i = 1, 2000 do t[i] = ("x"):rep(200) end while 1 do u[#u + 1] = table.concat(t, #u) end' \
+    "$MEMORY"
 both 'memory: compiled scripts' 'local t = {} while true do t[#t + 1] = load(("local x = 1 "):rep(150)) end' "$MEMORY"
 both 'memory: inside pcall' 'pcall(function() local t = {} while true do t[#t + 1] = {} end end)' "$MEMORY"
 both 'memory: around pcall' 'local t = {} while true do pcall(function() t[#t + 1] = {} end) end' "$MEMORY"
 both 'memory: a gsub' '(("x"):rep(60000)):gsub(".", ("y"):rep(100))' "$MEMORY"
 both 'memory: error values' 'local t = {} while true do local _, e = pcall(error, {}) t[#t + 1] = e end' "$MEMORY"
-bomb 'memory: parked tasks' "main.lua:1: $MEMORY" <<<'task.go(function() for i = 1, 100 do task.go(function() local t = {} for k = 1, 4000 do t[k] = k end wait(forever) end) end end)'
+park='local t = {} for k = 1, 4000 do t[k] = k end wait(forever)'
+bomb 'memory: parked tasks' "main.lua:1: $MEMORY" \
+    <<<"task.go(function() for i = 1, 100 do task.go(function() $park end) end end)"
 
 # ---- depth ----
 
@@ -166,9 +176,12 @@ both 'mutual recursion' 'local g local function f() return (g()) end function g(
 both 'nested pcall' 'local function f() return pcall(f) end f()' "$NESTED"
 both 'nested sort' 'local function f() table.sort({ 2, 1 }, f) end f()' "$NESTED"
 both 'nested gsub' 'local function f() return (("x"):gsub(".", f)) end f()' "$NESTED"
-both '__index that indexes itself' 'local m = {} m.__index = function(t, k) return t[k] end print(setmetatable({}, m).x)' "$NESTED"
-both '__index chain' 'local m = {} m.__index = setmetatable({}, m) local t = m.__index print(t.x)' "'__index' chain too long; possible loop"
-both 'nested __tostring' 'local m = {} m.__tostring = function(t) return tostring(t) end print(setmetatable({}, m))' "$NESTED"
+both '__index that indexes itself' \
+    'local m = {} m.__index = function(t, k) return t[k] end print(setmetatable({}, m).x)' "$NESTED"
+both '__index chain' 'local m = {} m.__index = setmetatable({}, m) local t = m.__index print(t.x)' \
+    "'__index' chain too long; possible loop"
+both 'nested __tostring' 'local m = {} m.__tostring = function(t) return tostring(t) end print(setmetatable({}, m))' \
+    "$NESTED"
 both 'nested text to compile' 'local f, e = load(("("):rep(1000) .. "1" .. (")"):rep(1000)) error(e)' "$NESTED"
 both 'tail calls' 'local function f() return f() end f()'
 
@@ -181,7 +194,7 @@ both 'error with nil' 'error()' 'error: the value raised is a nil, not text'
 both 'error in pcall, passed on' 'local _, e = pcall(error, "boo") error(e, 0)' 'boo'
 both 'a fault in pcall' 'pcall(function() return nil + 1 end)' 'attempt to perform arithmetic on a nil value'
 both 'a fault in __close while an error passes' \
-    'pcall(function() local t <close> = setmetatable({}, { __close = function() return nil + 1 end }) error("boo") end)' \
+    'pcall(function() local t <close> = setmetatable({}, { __close = function() return nil + 1 end }) error "b" end)' \
     'attempt to perform arithmetic on a nil value'
 both 'lines in a message' 'error("one\ntwo\tthree\27[2J")' $'one two\tthree [2J'
 bomb 'error in a handler' 'main.lua:2: boo' <<'LUA'

@@ -11,13 +11,14 @@
 #     -- board: fault LINE              in play: the last line on stderr, exit code 2
 #     -- board: refused LINE            before play
 . "$(dirname "$0")/../tap.sh"
+sandbox
 hazards=$repo/tests/machine/hazards
 short=$OUT/curtain-short # endless loops end sooner
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
 command -v lua5.4 >lua_path || { echo "Bail out! no lua5.4"; exit 2; }
 mkdir locale
-localedef -i de_DE -f UTF-8 "$tmp/locale/de_DE.UTF-8" >/dev/null 2>&1
-export LOCPATH=$tmp/locale
+localedef -i de_DE -f UTF-8 "$scratch/locale/de_DE.UTF-8" >/dev/null 2>&1
+export LOCPATH=$scratch/locale
 
 # Twenty outputs of COMMAND in files outputs/N; the environment of each has another size. alter N: sets `extra`.
 twenty() {
@@ -50,16 +51,16 @@ stock() { # NAME EXPECTATION
         return ;;
     crash)
         limited 20 lua5.4 "$1.lua" >output 2>&1
-        holds "$1: crashes stock Lua" [ $? -ge 128 ]
+        check "$1: crashes stock Lua" [ $? -ge 128 ]
         return ;;
     esac
     case $2 in *' in '*) twenty lua5.4 -e 'os.setlocale("")' "$1.lua" ;; *) twenty lua5.4 "$1.lua" ;; esac
     case $how in
-    distinct) holds "$1: differs between runs of stock Lua ($(distinct) of 20)" [ "$(distinct)" -gt 1 ] ;;
+    distinct) check "$1: differs between runs of stock Lua ($(distinct) of 20)" [ "$(distinct)" -gt 1 ] ;;
     same) same "$1: the same in stock Lua" 1 "$(distinct)" ;;
-    address) holds "$1: stock Lua shows an address" grep -Eq '0x[0-9a-f]{6}' outputs/1 ;;
+    address) check "$1: stock Lua shows an address" grep -Eq '0x[0-9a-f]{6}' outputs/1 ;;
     native) same "$1: stock Lua shows the machine" "$(($(getconf LONG_BIT) / 8))" "$(head -1 outputs/1)" ;;
-    text) holds "$1: stock Lua says $what" grep -Fq -e "$what" outputs/1 ;;
+    text) check "$1: stock Lua says $what" grep -Fq -e "$what" outputs/1 ;;
     *) not_ok "$1: unknown expectation \"$2\"" ;;
     esac
 }
@@ -73,7 +74,7 @@ board() { # NAME EXPECTATION
     game g <"$1.lua"
     twenty "$short" hash g --frames 3 --parts
     same "$1: the same in 20 processes on the board" 1 "$(distinct)"
-    holds "$1: shows no address" bash -c '! grep -Eq "0x[0-9a-f]{6}" outputs/1'
+    check "$1: shows no address" bash -c '! grep -Eq "0x[0-9a-f]{6}" outputs/1'
     case $2 in
     same*) same "$1: runs on the board" 'exit 0' "$(tail -1 outputs/1)" ;;
     fault*) same "$1: a fault that says why" "$line"$'\nexit 2' "$(tail -2 outputs/1)" ;;

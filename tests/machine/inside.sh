@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# inside.sh - the console and the overlay in a real (virtual) X server: letters typed on a keyboard, the mouse on a bullet.
+# inside.sh - the console and the overlay in a real (virtual) X server: letters typed on a keyboard, the mouse on a
+# bullet.
 . "$(dirname "$0")/../xserver.sh"
 export SDL_AUDIODRIVER=dummy
 
@@ -12,7 +13,9 @@ end)
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
 
-shot() { xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 ppm:picture.ppm 2>/dev/null; }
+shot() {
+    xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 ppm:picture.ppm 2>/dev/null
+}
 shows() { shot && python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
 hides() { shot && ! python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
 

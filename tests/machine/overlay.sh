@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# overlay.sh - `play` with the overlay and the console: what they show stands on the picture, and what is recorded, saved
-# and played is as if they had not been there; but for a line that is kept. The port is a script's (port_keys.c).
+# overlay.sh - `play` with the overlay and the console: what they show stands on the picture, and what is recorded,
+# saved and played is as if they had not been there; but for a line that is kept. The port is a script's (port_keys.c).
 . "$(dirname "$0")/../tap.sh"
+sandbox
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
     $(pkg-config --libs lua5.4) -lm -pthread || exit 2
@@ -12,7 +13,9 @@ local seen = 0
 task.go(function()
   for i = 1, forever do
     seen = (seen * 31 + i + (pad.down 'fire' and 7 or 0) + rng.int(0, 99)) % 100000007
-    if i % 10 == 1 then bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = 0.5, tag = 'rain' } end
+    if i % 10 == 1 then
+      bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = 0.5, tag = 'rain' }
+    end
     if i == 30 or i == 150 then save.set('frame', i) end
     wait(1)
   end
@@ -61,15 +64,17 @@ rm -rf data
 
 # ---- the overlay ----
 
-{ keys 20; keys 1 $H; keys 1; keys 1 $G; keys 1; keys 1 $V; keys 1; keys 1 $N; keys 50 ~70,64; keys 1 $H $G $V $N; keys 122; } >script
+{ keys 20; keys 1 $H; keys 1; keys 1 $G; keys 1; keys 1 $V; keys 1; keys 1 $N; keys 50 ~70,64; keys 1 $H $G $V $N
+    keys 122; } >script
 KEYS_PPM=70 plays shown --record shown.demo <script
 same 'before it nothing differs' "$(part straight 1 20)" "$(part shown 1 20)"
 same 'while it is shown every picture does' '' "$(comm -12 <(part straight 21 77 | sort) <(part shown 21 77 | sort))"
 same 'afterwards none' "$(part straight 78 200)" "$(part shown 78 200)"
-holds 'the demo is the same' cmp straight.demo shown.demo
-holds 'so are the scores' cmp straight.nv data/curtain/probe.nv
-holds 'gauges, tasks and random numbers can be read' says 'part          live   top   cap refused' \
-    'bullets          7    64   256       0' 'frame 70  random numbers 70  tasks 1' '     1     1 -           main.lua:8' \
+check 'the demo is the same' cmp straight.demo shown.demo
+check 'so are the scores' cmp straight.nv data/curtain/probe.nv
+check 'gauges, tasks and random numbers can be read' says 'part          live   top   cap refused' \
+    'bullets          7    64   256       0' 'frame 70  random numbers 70  tasks 1' \
+    '     1     1 -           main.lua:8' \
     'scripts     0     0'
 rm -rf data
 
@@ -94,25 +99,26 @@ KEYS_PPM=$polls plays asked.out --record asked.demo <script
 same 'the game goes on where it stood' "$(part straight 61 200)" "$(part asked.out $((polls + 1)) $((polls + 140)))"
 same 'with nothing that was undone' 'asked.demo: holds, 200 frames' "$("$curtain" verify g asked.demo)"
 same 'and the demo says nothing of it' 0 "$(flags asked.demo)"
-holds 'it is the same' cmp straight.demo asked.demo
-holds 'so are the scores' cmp straight.nv data/curtain/probe.nv
-holds 'what was typed and answered can be read' says '> 20 + 3' '23' '> rng.int(1, 6) - 99 < 0' 'true' '> zzzzz'
+check 'it is the same' cmp straight.demo asked.demo
+check 'so are the scores' cmp straight.nv data/curtain/probe.nv
+check 'what was typed and answered can be read' says '> 20 + 3' '23' '> rng.int(1, 6) - 99 < 0' 'true' '> zzzzz'
 rm -rf data
 
 { keys 60; keys 1 $BACKQUOTE; keys 1; line 'while true do end'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) plays out <script
-holds 'an endless line ends' says 'endless loop: more than 10000000 instructions in one line'
+check 'an endless line ends' says 'endless loop: more than 10000000 instructions in one line'
 
 # ---- a line that is kept ----
 
-{ keys 60; keys 1 $BACKQUOTE; keys 1; line "keep bullet.each('rain', function(b) b:remove() end)"; keys 1; keys 1 $ESCAPE; } >kept
+{ keys 60; keys 1 $BACKQUOTE; keys 1; line "keep bullet.each('rain', function(b) b:remove() end)"; keys 1
+    keys 1 $ESCAPE; } >kept
 polls=$(wc -l <kept)
 { cat kept; keys 160; } >script
 plays out --record kept.demo <script
 same 'the demo is touched' 2 "$(flags kept.demo)"
 "$curtain" verify g kept.demo >out 2>&1
 same 'and does not hold' 1 $?
-holds 'from the frame of the line on' grep -q 'frame 61\b' out
+check 'from the frame of the line on' grep -q 'frame 61\b' out
 refuted straight.nv data/curtain/probe.nv && [ -f data/curtain/probe.nv ]
 same 'scores of before are kept, those of after are not saved' 0 $?
 rm -rf data
@@ -123,14 +129,15 @@ same 'but to it, and on as before' "$(tail -1 direct)" "$(tail -1 out)"
 
 { keys 20; keys 1 $BACKQUOTE; keys 1; line 'keep 1'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) ./player play g --demo straight.demo <script >out 2>err
-holds 'in a playback nothing can be kept' says 'nothing can be kept'
+check 'in a playback nothing can be kept' says 'nothing can be kept'
 
 # ---- the manual ----
 
 sed -n '/^### Looking inside/,/^## /s/^    //p' "$repo/docs/manual.md" >session
-{ keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done; keys 1; } >script
+{ keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done
+    keys 1; } >script
 mapfile -t want < <(cut -c1-50 session)
 KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
 same 'the manual has lines to try' 6 "$(grep -c '^> ' session)"
-holds 'what the manual shows is what comes' says "${want[@]}" 'kept: the demo is touched'
+check 'what the manual shows is what comes' says "${want[@]}" 'kept: the demo is touched'
 finish

@@ -1,9 +1,10 @@
 /*
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed
- * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8 rows, where the cabinet writes
- * its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with
- * KEYS_PPM=N picture N is written to picture.ppm.
+ * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture
+ * shown, a line: a hash of it without its first 8 rows, where the cabinet writes its words, and its last 16, where it
+ * draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
+ * picture.ppm.
  * floor: tests    used by: tests/machine/rewind.sh
  */
 #include <inttypes.h>

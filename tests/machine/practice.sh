@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# practice.sh - the practice menu in play: a piece is chosen, tried, tried again, captured, and the records say so; what does
-# not count; scores; a damaged file. The port is a script's (port_keys.c): no window, no clock.
+# practice.sh - the practice menu in play: a piece is chosen, tried, tried again, captured, and the records say so; what
+# does not count; scores; a damaged file. The port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
     $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
     $(pkg-config --libs lua5.4) -lm -pthread || exit 2
 export KEYS_WHOLE=1
 
-# The queen breaks after 80 frames, the knight never does; a dot moves with the frames; a score is kept from the title on.
+# The queen breaks after 80 frames, the knight never does; a dot moves with the frames; a score is kept from the title
+# on.
 game g <<'LUA'
 bullet.def("dot", { sprite = "dot", hit = { circle = 4 } })
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
@@ -50,8 +52,8 @@ plays() { # OUT ARGUMENT...: standard input are the keys
 part() { sed -n "$2,$3p" "$1"; } # FILE FIRST LAST
 records() { rm -rf data; plays out "$@"; cat "$file" 2>/dev/null; }
 
-# The menu's rows: title, difficulty, lives, power, invincible, hitbox, speed, a line, stage one, its mark, the queen, weak,
-# strong. It opens on stage one.
+# The menu's rows: title, difficulty, lives, power, invincible, hitbox, speed, a line, stage one, its mark, the queen,
+# weak, strong. It opens on stage one.
 weak() { press $F2 $DOWN $DOWN $Z; }
 
 # ---- the menu ----
@@ -60,8 +62,8 @@ weak() { press $F2 $DOWN $DOWN $Z; }
 same 'it ends well' 0 $?
 same 'the board stands still behind the menu' 1 "$(part menu 22 29 | sort -u | wc -l)"
 refuted() { [ "$1" != "$2" ]; }
-holds 'the menu is seen' refuted "$(part menu 20 20)" "$(part menu 21 21)"
-holds 'what is chosen too' refuted "$(part menu 29 29)" "$(part menu 31 31)"
+check 'the menu is seen' refuted "$(part menu 20 20)" "$(part menu 21 21)"
+check 'what is chosen too' refuted "$(part menu 29 29)" "$(part menu 31 31)"
 rm -rf data
 keys 60 | plays straight
 same 'afterwards the game goes on as if nothing had been' "$(part straight 21 50)" "$(part menu 40 69)"
@@ -71,15 +73,23 @@ same 'nothing was practised' 'none' "$(cat "$file" 2>/dev/null || echo none)"
 
 # She flies in for 60 frames and breaks after 20: the second try begins in frame 84 or so.
 same 'a try that is broken off' $'practice 1\n0 1 normal queen/weak' "$({ keys 20; weak; keys 40; } | records)"
-same 'a try that is won, and the next one begins by itself' $'practice 1\n1 2 normal queen/weak' "$({ keys 20; weak; keys 100; } | records)"
-same 'another: the second phase' $'practice 1\n0 1 normal queen/strong' "$({ keys 20; press $F2 $DOWN $DOWN $DOWN $Z; keys 40; } | records)"
-same 'again, and again: each is a try' $'practice 1\n1 4 normal queen/weak' "$({ keys 20; weak; keys 40; press $R; keys 30; press $R; keys 100; } | records)"
-same 'again, after death' $'practice 1\n1 3 normal queen/weak' "$({ keys 20; weak; keys 20; keys 1 $C; keys 10; press $R; keys 100; } | records)"
-same 'a death, and the phase is no capture' $'practice 1\n0 2 normal queen/weak' "$({ keys 20; weak; keys 20; keys 1 $C; keys 100; } | records)"
+same 'a try that is won, and the next one begins by itself' $'practice 1\n1 2 normal queen/weak' \
+    "$({ keys 20; weak; keys 100; } | records)"
+same 'another: the second phase' $'practice 1\n0 1 normal queen/strong' \
+    "$({ keys 20; press $F2 $DOWN $DOWN $DOWN $Z; keys 40; } | records)"
+same 'again, and again: each is a try' $'practice 1\n1 4 normal queen/weak' \
+    "$({ keys 20; weak; keys 40; press $R; keys 30; press $R; keys 100; } | records)"
+same 'again, after death' $'practice 1\n1 3 normal queen/weak' \
+    "$({ keys 20; weak; keys 20; keys 1 $C; keys 10; press $R; keys 100; } | records)"
+same 'a death, and the phase is no capture' $'practice 1\n0 2 normal queen/weak' \
+    "$({ keys 20; weak; keys 20; keys 1 $C; keys 100; } | records)"
 same 'a stage, from its start' $'practice 1\n1 2 normal one' "$({ keys 20; press $F2 $Z; keys 100; } | records)"
 same 'and from a mark' $'practice 1\n2 3 normal one:late' "$({ keys 20; press $F2 $DOWN $Z; keys 100; } | records)"
-same 'started from the command line' $'practice 1\n1 2 hard queen/weak' "$(keys 100 | records --stage queen/weak --difficulty hard)"
-same 'another difficulty, chosen in the menu' $'practice 1\n0 1 hard one' "$({ keys 20; press $F2 $UP $UP $UP $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 40; } | records)"
+same 'started from the command line' $'practice 1\n1 2 hard queen/weak' \
+    "$(keys 100 | records --stage queen/weak --difficulty hard)"
+same 'another difficulty, chosen in the menu' $'practice 1\n0 1 hard one' \
+    "$({ keys 20; press $F2 $UP $UP $UP $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 40; } |
+    records)"
 
 # The same start is the same run: the pictures of each try are alike.
 { keys 20; weak; keys 40; press $R; keys 60; } | plays again
@@ -87,16 +97,20 @@ same 'again is the same from its first frame on' "$(part again 28 67)" "$(part a
 
 # ---- what does not count ----
 
-same 'invincible' 'none' "$({ keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 100; } | records; [ -e "$file" ] || echo none)"
-same 'after time ran backwards' $'practice 1\n0 1 normal queen/weak' "$({ keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 150; } | records)"
-same 'but the next try does' $'practice 1\n1 3 normal queen/weak' "$({ keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 50; press $R; keys 100; } | records)"
+same 'invincible' 'none' \
+    "$({ keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 100; } | records
+    [ -e "$file" ] || echo none)"
+same 'after time ran backwards' $'practice 1\n0 1 normal queen/weak' \
+    "$({ keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 150; } | records)"
+same 'but the next try does' $'practice 1\n1 3 normal queen/weak' \
+    "$({ keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 50; press $R; keys 100; } | records)"
 rm -rf data
 "$curtain" hash g --stage queen/weak --frames 120 --record one.demo >/dev/null 2>&1
 keys 130 | ./player play g --demo one.demo >out 2>err
 same 'a demo' 'none' "$([ -e "$file" ] || echo none)"
 { keys 20; press $F2; keys 20; } | ./player play g --demo one.demo >shown 2>err
 keys 42 | ./player play g --demo one.demo >unshown 2>err
-holds 'in a demo there is no menu, but a word' refuted "$(part unshown 21 21)" "$(part shown 21 21)"
+check 'in a demo there is no menu, but a word' refuted "$(part unshown 21 21)" "$(part shown 21 21)"
 same 'and it goes on' "$(tail -n +9 <<<"$(part unshown 43 43)")" "$(tail -n +9 <<<"$(part shown 43 43)")"
 
 # ---- records that were there ----
@@ -108,8 +122,9 @@ printf 'practice 1\n# mine\n7 9 normal queen/weak\n1 1 easy one\n' >"$file"
 same 'they count on' $'practice 1\n# mine\n8 11 normal queen/weak\n1 1 easy one' "$(cat "$file")"
 printf 'practice 1\n9 7 normal queen/weak\n' >"$file"
 { keys 20; weak; keys 100; } | plays out
+left='practice is not counted, and the file is left as it is'
 same 'a damaged file is reported' \
-    'curtain: user:probe.practice: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; practice is not counted, and the file is left as it is' "$(cat err)"
+    "curtain: user:probe.practice: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; $left" "$(cat err)"
 same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"
 
 # ---- scores ----
@@ -118,7 +133,7 @@ rm -rf data
 keys 100 | plays out
 cp data/curtain/probe.nv before.nv
 { weak; keys 100; } | plays out
-holds 'practice keeps no scores' cmp data/curtain/probe.nv before.nv
+check 'practice keeps no scores' cmp data/curtain/probe.nv before.nv
 keys 60 | plays with --stage queen/weak
 rm -rf data
 keys 60 | plays without --stage queen/weak
@@ -126,12 +141,13 @@ same 'and begins with none' "$(cat without)" "$(cat with)"
 mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | plays out
-holds 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" "$(cksum <data/curtain/probe.nv)"
+check 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" \
+    "$(cksum <data/curtain/probe.nv)"
 cp data/curtain/probe.nv menu.nv
 rm -rf data
 keys 100 | plays out
 keys 100 | plays out
-holds 'as without practice' cmp data/curtain/probe.nv menu.nv
+check 'as without practice' cmp data/curtain/probe.nv menu.nv
 
 # ---- recording ----
 
@@ -144,12 +160,13 @@ same 'a piece that is recorded begins anew' 'piece.demo: holds, 42 frames' "$("$
 
 # ---- what a demo holds of a start ----
 
-"$curtain" hash g --stage one:late --lives 7 --register power=5 --invincible --difficulty easy --frames 70 --record all.demo >all 2>&1
+"$curtain" hash g --stage one:late --lives 7 --register power=5 --invincible --difficulty easy --frames 70 \
+    --record all.demo >all 2>&1
 same 'all of a start is in the demo' 'all.demo: holds, 70 frames' "$("$curtain" verify g all.demo)"
 "$curtain" hash g --demo all.demo >played 2>&1
 same 'which plays the same' "$(cat all)" "$(cat played)"
 for less in '--register power=5 --invincible' '--lives 7 --invincible'; do
     "$curtain" hash g --stage one:late $less --difficulty easy --frames 70 >less 2>&1
-    holds "each of them matters: $less" refuted "$(tail -1 all)" "$(tail -1 less)"
+    check "each of them matters: $less" refuted "$(tail -1 all)" "$(tail -1 less)"
 done
 finish

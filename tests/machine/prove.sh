@@ -3,7 +3,7 @@
 # faults of tests/prove.list, planted in a copy, is found; and every build gives the same results.
 set -u
 repo=$(cd "$(dirname "$0")/../.." && pwd)
-tmp=${PROVE_TMP:-}
+scratch=${PROVE_SCRATCH:-}
 CC=${CC:-cc}
 FLAGS="-std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE"
 LIBS="-lmpfr -lgmp -lm -pthread"
@@ -17,23 +17,24 @@ make_program() {
     local tree=$1 program=$2 to=$3
     shift 3
     # shellcheck disable=SC2086
-    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$tmp/prove.o" "$tmp/oracle.o" $LIBS -o "$to"
+    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" "$scratch/oracle.o" \
+        $LIBS -o "$to"
 }
 
-# The parts below are run by `two`, in processes of their own, in $tmp; what they say goes to files.
+# The parts below are run by `two`, in processes of their own, in $scratch; what they say goes to files.
 case ${1:-} in
 --try) # PROGRAM: sampled, with doubles and with their integer twins
     for flag in -DPLAIN -DFX_INTEGER; do
-        make_program "$repo" "$2" "$tmp/$2$flag" -O1 $flag >"$tmp/$2$flag.said" 2>&1 &&
-            "$tmp/$2$flag" --sample --seed 1 >"$tmp/$2$flag.said" 2>&1 && touch "$tmp/$2$flag.good"
+        make_program "$repo" "$2" "$scratch/$2$flag" -O1 $flag >"$scratch/$2$flag.said" 2>&1 &&
+            "$scratch/$2$flag" --sample --seed 1 >"$scratch/$2$flag.said" 2>&1 && touch "$scratch/$2$flag.good"
     done
     exit 0
     ;;
 --plant) # NUMBER
-    tree=$tmp/plant-$2
+    tree=$scratch/plant-$2
     mkdir -p "$tree/src" "$tree/tools"
     cp -r "$repo/src/base" "$tree/src"
-    cp -r "$repo/tools/prove" "$tree/tools"
+    cp -r "$repo/tools/prove" "$repo/tools/numbers.h" "$tree/tools"
     python3 - "$repo/tests/prove.list" "$2" "$tree" >"$tree/head" 2>"$tree/said" <<'END' || exit 0
 import sys
 entries = open(sys.argv[1], encoding="utf-8").read().strip("\n").split("\n\n")[1:]
@@ -51,26 +52,30 @@ END
     make_program "$tree" "$program" "$tree/program" -O1 $flags >"$tree/said" 2>&1 || exit 0
     "$tree/program" --sample --seed 1 --only "$proof" >"$tree/said" 2>&1
     [ $? = 1 ] || exit 0
-    awk -v f="$function" '$1 == f && $3 ~ /^inputs/ && $4 > 0 { found = 1; print $4 } END { exit !found }' "$tree/said" >"$tree/found" && touch "$tree/good"
+    awk -v f="$function" '$1 == f && $3 ~ /^inputs/ && $4 > 0 { found = 1; print $4 } END { exit !found }' \
+        "$tree/said" >"$tree/found" && touch "$tree/good"
     exit 0
     ;;
 --digest) # COMPILER,FLAG,FLAG...
     read -r -a command <<<"${2//,/ }"
     # shellcheck disable=SC2086
-    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm -o "$tmp/digest-$2" &&
-        "$tmp/digest-$2" --each >"$tmp/digest-$2.said" 2>&1
+    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm \
+        -o "$scratch/digest-$2" &&
+        "$scratch/digest-$2" --each >"$scratch/digest-$2.said" 2>&1
     exit 0
     ;;
 esac
 
 . "$repo/tests/tap.sh"
-export PROVE_TMP=$tmp
+sandbox
+export PROVE_SCRATCH=$scratch
 self=$repo/tests/machine/prove.sh
 for f in prove oracle; do
     # shellcheck disable=SC2086
-    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$tmp/$f.o" || { echo "Bail out! $f.c does not compile"; exit 2; }
+    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"
+        exit 2; }
 done
-holds "the oracles include nothing of src" sh -c \
+check "the oracles include nothing of src" sh -c \
     "! grep -n 'include.*src/' $repo/tools/prove/oracle.[ch] $repo/tools/prove/prove.[ch]"
 
 # shellcheck disable=SC2086
@@ -78,7 +83,9 @@ printf '%s\n' $PROGRAMS | two "$self" --try
 for program in $PROGRAMS; do
     for flag in -DPLAIN -DFX_INTEGER; do
         if [ -f "$program$flag.good" ]; then
-            ok "$program, sampled, $flag: $(awk '$3 ~ /^inputs/ { n += $2 } END { print n }' "$program$flag.said") inputs, none misrounded"
+            ok \
+                "$program, sampled, $flag: $(awk '$3 ~ /^inputs/ { n += $2 } END { print n }' \
+                "$program$flag.said") inputs, none misrounded"
         else
             not_ok "$program, sampled, $flag" "$(cat "$program$flag.said")"
         fi
@@ -99,12 +106,13 @@ done
 # Every build gives the same; the first is the one to compare with. The last but one must find no undefined behaviour,
 # overflow included.
 builds="gcc,-O0 gcc,-O3 clang,-O0 clang,-O3"
-builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEGER gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
+builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEGER"
+builds="$builds gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
 builds="$builds gcc,-O2,-DFX_INTEGER,-DFX_NO_INT128 gcc,-O1,-fsanitize=undefined,-fno-sanitize-recover=all"
 builds="$builds gcc,-O1,-DFX_INTEGER,-fsanitize=undefined,-fno-sanitize-recover=all"
 # shellcheck disable=SC2086
 printf '%s\n' $builds | two "$self" --digest
-holds "a digest of every function" [ "$(wc -l <digest-gcc,-O0.said)" -ge 20 ]
+check "a digest of every function" [ "$(wc -l <digest-gcc,-O0.said)" -ge 20 ]
 for build in $builds; do
     same "the same results: ${build//,/ }" "$(cat digest-gcc,-O0.said)" "$(cat "digest-$build.said" 2>&1)"
 done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# reload.sh - a game's folder changes while it is played: the run goes on in the changed game at the same frame, as if it had
-# always been so; and a change that does not run is told, with file and line, and the old game goes on.
+# reload.sh - a game's folder changes while it is played: the run goes on in the changed game at the same frame, as if
+# it had always been so; and a change that does not run is told, with file and line, and the old game goes on.
 . "$(dirname "$0")/../scripted.sh"
 
 game g <<'LUA'
@@ -21,7 +21,7 @@ echo 'return 3' >changed/step.lua
 pressed() { keys 30; keys 40 $Z; keys 230; }
 pressed | ./player play g --seed 5 >straight 2>err
 pressed | ./player play changed --seed 5 >other 2>err
-holds 'the two games differ' test -z "$(comm -12 <(part straight 100 200 | sort) <(part other 100 200 | sort))"
+check 'the two games differ' test -z "$(comm -12 <(part straight 100 200 | sort) <(part other 100 200 | sort))"
 
 # shown N: until so many pictures are there
 shown() { for _ in $(seq 20000); do [ "$(wc -l <out)" -ge "$1" ] && return 0; sleep 0.025; done; return 1; }
@@ -48,30 +48,32 @@ same 'it ends well' 0 $code
 same 'until then it is the old game' "$(part straight 1 100)" "$(part out 1 100)"
 same 'soon it is the changed one, at the same frame' "$(part other 180 250)" "$(part out 181 251)"
 same 'which is told' 'curtain: g: reloaded' "$(cat err)"
-same 'the demo is of the changed game, from its first frame' "one.demo: holds, $(($(wc -l <out) - 2)) frames" "$("$curtain" verify changed one.demo)"
+same 'the demo is of the changed game, from its first frame' "one.demo: holds, $(($(wc -l <out) - 2)) frames" \
+    "$("$curtain" verify changed one.demo)"
 unchanged
 
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
 same 'an error of syntax: the old game goes on' "$(part straight 200 290)" "$(part out 200 290)"
 same '... with file and line' 'curtain: not taken in: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
 unchanged
-same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" "$("$curtain" verify g two.demo)"
+same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" \
+    "$("$curtain" verify g two.demo)"
 
 # What is told in more lines covers more of the picture than the test leaves out: the demos say what was played.
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
 edited 100 'echo "return {}" >g/step.lua' --record three.demo
 same 'an error in the run is none of the old game' 0 $code
-holds '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
+check '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
 unchanged
 same '... which goes on' "$(played three.demo 2)" "$("$curtain" verify g three.demo)"
 
 edited 100 'rm g/step.lua' --record four.demo
-holds 'a lost file is told' grep -q 'main.lua:1: .*step' err
+check 'a lost file is told' grep -q 'main.lua:1: .*step' err
 unchanged
 same '... and the old game goes on' "$(played four.demo 1)" "$("$curtain" verify g four.demo)"
 
 edited 100 'echo "return = 3" >g/step.lua; sleep 0.1; pressed | sed -n "101,160p" >&7; shown 160; unchanged'
-holds 'what is put right again is not told twice' test "$(wc -l <err)" = 1
+check 'what is put right again is not told twice' test "$(wc -l <err)" = 1
 
 # While a demo is shown, twice: the demo's board is of a ROM that goes.
 mkdir -p g/demos
@@ -86,7 +88,8 @@ sed -i 1d g/main.lua
 
 # Another screen and other capacities: the picture, and what it is drawn with, are of the changed game.
 cp -R changed larger
-sed -i 's/w = 256, h = 64/w = 320, h = 96/; s/sprites = 16/sprites = 4096/; s/bullets = 256/bullets = 65536/' larger/rom.lua
+sed -i 's/w = 256, h = 64/w = 320, h = 96/; s/sprites = 16/sprites = 4096/; s/bullets = 256/bullets = 65536/' \
+    larger/rom.lua
 pressed | ./player play larger --seed 5 >other 2>err
 edited 100 'cp larger/*.lua g/'
 same 'a larger screen and board' "$(part other 180 250)" "$(part out 181 251)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# rewind.sh - `play` and time: backwards, step by step, from moment to moment, in play and in a playback; taking over; what
-# is recorded and saved meanwhile. The port is a script's (port_keys.c): no window, no clock.
+# rewind.sh - `play` and time: backwards, step by step, from moment to moment, in play and in a playback; taking over;
+# what is recorded and saved meanwhile. The port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../scripted.sh"
 # A picture of its own every frame, also of what was pressed; and a save that counts frames.
 game g <<'LUA'
@@ -56,10 +56,10 @@ rm -rf data
 keys 100 | plays out
 cp data/curtain/probe.nv before.nv
 refuted() { ! cmp -s "$1" "$2"; }
-holds 'the two saves differ' refuted straight.nv before.nv
+check 'the two saves differ' refuted straight.nv before.nv
 rm -rf data
 { keys 40; keys 5 $BACKSPACE; keys 200; } | plays out
-holds 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
+check 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
 rm -rf data
 
 # ---- step by step, and from moment to moment ----
@@ -78,8 +78,9 @@ same 'and to the one after' "$(part straight 71 71)" "$(part moments 129 129)"
 same 'while recording too' "$(part direct 61 110)" "$(part recorded 141 190)"
 same 'the demo is of the branch' "one.demo: holds, 110 frames" "$("$curtain" verify g one.demo)"
 { keys 60; keys 50 $Z; } | plays out --record two.demo
-same 'and is as one that went there straight' '' "$(diff <("$curtain" hash g --demo one.demo) <("$curtain" hash g --demo two.demo) 2>&1)"
-holds 'but it knows that it branched' refuted one.demo two.demo
+same 'and is as one that went there straight' '' \
+    "$(diff <("$curtain" hash g --demo one.demo) <("$curtain" hash g --demo two.demo) 2>&1)"
+check 'but it knows that it branched' refuted one.demo two.demo
 { keys 100; keys 40 $BACKSPACE; } | plays out --record three.demo
 same 'who stops in the past ends there' "three.demo: holds, 60 frames" "$("$curtain" verify g three.demo)"
 
@@ -96,12 +97,13 @@ same 'a playback goes back' "$(part straight 60 99 | tac)" "$(part shown 101 140
 same 'and on, whatever is pressed' "$(part straight 61 120)" "$(part shown 141 200)"
 { keys 10; keys 1 @200,63; keys 1; } | watches click
 at=$(grep -n "^$(part click 11 11)$" straight | cut -d: -f1)
-holds 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
+check 'a click on the bar of time leads far ahead' test "${at:-0}" -gt 150
 { keys 10; keys 1 @0,63; keys 1 $P; keys 3; } | watches click
 same 'and to the start' "$(part straight 1 1)" "$(part click 12 12)"
 { keys 20; keys 1 $AFTER; keys 1 $AFTER; keys 1; keys 1 $AFTER; keys 1 $P; keys 3; } | watches click
 same 'the moments of the demo are known before they come' "$(part straight 71 71)" "$(part click 26 26)"
-{ keys 20; keys 1 74; keys 1; keys 1 31; keys 1; keys 1 39; keys 1; keys 1 42; keys 1; keys 1 34; keys 2; keys 1 40; keys 3; } | watches ask
+{ keys 20; keys 1 74; keys 1; keys 1 31; keys 1; keys 1 39; keys 1; keys 1 42; keys 1; keys 1 34; keys 2; keys 1 40
+    keys 3; } | watches ask
 same 'asked for, frame 25 comes: 2, 0, Backspace, 5, Enter' "$(part straight 25 25)" "$(part ask 34 34)"
 same 'time stands still meanwhile' 1 "$(part ask 21 31 | sort -u | wc -l)"
 { keys 20; keys 1 74; keys 1; keys 1 41; keys 10; } | watches ask
@@ -120,19 +122,23 @@ same 'a copy of it ends where one left it' "copy.demo: holds, 37 frames" "$("$cu
 cp -R g faulty
 sed -i "s/if i == 30/if i == 71 then error 'ends here' end\n    if i == 30/" faulty/main.lua
 keys 90 | ./player play faulty --seed 5 --record fault.demo >/dev/null 2>&1
-same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty fault.demo)"
+same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was recorded with" \
+    "$("$curtain" verify faulty fault.demo)"
 { keys 90; keys 1 $BEFORE; keys 3; keys 1 $P; } | ./player play faulty --demo fault.demo --record before.demo >out 2>&1
-holds 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' <("$curtain" verify faulty before.demo)
+check 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' \
+    <("$curtain" verify faulty before.demo)
 { keys 90; keys 1 $T; keys 5; } | ./player play faulty --demo fault.demo --record over.demo >out 2>&1
-same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" "$("$curtain" verify faulty over.demo)"
+same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" \
+    "$("$curtain" verify faulty over.demo)"
 
 # ---- another run than was recorded ----
 
 cp -R g other_game
 sed -i 's/i == 150 then/i == 150 or i == 60 then/' other_game/main.lua # saves once more
 mkdir -p data2
-XDG_DATA_HOME=$tmp/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
-holds 'a playback that is not what was recorded says so' grep -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
+XDG_DATA_HOME=$scratch/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
+check 'a playback that is not what was recorded says so' grep \
+    -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
 same 'once' 1 "$(grep -c 'not the run' err)"
 keys 100 | watches shown
 same 'and one that is does not' '' "$(cat err)"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # shapes.sh - the contact tests against 256-bit integers (tools/prove/shapes.c, sampled): no mismatch, in any way they
 # can be built, and no overflow without -fwrapv; and planted faults, which show as mismatches.
-. "$(dirname "$0")/../check.sh"
+. "$(dirname "$0")/../tap.sh"
 
 cp --parents src/base/fx.h src/base/geom.h src/base/geom.c tools/prove/shapes.c tools/prove/shapes_oracle.h "$scratch"
 # shapes FLAGS [ARGUMENT...]: built in the copy with the flags, and run
@@ -9,12 +9,14 @@ shapes() {
     local flags=$1
     shift
     # shellcheck disable=SC2086
-    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c src/base/geom.c -o shapes -lm -pthread &&
+    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c \
+        src/base/geom.c -o shapes -lm -pthread &&
         ./shapes --sample --threads 1 "$@")
 }
 check "no mismatch" shapes "-O2 -fwrapv"
 check "no mismatch without 128-bit integers" shapes "-O2 -fwrapv -DFX_NO_INT128"
-check "no mismatch and no undefined behaviour without -fwrapv" shapes "-O1 -fsanitize=undefined -fno-sanitize-recover=all"
+check "no mismatch and no undefined behaviour without -fwrapv" shapes \
+    "-O1 -fsanitize=undefined -fno-sanitize-recover=all"
 
 # planted SHAPE FILE OLD NEW: the shape with OLD replaced in the file
 planted() {
@@ -41,4 +43,4 @@ fault swept-circle-box geom.c "(wx ^ wy) < 0" "(wx ^ wy) > 0"
 fault swept-circle-box geom.c "passes(dx, wx, hw + r)" "passes(dx, wx, hw + r - 1)"
 fault swept-boxes geom.c "dy * wx) <= " "dy * wx) < "
 check "the copy is as it was" shapes "-O1 -fwrapv" --only swept-boxes
-done_testing
+finish

@@ -1,6 +1,6 @@
 /*
- * test_bench.c - the bench's crowds against references that share nothing with the engine: hits in 128-bit arithmetic over
- * every bullet, the picture by a painter that copies byte by byte; and the two programs it is measured beside.
+ * test_bench.c - the bench's crowds against references that share nothing with the engine: hits in 128-bit arithmetic
+ * over every bullet, the picture by a painter that copies byte by byte; and the two programs it is measured beside.
  */
 #include <setjmp.h>
 #include <stdarg.h>

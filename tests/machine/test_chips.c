@@ -555,9 +555,9 @@ static void test_enemies(void **state)
 
 /* ---- players ---- */
 
-/* Where an enemy is after k of n frames, against wide integers: the place nearest to from + (to - from) * share, ties to
- * the even one, where share is k/n, (k/n)^2, 1 - (1 - k/n)^2, and for "both" 2(k/n)^2 up to the middle, then
- * 1 - 2(1 - k/n)^2. */
+/* Where an enemy is after k of n frames, against wide integers: the place nearest to from + (to - from) * share, ties
+ * to the even one, where share is k/n, (k/n)^2, 1 - (1 - k/n)^2, and for "both" 2(k/n)^2 up to the middle, then 1 - 2(1
+ * - k/n)^2. */
 static bool nearest_place(fx from, fx to, uint32_t k, uint32_t n, enum ease ease, fx place)
 {
     struct big whole = big_mul(big_int(n), big_int(n)), part, rest = big_mul(big_int(n - k), big_int(n - k));
@@ -870,7 +870,8 @@ static void test_fix(void **state)
 
 /* ---- palette ---- */
 
-/* After k of n frames |2 (rgb - from) n - 2 (to - from) k| <= n, and where it is n the colour is the one nearer to `to`. */
+/* After k of n frames |2 (rgb - from) n - 2 (to - from) k| <= n, and where it is n the colour is the one nearer to
+ * `to`. */
 static void test_fades(void **state)
 {
     struct rig_game g;

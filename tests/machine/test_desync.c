@@ -1,7 +1,7 @@
 /*
- * test_desync.c - replay.h: a demo with a flipped input bit, another seed, or played on a ROM with a changed script byte
- * is found to differ at the very frame and in the very parts at which two boards run side by side first do; or they
- * never do, and it holds.
+ * test_desync.c - replay.h: a demo with a flipped input bit, another seed, or played on a ROM with a changed script
+ * byte is found to differ at the very frame and in the very parts at which two boards run side by side first do; or
+ * they never do, and it holds.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <unistd.h>

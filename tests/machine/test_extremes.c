@@ -1,7 +1,7 @@
 /*
- * test_extremes.c - scripts that pass the largest, the smallest and the oddest numbers they may, for many frames. Nothing
- * that leaves the world comes back, no speed grows past its limit, and every hit is one by the reference of hits.h, as is
- * every miss. tests/machine/extremes.sh runs it under UBSan, where an overflow ends it.
+ * test_extremes.c - scripts that pass the largest, the smallest and the oddest numbers they may, for many frames.
+ * Nothing that leaves the world comes back, no speed grows past its limit, and every hit is one by the reference of
+ * hits.h, as is every miss. tests/machine/extremes.sh runs it under UBSan, where an overflow ends it.
  */
 #include "hits.h"
 

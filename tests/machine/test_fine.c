@@ -190,7 +190,8 @@ static void test_ends(void **state)
     end();
 }
 
-/* Velocities by their parts: off by what a direction is, half an ang, and by the bits beyond 31 that it is taken from. */
+/* Velocities by their parts: off by what a direction is, half an ang, and by the bits beyond 31 that it is taken
+ * from. */
 static void test_parts(void **state)
 {
     (void)state;

@@ -1,6 +1,7 @@
 /*
- * test_guard.c - interrupting a tick changes nothing. The game here does at least five milliseconds of work a frame and the alarm
- * rings after one, so every watched tick is interrupted; whichever are, the hashes must be those of a run that none was.
+ * test_guard.c - interrupting a tick changes nothing. The game here does at least five milliseconds of work a frame and
+ * the alarm rings after one, so every watched tick is interrupted; whichever are, the hashes must be those of a run
+ * that none was.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * test_host.c - a program that hosts a board may have set what arithmetic and texts depend on: a locale, for the process
- * or for its thread, rounding, flushing of small numbers, traps, the 387's precision. Every run is the one a plain host
- * gets, and after each call all is set as it was.
+ * test_host.c - a program that hosts a board may have set what arithmetic and texts depend on: a locale, for the
+ * process or for its thread, rounding, flushing of small numbers, traps, the 387's precision. Every run is the one a
+ * plain host gets, and after each call all is set as it was.
  */
 #define _GNU_SOURCE /* feenableexcept, mkdtemp */
 #include <fenv.h>

@@ -1,6 +1,6 @@
 /*
- * test_overlay.c - the overlay over pictures of a known scene: every line of every panel can be read, wherever the mouse
- * is; the times add up; the console types, answers, undoes and keeps.
+ * test_overlay.c - the overlay over pictures of a known scene: every line of every panel can be read, wherever the
+ * mouse is; the times add up; the console types, answers, undoes and keeps.
  */
 #include "rig.h"
 #include "../../src/board/inspect.h"
@@ -26,7 +26,7 @@ struct bed {
     struct rig_game g;
     struct rig r;
     uint32_t rgb[256];
-    struct ink ink;
+    struct canvas canvas;
     struct overlay o;
     struct console c;
 };
@@ -70,13 +70,13 @@ static int bed_close(void **state)
 static void draw(struct bed *t, int y0, int y1, int mouse_x, int mouse_y)
 {
     board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
-    ink_open(&t->ink, &t->r.fb, t->rgb);
-    overlay_draw(&t->o, &t->ink, y0, y1, t->r.b, mouse_x, mouse_y);
+    canvas_open(&t->canvas, &t->r.fb, t->rgb);
+    overlay_draw(&t->o, &t->canvas, y0, y1, t->r.b, mouse_x, mouse_y);
 }
 
 static bool sees(const struct bed *t, const char *text)
 {
-    return words_seen(&t->ink, text, NULL, NULL);
+    return words_seen(&t->canvas, text, NULL, NULL);
 }
 
 static void must_see(const struct bed *t, const char *text)
@@ -97,8 +97,8 @@ static int inked(const struct bed *t)
     int n = 0;
 
     for (int i = 0; i < t->r.fb.w * t->r.fb.h; i++)
-        for (int c = 0; c < INKS; c++)
-            n += t->r.fb.pix[i / t->r.fb.w * t->r.fb.pitch + i % t->r.fb.w] == t->ink.colour[c];
+        for (int c = 0; c < CANVAS_COLOURS; c++)
+            n += t->r.fb.pix[i / t->r.fb.w * t->r.fb.pitch + i % t->r.fb.w] == t->canvas.colour[c];
     return n;
 }
 
@@ -155,8 +155,8 @@ static void tasks_can_be_read(void **state)
     assert_false(sees(t, "    10   100 -           main.lua:13"));
     for (int y = 0; y < 320; y++)
         for (int x = 0; x < 200 && (y < 40 || y >= 75); x++)
-            for (int c = 0; c < INKS; c++)
-                assert_true(t->r.fb.pix[y * t->r.fb.pitch + x] != t->ink.colour[c]);
+            for (int c = 0; c < CANVAS_COLOURS; c++)
+                assert_true(t->r.fb.pix[y * t->r.fb.pitch + x] != t->canvas.colour[c]);
 }
 
 static void check_thing(struct bed *t, int mouse_x, int mouse_y, const char *const *lines)
@@ -225,18 +225,18 @@ static void shapes_lie_where_they_hit(void **state)
     t->o.on[OVERLAY_SHAPES] = true;
     draw(t, 0, 320, -1, -1);
 #define COLOUR(x, y) t->r.fb.pix[(y)*t->r.fb.pitch + (x)]
-    assert_int_equal(COLOUR(176, 200), t->ink.colour[INK_RED]);
-    assert_int_equal(COLOUR(183, 199), t->ink.colour[INK_RED]);
-    assert_int_equal(COLOUR(175, 200), t->ink.colour[INK_PAPER]);
-    assert_int_equal(COLOUR(45, 20), t->ink.colour[INK_YELLOW]);
-    assert_int_equal(COLOUR(74, 39), t->ink.colour[INK_YELLOW]);
-    assert_int_equal(COLOUR(80, 150), t->ink.colour[INK_WHITE]);
-    assert_int_equal(COLOUR(98, 150), t->ink.colour[INK_GREEN]);
+    assert_int_equal(COLOUR(176, 200), t->canvas.colour[CANVAS_RED]);
+    assert_int_equal(COLOUR(183, 199), t->canvas.colour[CANVAS_RED]);
+    assert_int_equal(COLOUR(175, 200), t->canvas.colour[CANVAS_DARK]);
+    assert_int_equal(COLOUR(45, 20), t->canvas.colour[CANVAS_YELLOW]);
+    assert_int_equal(COLOUR(74, 39), t->canvas.colour[CANVAS_YELLOW]);
+    assert_int_equal(COLOUR(80, 150), t->canvas.colour[CANVAS_WHITE]);
+    assert_int_equal(COLOUR(98, 150), t->canvas.colour[CANVAS_GREEN]);
     draw(t, 0, 320, 181, 201);
-    assert_int_equal(COLOUR(176, 200), t->ink.colour[INK_WHITE]);
+    assert_int_equal(COLOUR(176, 200), t->canvas.colour[CANVAS_WHITE]);
     draw(t, 21, 320, -1, -1); /* nothing over what is not its own */
-    assert_true(COLOUR(60, 20) != t->ink.colour[INK_YELLOW]);
-    assert_int_equal(COLOUR(60, 39), t->ink.colour[INK_YELLOW]);
+    assert_true(COLOUR(60, 20) != t->canvas.colour[CANVAS_YELLOW]);
+    assert_int_equal(COLOUR(60, 39), t->canvas.colour[CANVAS_YELLOW]);
 }
 
 /* Asking for times and drawing leave the game alone. */
@@ -257,8 +257,8 @@ static void the_game_does_not_notice(void **state)
         overlay_lap(&t->o, SPLIT_CABINET);
         board_draw(a.board, &t->r.fb, t->rgb, t->r.scratch);
         overlay_lap(&t->o, SPLIT_DRAW);
-        ink_open(&t->ink, &t->r.fb, t->rgb);
-        overlay_draw(&t->o, &t->ink, 0, 320, a.board, f, f);
+        canvas_open(&t->canvas, &t->r.fb, t->rgb);
+        overlay_draw(&t->o, &t->canvas, 0, 320, a.board, f, f);
         overlay_lap(&t->o, SPLIT_SHOW);
         overlay_end(&t->o);
         guard_tick(&b, none);
@@ -323,8 +323,8 @@ static void toggle(struct bed *t)
 static int draw_console(struct bed *t)
 {
     board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
-    ink_open(&t->ink, &t->r.fb, t->rgb);
-    return console_draw(&t->c, &t->ink);
+    canvas_open(&t->canvas, &t->r.fb, t->rgb);
+    return console_draw(&t->c, &t->canvas);
 }
 
 static void it_opens_types_and_answers(void **state)
@@ -405,13 +405,13 @@ static void lines_come_back(void **state)
     assert_string_equal(t->c.line, "2");
     press(t, DOWN);
     assert_string_equal(t->c.line, "");
-    for (int i = 0; i < 3 * CONSOLE_PAST; i++) {
+    for (int i = 0; i < 3 * CONSOLE_HISTORY; i++) {
         snprintf(line, sizeof line, "%d", i);
         enter(t, line);
     }
-    for (int i = 0; i < 2 * CONSOLE_PAST; i++)
+    for (int i = 0; i < 2 * CONSOLE_HISTORY; i++)
         press(t, UP);
-    snprintf(line, sizeof line, "%d", 2 * CONSOLE_PAST);
+    snprintf(line, sizeof line, "%d", 2 * CONSOLE_HISTORY);
     assert_string_equal(t->c.line, line);
 }
 

@@ -1,6 +1,6 @@
 /*
- * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, the list of all
- * sections of a game; and the cabinet's menu of them.
+ * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, the list of
+ * all sections of a game; and the cabinet's menu of them.
  */
 #include "rig.h"
 #include "../../src/cab/play/practice.h"
@@ -759,16 +759,16 @@ static void test_menu_pictures(void **state)
             snprintf(menu.sections.why, sizeof menu.sections.why, "%s",
                      "one sentence about what went wrong in a stage of this game");
         for (int i = 0; i < 30; i++) {
-            struct ink ink;
+            struct canvas canvas;
             uint32_t rgb[256] = { 0 };
             uint64_t hash = HASH_START;
             bool white = false;
             fb_init(&fb, mem, w, h);
-            ink_open(&ink, &fb, rgb);
-            practice_draw(&menu, &ink);
+            canvas_open(&canvas, &fb, rgb);
+            practice_draw(&menu, &canvas);
             for (int y = 0; y < h; y++) {
                 hash = hash_bytes(hash, fb.pix + (ptrdiff_t)y * fb.pitch, (size_t)w);
-                white |= fb.pix[(ptrdiff_t)y * fb.pitch + w / 2] == ink.colour[INK_WHITE];
+                white |= fb.pix[(ptrdiff_t)y * fb.pitch + w / 2] == canvas.colour[CANVAS_WHITE];
             }
             assert_true(white && hash != last); /* the chosen row's bar; it has moved */
             assert_in_range(menu.row, menu.top, menu.top + menu.shown - 1);
@@ -787,7 +787,7 @@ static void told_now(enum board_marker_kind kind, const char *name, const char *
     out = (struct board_out){ .markers = 1, .marker[0] = { .kind = kind } };
     snprintf(out.marker[0].name, sizeof out.marker[0].name, "%s", name);
     snprintf(out.marker[0].of, sizeof out.marker[0].of, "%s", of);
-    practice_hear(&menu, &out);
+    practice_after_tick(&menu, &out);
 }
 
 static void expect_record(const char *mark, int captures, int attempts)
@@ -820,7 +820,7 @@ static void test_counting(void **state)
     told_now(MARKER_WON, "second", "queen");
     expect_record("queen/second", 1, 2);
     told_now(MARKER_START, "", "");
-    practice_void(&menu);
+    practice_stop_counting(&menu);
     told_now(MARKER_WON, "second", "queen");
     told_now(MARKER_START, "", "");
     expect_record("queen/second", 1, 3);

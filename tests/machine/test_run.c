@@ -1,6 +1,6 @@
 /*
- * test_run.c - the demos of the built-in game show what they are there to show: the attract demo is long enough, and the
- * whole run goes from the title through every part of the game to the score table. And two runs that must fail, do.
+ * test_run.c - the demos of the built-in game show what they are there to show: the attract demo is long enough, and
+ * the whole run goes from the title through every part of the game to the score table. And two runs that must fail, do.
  */
 #include <setjmp.h>
 #include <stdarg.h>

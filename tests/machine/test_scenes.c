@@ -1,6 +1,6 @@
 /*
- * test_scenes.c - what a boss's phase spawned and put goes with it, however it ends, and nothing else does: no score, no
- * spark, no event. Every case is a script that writes a log; with RAM spoilt after every frame it writes the same.
+ * test_scenes.c - what a boss's phase spawned and put goes with it, however it ends, and nothing else does: no score,
+ * no spark, no event. Every case is a script that writes a log; with RAM spoilt after every frame it writes the same.
  *
  * The log: FRAME:IMPS/WHELPS/GUESTS/SPRITES whenever one of these has changed, and words.
  */

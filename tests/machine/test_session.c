@@ -1,6 +1,6 @@
 /*
- * test_session.c - a run gone to and fro in, taken over, begun anew, and played again on a changed ROM. What a session's
- * board is at a frame is compared with a board that went there straight, with the same inputs.
+ * test_session.c - a run gone to and fro in, taken over, begun anew, and played again on a changed ROM. What a
+ * session's board is at a frame is compared with a board that went there straight, with the same inputs.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
@@ -83,7 +83,7 @@ static void get_there(struct session *s)
 {
     if (!session_work(s, UINT64_MAX))
         fail_msg("%s", s->err);
-    assert_int_equal(s->way, SESSION_THERE);
+    assert_int_equal(s->state, SESSION_IDLE);
 }
 
 /* ---- to and fro ---- */
@@ -133,8 +133,8 @@ static void seeks(void **state)
     (void)state;
     open_session(&s, true, NULL);
     session_goto(&s, FRAMES);
-    assert_int_equal(s.way, SESSION_SEEKS);
-    for (; s.way != SESSION_THERE; pieces++) {
+    assert_int_equal(s.state, SESSION_SEEKING);
+    for (; s.state != SESSION_IDLE; pieces++) {
         assert_true(session_work(&s, 0));
         assert_in_range(session_progress(&s), before, 1000);
         before = session_progress(&s);
@@ -144,12 +144,12 @@ static void seeks(void **state)
     session_goto(&s, 10);
     at(&s, 10);
     session_goto(&s, FRAMES); /* it was there: at once */
-    assert_int_equal(s.way, SESSION_THERE);
+    assert_int_equal(s.state, SESSION_IDLE);
     at(&s, FRAMES);
     session_goto(&s, UINT32_MAX);
     assert_int_equal(s.to, demo.frames);
     session_stop(&s);
-    assert_int_equal(s.way, SESSION_THERE);
+    assert_int_equal(s.state, SESSION_IDLE);
     assert_true(session_close(&s));
 }
 
@@ -172,7 +172,7 @@ static void branches(void **state)
     at(&s, 500);
     assert_int_equal(session_last(&s), 800);
     for (int i = 0; i < 100; i++)
-        assert_true(session_again(&s));
+        assert_true(session_replay_tick(&s));
     at(&s, 600);
     assert_int_equal(s.now->writer.demo.frames, 800); /* what was is still known */
     for (int i = 0; i < 65; i++)
@@ -180,7 +180,7 @@ static void branches(void **state)
     assert_int_equal(session_last(&s), 665);
     uint64_t hash = board_hash(session_board(&s));
     assert_true(hash != plain[665]);
-    assert_true(session_again(&s)); /* there is nothing to go on to */
+    assert_true(session_replay_tick(&s)); /* there is nothing to go on to */
     assert_int_equal(board_frame(session_board(&s)), 665);
     assert_true(s.rewound);
     assert_true(session_close(&s));
@@ -266,11 +266,11 @@ static void touched(void **state)
     assert_true(board_eval(session_board(&s), "score.add(10)", out, sizeof out));
     changed = board_hash(session_board(&s));
     assert_true(changed != plain[1300]);
-    assert_true(session_touch(&s));
+    assert_true(session_mark_touched(&s));
     assert_true(s.now->writer.demo.frames == 1300 && s.now->writer.demo.flags & DEMO_TOUCHED);
     assert_true(session_first(&s) == 1300 && session_last(&s) == 1300);
     session_goto(&s, 100);
-    assert_true(s.way == SESSION_THERE && board_hash(session_board(&s)) == changed);
+    assert_true(s.state == SESSION_IDLE && board_hash(session_board(&s)) == changed);
     play_to(&s, 1600);
     later = board_hash(session_board(&s));
     session_goto(&s, 100);
@@ -369,7 +369,7 @@ static void lands(struct session *s, uint32_t frame, const struct board_start *s
     uint64_t shown, hash = fresh(start, frame, &shown);
 
     assert_true(session_reload(s, dir, false));
-    assert_int_equal(s->way, SESSION_RELOADS);
+    assert_int_equal(s->state, SESSION_RELOADING);
     get_there(s);
     assert_int_equal(board_frame(session_board(s)), frame);
     assert_true(board_hash(session_board(s)) == hash);
@@ -388,14 +388,14 @@ static void reloads(void **state)
     play_to(&s, 1500);
     uint64_t shown = picture(&s);
     assert_true(session_reload(&s, dir, false)); /* the same ROM */
-    assert_int_equal(s.way, SESSION_THERE);
+    assert_int_equal(s.state, SESSION_IDLE);
     edit("stages/habits.lua", habit, faster);
     lands(&s, 1500, &demo.start);
     assert_true(picture(&s) != shown); /* the stage being played has changed */
     session_goto(&s, 900);             /* its past is of the new script */
     uint64_t unused, hash = fresh(&demo.start, 900, &unused);
     assert_true(board_hash(session_board(&s)) == hash);
-    assert_true(session_reload(&s, dir, false) && s.way == SESSION_THERE);
+    assert_true(session_reload(&s, dir, false) && s.state == SESSION_IDLE);
     play_to(&s, 1600);
     edit("stages/habits.lua", faster, habit);
     lands(&s, 1600, &demo.start);
@@ -417,7 +417,7 @@ static void keeps(struct session *s, const char *why)
     assert_false(good);
     if (!strstr(s->err, why))
         fail_msg("\"%s\" does not say \"%s\"", s->err, why);
-    assert_int_equal(s->way, SESSION_THERE);
+    assert_int_equal(s->state, SESSION_IDLE);
     assert_null(s->next);
     assert_true(board_hash(session_board(s)) == hash);
 }

@@ -762,8 +762,8 @@ static void put_block(struct writer *w)
     w->depth--;
 }
 
-/* Assigning to k, a constant, and more than luac's short forms can name are the only ways not to compile; the words above
- * have neither. */
+/* Assigning to k, a constant, and more than luac's short forms can name are the only ways not to compile; the words
+ * above have neither. */
 static void test_programs(void **state)
 {
     char dir[] = "/tmp/names-XXXXXX", path[64];

@@ -1,6 +1,6 @@
 /*
- * test_take.c - pad.take: each press once, while it is fresh, by whoever asks first; the game's and the pause's apart; and
- * every example of the manual that waits for a button, with a press at every phase of its loop.
+ * test_take.c - pad.take: each press once, while it is fresh, by whoever asks first; the game's and the pause's apart;
+ * and every example of the manual that waits for a button, with a press at every phase of its loop.
  */
 #include "rig.h"
 
@@ -222,8 +222,8 @@ static const char pausing[] =
     "  end\n"
     "end)\n";
 
-/* However the press, the pause and the loop lie: what was pressed before the pause is the game's and waits for it, what was
- * pressed in the pause is the pause's, and each counts once. */
+/* However the press, the pause and the loop lie: what was pressed before the pause is the game's and waits for it, what
+ * was pressed in the pause is the pause's, and each counts once. */
 static void test_pause(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /*
- * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are kept
- * for later, two fights at once, waits where there can be none, and nil for all.
+ * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are
+ * kept for later, two fights at once, waits where there can be none, and nil for all.
  */
 #include "rig.h"
 

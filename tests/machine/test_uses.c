@@ -1,10 +1,11 @@
 /*
- * test_uses.c - roms/torture under its demo uses all there is: every API function, every property, every key of a motion
- * step, every pool to the brim, both players. And the demo holds.
+ * test_uses.c - roms/torture under its demo uses all there is: every API function, every property, every key of a
+ * motion step, every pool to the brim, both players. And the demo holds.
  *
- * The game is loaded after its board was powered with an empty entry script: in between, each API function gets an entry
- * that counts, and those written in Lua, as well as the properties of things, a wrapper that does. Uses by @std do not
- * count. CURTAIN_UPDATE=1 records roms/torture/demos/torture.demo anew, which a change of the game makes necessary.
+ * The game is loaded after its board was powered with an empty entry script: in between, each API function gets an
+ * entry that counts, and those written in Lua, as well as the properties of things, a wrapper that does. Uses by @std
+ * do not count. CURTAIN_UPDATE=1 records roms/torture/demos/torture.demo anew, which a change of the game makes
+ * necessary.
  */
 #define _POSIX_C_SOURCE 200809L /* unsetenv */
 #include "rig.h"

@@ -1,6 +1,6 @@
 /*
- * test_worst.c - no operation of Lua does much for little: each of tools/bench/worst.c, in an endless loop, is stopped by
- * the guard, and after no more rounds than its work allows. How long that takes, `make bench ARGS=guards` measures.
+ * test_worst.c - no operation of Lua does much for little: each of tools/bench/worst.c, in an endless loop, is stopped
+ * by the guard, and after no more rounds than its work allows. How long that takes, `make bench ARGS=guards` measures.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -4,9 +4,10 @@
 #
 #     tests/machine/uninitialised.sh [whole] [lua]
 #
-# whole: also all that `make fuzz` has found so far. lua: what goes through Lua, whose library is not instrumented, under
-# valgrind. `make msan` runs both, `make valgrind` the latter; what `make test` builds is there then.
+# whole: also all that `make fuzz` has found so far. lua: what goes through Lua, whose library is not instrumented,
+# under valgrind. `make msan` runs both, `make valgrind` the latter; what `make test` builds is there then.
 . "$(dirname "$0")/../tap.sh"
+sandbox
 export MSAN_OPTIONS=halt_on_error=1:exit_code=77 CMOCKA_MESSAGE_OUTPUT=TAP
 cd "$repo" || exit 2
 msan=build/msan
@@ -21,15 +22,18 @@ for word; do
 done
 
 seeds() { # TARGET: files
-    find "tests/fuzz/seeds/$1" ${whole:+$([ ! -d "build/fuzz/corpus/$1" ] || echo "build/fuzz/corpus/$1")} -type f | sort
+    find "tests/fuzz/seeds/$1" ${whole:+$([ ! -d "build/fuzz/corpus/$1" ] || echo "build/fuzz/corpus/$1")} -type f |
+        sort
 }
 clean() { # NAME COMMAND...
     local name=$1
     shift
-    if "$@" >"$tmp/ran" 2>&1 </dev/null && ! grep -q '^not ok' "$tmp/ran"; then
+    if "$@" >"$scratch/ran" 2>&1 </dev/null && ! grep -q '^not ok' "$scratch/ran"; then
         ok "$name"
     else
-        not_ok "$name" "$(grep -a -m 1 -A 12 'MemorySanitizer\|== .*ninitialised\|== Invalid' "$tmp/ran" || tail -n 12 "$tmp/ran")"
+        not_ok "$name" \
+            "$(grep -a -m 1 -A 12 'MemorySanitizer\|== .*ninitialised\|== Invalid' "$scratch/ran" ||
+            tail -n 12 "$scratch/ran")"
     fi
 }
 given() { # PROGRAM TARGET
@@ -39,21 +43,27 @@ given() { # PROGRAM TARGET
 # planted NAME FILE OLD NEW TARGET: with a line changed it is found out
 planted() {
     local object=$msan/${2%.c}.o objects
-    sed "s|#include \"\\.\\./|#include \"$repo/src/|;s|#include \"\\([a-z_]*\\.h\\)\"|#include \"$repo/$(dirname "$2")/\\1\"|" "$2" >"$tmp/plain.c"
-    python3 - "$tmp/plain.c" "$tmp/planted.c" "$3" "$4" <<'END' || { not_ok "$1" "cannot be planted"; return; }
+    sed \
+        "s|#include \"\\.\\./|#include \"$repo/src/|;s|#include \"\\([a-z_]*\\.h\\)\"|#include \"$repo/$(dirname \
+        "$2")/\\1\"|" "$2" >"$scratch/plain.c"
+    python3 - "$scratch/plain.c" "$scratch/planted.c" "$3" "$4" <<'END' || { not_ok "$1" "cannot be planted"; return; }
 import sys
 text = open(sys.argv[1]).read()
 open(sys.argv[2], "w").write(text.replace(sys.argv[3], sys.argv[4]))
 sys.exit(text.count(sys.argv[3]) != 1)
 END
-    objects=$(find "$msan/src" "$msan/fb" "$msan/platform/stdio.o" "$msan/platform/null.o" "$msan/tests" "$msan/gen/std.o" "$msan/gen/no_rom.o" -name '*.o' |
+    objects=$(find "$msan/src" "$msan/fb" "$msan/platform/stdio.o" "$msan/platform/null.o" "$msan/tests" \
+        "$msan/gen/std.o" "$msan/gen/no_rom.o" -name '*.o' |
         grep -v -e "^$object\$" -e /main.o)
     # shellcheck disable=SC2086,SC2046
-    clang -std=c11 -O1 -w -D_DEFAULT_SOURCE -fsanitize=memory -fno-omit-frame-pointer "tests/fuzz/$5.c" tests/fuzz/given.c \
-        "$tmp/planted.c" $objects $(pkg-config --cflags --libs lua5.4) -lm -o "$tmp/planted" >"$tmp/said" 2>&1 ||
-        { not_ok "$1" "$(head -n 8 "$tmp/said")"; return; }
-    if seeds "$5" | xargs -d '\n' "$tmp/planted" >"$tmp/ran" 2>&1 || ! grep -q 'MemorySanitizer: use-of-uninitialized-value' "$tmp/ran"; then
-        not_ok "$1" "$(tail -n 5 "$tmp/ran")"
+    clang -std=c11 -O1 -w -D_DEFAULT_SOURCE -fsanitize=memory -fno-omit-frame-pointer "tests/fuzz/$5.c" \
+        tests/fuzz/given.c \
+        "$scratch/planted.c" $objects $(pkg-config --cflags --libs lua5.4) -lm -o "$scratch/planted" >"$scratch/said" \
+        2>&1 ||
+        { not_ok "$1" "$(head -n 8 "$scratch/said")"; return; }
+    if seeds "$5" | xargs -d '\n' "$scratch/planted" >"$scratch/ran" 2>&1 ||
+        ! grep -q 'MemorySanitizer: use-of-uninitialized-value' "$scratch/ran"; then
+        not_ok "$1" "$(tail -n 5 "$scratch/ran")"
     else
         ok "$1"
     fi
@@ -61,22 +71,27 @@ END
 # What clang instruments.
 instrumented() {
     local target name
-    if ! make msan-short >"$tmp/made" 2>&1; then
-        not_ok "it builds under MemorySanitizer" "$(tail -n 20 "$tmp/made")"
+    if ! make msan-short >"$scratch/made" 2>&1; then
+        not_ok "it builds under MemorySanitizer" "$(tail -n 20 "$scratch/made")"
         return
     fi
-    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_nvram fuzz_png fuzz_records fuzz_rom; do
+    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_nvram fuzz_png fuzz_records \
+        fuzz_rom; do
         clean "$target: $(seeds "$target" | wc -l) files" given "$msan" "$target"
     done
     for name in keys png records rom stdio; do
         clean "unit/test_$name" "$msan/unit/test_$name"
     done
-    planted "planted: pixel data that is not copied is found" src/cab/pack/png.c 'memcpy(to, p + 8, get_be32(p));' '' fuzz_png
-    planted "planted: a record that is not zeroed is found" src/cab/play/records.c 'struct record got = { 0 };' 'struct record got;' fuzz_records
+    planted "planted: pixel data that is not copied is found" src/cab/pack/png.c 'memcpy(to, p + 8, get_be32(p));' '' \
+        fuzz_png
+    planted "planted: a record that is not zeroed is found" src/cab/play/records.c 'struct record got = { 0 };' \
+        'struct record got;' fuzz_records
 }
 
 grind() { valgrind -q --error-exitcode=77 --suppressions=tests/valgrind.supp "$@"; }
-grind_given() { seeds "$1" | xargs -d '\n' valgrind -q --error-exitcode=77 --suppressions=tests/valgrind.supp "$OUT/given/$1"; }
+grind_given() {
+    seeds "$1" | xargs -d '\n' valgrind -q --error-exitcode=77 --suppressions=tests/valgrind.supp "$OUT/given/$1"
+}
 through_lua() {
     local target name command
     for target in fuzz_manifest fuzz_board; do
@@ -85,15 +100,15 @@ through_lua() {
     for name in cli demo manifest pack script; do
         clean "unit/test_$name under valgrind" grind "$OUT/unit/test_$name"
     done
-    for command in "check examples/first" "list examples/first" "pack examples/first -o $tmp/first.rom" \
-        "unpack $tmp/first.rom $tmp/first" "hash examples/first --frames 60 --record $tmp/first.demo" \
-        "verify examples/first $tmp/first.demo" "render examples/first --frames 30 -o $tmp/out"; do
+    for command in "check examples/first" "list examples/first" "pack examples/first -o $scratch/first.rom" \
+        "unpack $scratch/first.rom $scratch/first" "hash examples/first --frames 60 --record $scratch/first.demo" \
+        "verify examples/first $scratch/first.demo" "render examples/first --frames 30 -o $scratch/out"; do
         # shellcheck disable=SC2086
         clean "curtain ${command%% *} under valgrind" grind "$curtain" $command
     done
-    printf '#include <stdlib.h>\nint main(void) { char *p = malloc(8); return p[3] ? 1 : 2; }\n' >"$tmp/read.c"
-    cc -O0 "$tmp/read.c" -o "$tmp/read"
-    grind "$tmp/read" >"$tmp/ran" 2>&1
+    printf '#include <stdlib.h>\nint main(void) { char *p = malloc(8); return p[3] ? 1 : 2; }\n' >"$scratch/read.c"
+    cc -O0 "$scratch/read.c" -o "$scratch/read"
+    grind "$scratch/read" >"$scratch/ran" 2>&1
     same "planted: valgrind finds a read too" 77 $?
 }
 

@@ -3,13 +3,6 @@
 # played frame is the frame `curtain render` makes, at every scale.
 . "$(dirname "$0")/../xserver.sh"
 play_rom=$repo/roms/glasstide
-refuse() { # NAME TEXT COMMAND...: fails, and says TEXT
-    local name=$1 text=$2
-    shift 2
-    if "$@" >"$scratch/said" 2>&1; then not_ok "$name" "was not refused"
-    elif grep -q -- "$text" "$scratch/said"; then ok "$name"
-    else not_ok "$name" "$(cat "$scratch/said")"; fi
-}
 cd "$repo" || exit 2
 # A card that cannot be there, and nobody's settings.
 export SDL_AUDIODRIVER=alsa AUDIODEV=none
@@ -30,7 +23,9 @@ settled() {
         convert "xwd:$scratch/shot.xwd" -depth 8 "rgb:$scratch/shot.rgb" 2>/dev/null &&
         cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"
 }
-size_is() { [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]; }
+size_is() {
+    [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
+}
 
 # ---- pictures ----
 for scale in 1 2 3; do
@@ -121,7 +116,8 @@ expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, cent
 }
 # Blackens the words' lines of a window: rows TOP to TOP + 8 SCALE, columns LEFT to LEFT + W SCALE.
 without_words() { # FILE WIN_W WIN_H LEFT TOP W H
-    convert -size "$2x$3" -depth 8 "rgb:$1" -fill black -draw "rectangle $4,$5 $(($4 + $6 - 1)),$(($5 + $7 - 1))" -depth 8 "rgb:$1"
+    convert -size "$2x$3" -depth 8 "rgb:$1" -fill black -draw "rectangle $4,$5 $(($4 + $6 - 1)),$(($5 + $7 - 1))" \
+        -depth 8 "rgb:$1"
 }
 shows() { # SHOT SCALE WIN_W WIN_H
     local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2))
@@ -167,7 +163,8 @@ if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute 
     stop
     "$curtain" hash "$play_rom" --demo keys.demo --parts | tail -1 >parts
     "$curtain" hash "$play_rom" --parts --frames 1 | tail -1 >idle
-    check "keys start the game and fire" [ "$(grep -o ' shots=[0-9a-f]*' parts)" != "$(grep -o ' shots=[0-9a-f]*' idle)" ]
+    check "keys start the game and fire" [ "$(grep -o ' shots=[0-9a-f]*' parts)" \
+        != "$(grep -o ' shots=[0-9a-f]*' idle)" ]
     check "a player is in it" [ "$(grep -o ' player=[0-9a-f]*' parts)" != "$(grep -o ' player=[0-9a-f]*' idle)" ]
 fi
 finish

@@ -1,15 +1,15 @@
-"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font (src/cab/overlay/ink.c), light
-on its dark paper; else the first that does not is printed."""
+"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font
+(src/cab/overlay/canvas.c), light on its dark paper; else the first that does not is printed."""
 import os
 import re
 import sys
 
-INK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "cab", "ink.c")
+CANVAS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "cab", "overlay", "canvas.c")
 PAPER = bytes((0x10, 0x18, 0x28))
 
 
 def font():
-    table = re.search(r"glyphs\[95\] = \{(.*?)\};", open(INK).read(), re.S).group(1)
+    table = re.search(r"glyphs\[95\] = \{(.*?)\};", open(CANVAS).read(), re.S).group(1)
     rows = [int(g, 8) for g in re.findall(r"\b0[0-7]{6}\b", table)]
     assert len(rows) == 95
     return rows

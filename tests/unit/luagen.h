@@ -2,8 +2,9 @@
  * luagen.h - random arguments for calls of Lua's library, written as Lua source: ordinary, extreme and wrong ones.
  *
  * A kind of argument is a letter; luagen_args writes a list of them:
- *   s text    S short text, for patterns    p pattern    r replacement of gsub    N text of a number    u UTF-8, also bad
- *   i position    n number    c count    C byte    U code    B base    l flag    t table    m metatable    o function    O comparator
+ *   s text        S short text, for patterns    p pattern    r replacement of gsub    N text of a number
+ *   u UTF-8, also bad    i position    n number    c count    C byte    U code    B base    l flag    t table
+ *   m metatable    o function    O comparator
  *   k chunk    K its name    M its mode    f format with its arguments    a anything    * more of the same or none
  */
 #ifndef TESTS_LUAGEN_H

@@ -514,7 +514,8 @@ static size_t find(const char *what)
     return at;
 }
 
-/* Makes the payload of record i longer by that many bytes, which stand at its end, or shorter; returns the file's size. */
+/* Makes the payload of record i longer by that many bytes, which stand at its end, or shorter; returns the file's
+ * size. */
 static size_t resize(int i, int by)
 {
     size_t n = file_bytes(), at = record_at(i), size = bytes_get32(file + at + 4), end = at + 8 + size;

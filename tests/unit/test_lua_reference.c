@@ -3,8 +3,8 @@
  * a stock state and in ours, must give the same results bit for bit, leave the same in the tables they were given, or
  * raise the same error. What may differ stands in `exemptions`, with the reason; each has to occur.
  *
- * A difference is printed as the call in Lua; nan and minus_nan stand there for the two of them, which Lua cannot write.
- * CURTAIN_SEED=n tries other calls. CURTAIN_CALLS=n makes as many of each function.
+ * A difference is printed as the call in Lua; nan and minus_nan stand there for the two of them, which Lua cannot
+ * write. CURTAIN_SEED=n tries other calls. CURTAIN_CALLS=n makes as many of each function.
  */
 #include <math.h>
 #include <setjmp.h>

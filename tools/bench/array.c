@@ -1,9 +1,9 @@
 /*
  * array.c - the crowd as an array of structs of doubles: see reference.h.
  *
- * What is written down first: a struct a bullet, a loop over all of them, a branch for each question and for each pixel.
- * Doubles hold these positions and their squares exactly; only the last comparison of a swept test rounds, by less than
- * 2^-50 of its size.
+ * What is written down first: a struct a bullet, a loop over all of them, a branch for each question and for each
+ * pixel. Doubles hold these positions and their squares exactly; only the last comparison of a swept test rounds, by
+ * less than 2^-50 of its size.
  */
 #include <math.h>
 #include <stdlib.h>

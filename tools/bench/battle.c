@@ -28,13 +28,13 @@ static bool touches(const struct board *b, uint32_t shot, uint32_t e)
 }
 
 /* What asking every pair finds out about a frame. */
-struct asked {
+struct pair_count {
     const struct board *b;
     uint64_t pairs, shots, touching, frames;
 };
 
 /* The enemy the shot must have hit: of those it touched the nearest before it moved, then the lowest; NO_SLOT: none. */
-static int32_t target(struct asked *a, uint32_t shot)
+static int32_t target(struct pair_count *a, uint32_t shot)
 {
     const struct board *b = a->b;
     const struct bullets *s = &b->shots;
@@ -56,13 +56,13 @@ static int32_t target(struct asked *a, uint32_t shot)
 }
 
 /* When the hits of a frame are found, and nobody has died of them yet: events are in the order of the shots. */
-static void ask(void *context, enum board_phase over)
+static void count_pairs(void *context, enum board_phase phase)
 {
-    struct asked *a = context;
+    struct pair_count *a = context;
     const struct board *b = a->b;
     uint32_t at = 0;
 
-    if (over != PHASE_HITS)
+    if (phase != PHASE_HITS)
         return;
     for (uint32_t i = 0; i < b->shots.s.top; i++) {
         if (!(b->shots.s.used[i / 64] >> (i & 63) & 1))
@@ -88,8 +88,8 @@ void section_battle(void)
 
     bench_scene(&with, &(struct scene_want){ .does = "battle", .n = ENEMIES, .bullets = 64 });
     bench_scene(&without, &(struct scene_want){ .does = "battle", .n = 0, .bullets = 64 });
-    struct asked asked = { .b = with.b };
-    board_on_phase(with.b, ask, &asked);
+    struct pair_count counted = { .b = with.b };
+    board_on_phase(with.b, count_pairs, &counted);
     for (int f = 0; f < CHECKED; f++)
         bench_tick(&with);
     board_on_phase(with.b, laps_phase, &l);
@@ -110,11 +110,12 @@ void section_battle(void)
         "their way (%s). Each shot that touches hits the nearest, and another is fired in its place. Hits take "
         "%s µs a frame, without enemies %s: **%s µs** for the pairs. In %s frames every pair was asked anew by "
         "comparing boxes in doubles, and each shot had hit the enemy it must.",
-        report_count((int64_t)(asked.shots / asked.frames)), report_count(ENEMIES),
-        report_count((int64_t)(asked.pairs / asked.frames)), report_count((int64_t)(asked.touching / asked.frames)),
-        report_percent((double)asked.touching / (double)asked.pairs), samples_figure(&ns[0], 1e3),
+        report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
+        report_count((int64_t)(counted.pairs / counted.frames)),
+        report_count((int64_t)(counted.touching / counted.frames)),
+        report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
         samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
-    bench_claim(asked.shots == (uint64_t)SHOTS * asked.frames ? NULL : "there are too few shots", "the battle");
+    bench_claim(counted.shots == (uint64_t)SHOTS * counted.frames ? NULL : "there are too few shots", "the battle");
     bench_target("512 shots against 256 enemies, a tenth of the pairs overlapping", "12 µs",
                  report_string("%s µs", report_figure(us)), us < 12);
     samples_free(&ns[0]);

@@ -62,7 +62,7 @@ struct laps {
 };
 
 /* board_on_phase's: pass it with a struct laps. */
-void laps_phase(void *laps, enum board_phase over);
+void laps_phase(void *laps, enum board_phase phase);
 
 /* A frame begins. */
 void laps_begin(struct laps *l);

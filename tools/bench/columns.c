@@ -1,9 +1,9 @@
 /*
  * columns.c - the crowd as columns of int32, with masked words: see reference.h.
  *
- * What somebody writes who knows how compilers and stores work and has an hour. The loop that looks at every bullet runs
- * over 64 of them with restrict parameters, a constant trip count and no branch, so that it is vectorised without flags;
- * what it found is looked at one by one. A picture is 8 words of what to keep and 8 of what to add, made once.
+ * What somebody writes who knows how compilers and stores work and has an hour. The loop that looks at every bullet
+ * runs over 64 of them with restrict parameters, a constant trip count and no branch, so that it is vectorised without
+ * flags; what it found is looked at one by one. A picture is 8 words of what to keep and 8 of what to add, made once.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * crowd.c - see crowd.h. It reads the board's columns: places, velocities, kinds, and the clock at which a bullet's wait
- * ends, after which it turns.
+ * crowd.c - see crowd.h. It reads the board's columns: places, velocities, kinds, and the clock at which a bullet's
+ * wait ends, after which it turns.
  */
 #include "crowd.h"
 #include <stdlib.h>

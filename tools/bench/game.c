@@ -71,7 +71,8 @@ static void piano_check(const struct player_piano *p)
                 BENCH_DEMO);
 }
 
-/* Nanoseconds of each frame, run by run: ns[(run * frames + f) * 2 + drawn]. The two boards take turns, a second each. */
+/* Nanoseconds of each frame, run by run: ns[(run * frames + f) * 2 + drawn]. The two boards take turns, a second
+ * each. */
 static void play(const struct rom *rom, const struct demo *d, double *ns)
 {
     for (int run = 0; run < RUNS; run++) {

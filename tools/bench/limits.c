@@ -1,6 +1,6 @@
 /*
- * limits.c - section "machine": what memory and stores give plain C, so that the crowd's figures can be read as shares of
- * it. memcpy is the C library's, which may use more than the flags allow us.
+ * limits.c - section "machine": what memory and stores give plain C, so that the crowd's figures can be read as shares
+ * of it. memcpy is the C library's, which may use more than the flags allow us.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -7,14 +7,10 @@
  * hold on any machine did not; a target that was missed is only said.
  */
 #include <stdio.h>
-#include <string.h>
 #include <time.h>
 #include "bench.h"
 
-static const struct {
-    const char *name;
-    void (*run)(void);
-} SECTIONS[] = {
+static const struct report_part SECTIONS[] = {
     { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
     { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
     { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
@@ -98,50 +94,23 @@ void bench_claim(const char *wrong, const char *where)
     bench.wrong = true;
 }
 
-static int section_of(const char *name)
-{
-    for (int i = 0; i < COUNT; i++)
-        if (!strcmp(SECTIONS[i].name, name))
-            return i;
-    return -1;
-}
-
-static int usage(void)
-{
-    fprintf(stderr, "usage: bench [--out FOLDER] [SECTION...]\nsections:");
-    for (int i = 0; i < COUNT; i++)
-        fprintf(stderr, " %s", SECTIONS[i].name);
-    fprintf(stderr, "\n");
-    return 2;
-}
-
 int main(int argc, char **argv)
 {
-    bool chosen[COUNT] = { false }, all = true;
-    const char *folder = NULL;
+    struct report_options o = { .usage = "bench [--out FOLDER]" };
     char intro[8192];
 
-    for (int i = 1; i < argc; i++) {
-        int s = section_of(argv[i]);
-        if (!strcmp(argv[i], "--out") && i + 1 < argc)
-            folder = argv[++i];
-        else if (s < 0)
-            return usage();
-        else
-            chosen[s] = true, all = false;
-    }
+    if (!report_options(&o, argc, argv, SECTIONS, COUNT))
+        return 2;
     setvbuf(stdout, NULL, _IOLBF, 0);
     report_begin(&(struct report){ .program = "bench",
-                                   .folder = folder ? folder
-                                             : all  ? "docs"
-                                                    : NULL,
+                                   .folder = o.folder ? o.folder
+                                             : o.all  ? "docs"
+                                                      : NULL,
                                    .page = "speed",
                                    .echo = true });
     printf("%s\n\n", report_machine());
     double from = bench_now();
-    for (int i = 0; i < COUNT; i++)
-        if (all || chosen[i])
-            SECTIONS[i].run();
+    report_run(&o, SECTIONS, COUNT);
     snprintf(intro, sizeof intro, "%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
              report_machine(), report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
     report_finish(intro,

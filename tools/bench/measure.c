@@ -1,12 +1,13 @@
 /*
- * measure.c - the clock and the figures of bench.h. The thread's own clock leaves out what else the machine did, but
- * is a system call, which takes as long as the shortest phases; so it is for what takes long, where being interrupted is
+ * measure.c - the clock and the figures of bench.h. The thread's own clock leaves out what else the machine did, but is
+ * a system call, which takes as long as the shortest phases; so it is for what takes long, where being interrupted is
  * likely too. The other is the wall's, whose medians bear a few interruptions.
  */
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "bench.h"
+#include "../numbers.h"
 
 static const double LONG = 3e5; /* ns */
 
@@ -66,18 +67,11 @@ void samples_free(struct samples *s)
     *s = (struct samples){ 0 };
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 double samples_quantile(struct samples *s, double share)
 {
     if (!s->n)
         return 0;
-    qsort(s->ns, (size_t)s->n, sizeof *s->ns, by_value);
+    numbers_sort(s->ns, (size_t)s->n);
     return s->ns[(int)(share * (s->n - 1) + 0.5)];
 }
 
@@ -106,9 +100,9 @@ void laps_end(struct laps *l, enum lap lap)
     l->last = bench_now();
 }
 
-void laps_phase(void *laps, enum board_phase over)
+void laps_phase(void *laps, enum board_phase phase)
 {
     static const enum lap lap[PHASES] = { LAP_SCRIPTS, LAP_MOTION, LAP_HITS, LAP_EVENTS, LAP_REST };
 
-    laps_end(laps, lap[over]);
+    laps_end(laps, lap[phase]);
 }

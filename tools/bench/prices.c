@@ -1,5 +1,6 @@
 /*
- * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price, all run in turns.
+ * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price, all run in
+ * turns.
  */
 #include <stdlib.h>
 #include "bench.h"

@@ -45,8 +45,8 @@ struct crowd_player {
     int32_t x, y, was_x, was_y;
 };
 
-/* Summed over all frames. tested: their way of a frame, as a box, comes within reach of the player. left: they are out of
- * the field and its margin, which no bullet of this crowd may be. */
+/* Summed over all frames. tested: their way of a frame, as a box, comes within reach of the player. left: they are out
+ * of the field and its margin, which no bullet of this crowd may be. */
 struct crowd_counts {
     uint64_t moved, tested, hit, grazed, drawn, left;
 };

@@ -1,6 +1,6 @@
 /*
- * replay.c - section "replay": what it takes to play a run again without a picture: to verify its demo, and to bring it onto
- * a changed game.
+ * replay.c - section "replay": what it takes to play a run again without a picture: to verify its demo, and to bring it
+ * onto a changed game.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <stdio.h>
@@ -67,8 +67,8 @@ static double reload(const struct cart *cart, const struct board_start *start, c
     }
     uint64_t hash = board_hash(session_board(&s));
     double from = bench_now();
-    bool good = session_reload(&s, changed, false) && s.way == SESSION_RELOADS;
-    while (good && s.way != SESSION_THERE)
+    bool good = session_reload(&s, changed, false) && s.state == SESSION_RELOADING;
+    while (good && s.state != SESSION_IDLE)
         good = session_work(&s, plat_usec() + SLICE_USEC);
     double took = bench_since(from) / 1e9;
     bench_claim(good && board_hash(session_board(&s)) == hash ? NULL : "it does not land on the same frame",

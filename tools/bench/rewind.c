@@ -140,8 +140,8 @@ static void play(struct past_run *r, const struct rom *rom)
     free(scratch);
 }
 
-/* The C library's copy of as many bytes, in one piece each, through as much memory as the past may take. The first round
- * only makes the memory be there. */
+/* The C library's copy of as many bytes, in one piece each, through as much memory as the past may take. The first
+ * round only makes the memory be there. */
 static void copy_plainly(struct past_run *r)
 {
     size_t size = (size_t)samples_median(&r->bytes) / ALIGN * ALIGN, n = REWIND_BYTES / size;

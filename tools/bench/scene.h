@@ -29,9 +29,9 @@ struct scene {
 };
 
 /*
- * Powers a board of the ROM with that start, and runs its first frame, in which a scene makes all its things. The pixels
- * of each of the crowd's pictures are the disc's, shuffled: as many are opaque, but no two pictures or seeds are alike.
- * False and one sentence else.
+ * Powers a board of the ROM with that start, and runs its first frame, in which a scene makes all its things. The
+ * pixels of each of the crowd's pictures are the disc's, shuffled: as many are opaque, but no two pictures or seeds are
+ * alike. False and one sentence else.
  */
 bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size);
 void scene_close(struct scene *s);

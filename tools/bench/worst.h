@@ -22,7 +22,8 @@ enum {
     WORST_LIMIT = 5000000    /* of work, after which they are stopped */
 };
 
-/* Runs one, counting, on a board that is of no use afterwards. How often it ran; *fault is what stopped it, NULL: none. */
+/* Runs one, counting, on a board that is of no use afterwards. How often it ran; *fault is what stopped it, NULL:
+ * none. */
 uint64_t worst_run(struct board *b, const struct worst *w, const char **fault);
 
 #endif

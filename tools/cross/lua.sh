@@ -14,7 +14,8 @@ keys=/usr/share/keyrings/debian-archive-keyring.gpg
 
 # What apt-get update would fetch shows the mirror, on a machine without package lists too.
 mirror() {
-    apt-get --print-uris update | sed -n "s,^'\([^' ]*\)/dists/[^/' ]*/InRelease' .*,\1,p" | grep -v security | head -n 1
+    apt-get --print-uris update | sed -n "s,^'\([^' ]*\)/dists/[^/' ]*/InRelease' .*,\1,p" | grep -v security |
+        head -n 1
 }
 uri=${DEBIAN:-$(mirror)}
 [ -n "$uri" ] || { echo "tools/cross/lua.sh: this machine names no Debian mirror; DEBIAN=URI does" >&2; exit 3; }

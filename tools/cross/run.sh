@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run.sh - make cross: builds the headless program for other machines and with other releases of Lua, and runs every demo
-# of the repository in each build: the same hash of every part at every frame, the same pixels, as on x86-64.
+# run.sh - make cross: builds the headless program for other machines and with other releases of Lua, and runs every
+# demo of the repository in each build: the same hash of every part at every frame, the same pixels, as on x86-64.
 #
 #     tools/cross/run.sh [BUILD...]      without arguments: all of them, and the page docs/determinism.md
 #
@@ -56,9 +56,12 @@ build_lua() {
     case $cc in *wasm32*) include="$include -Itools/cross/wasi -include tools/cross/wasi/lua_try.h" ;; esac
     mkdir -p "$dir/lua"
     for source in "$cross/lua-$suite"/src/l*.c; do
-        case $source in */lua.c | */luac.c | */linit.c | */liolib.c | */loslib.c | */lcorolib.c | */ldblib.c | */loadlib.c) continue ;; esac
+        case ${source##*/} in
+        lua.c | luac.c | linit.c | liolib.c | loslib.c | lcorolib.c | ldblib.c | loadlib.c) continue ;;
+        esac
         # shellcheck disable=SC2086
-        $cc -std=gnu99 -O2 -DLUA_COMPAT_5_3 $flags $include -c "$source" -o "$dir/lua/$(basename "$source" .c).o" || return 1
+        $cc -std=gnu99 -O2 -DLUA_COMPAT_5_3 $flags $include -c "$source" -o "$dir/lua/$(basename "$source" .c).o" ||
+            return 1
     done
 }
 
@@ -75,7 +78,8 @@ build() {
     if [ "$name" != $reference ]; then
         build_lua || return 1
         case $cc in *wasm32*) include="-I$PWD/tools/cross/wasi" ;; *) include="" ;; esac
-        set -- "$@" LUA_C="-I$PWD/$cross/lua-$suite/src -I$PWD/$cross/include $include" LUA_L="$(echo "$dir"/lua/*.o) $link"
+        set -- "$@" LUA_C="-I$PWD/$cross/lua-$suite/src -I$PWD/$cross/include $include" \
+            LUA_L="$(echo "$dir"/lua/*.o) $link"
     fi
     for target in curtain-null prove/digest; do
         make --no-print-directory -s CONFIG="cross/$name" "$@" "$dir/$target" || return 1
@@ -102,7 +106,8 @@ first_difference() { # WANT GOT
 }
 
 same_files() { # WHAT WANT GOT
-    [ "$name" = $reference ] || diff -rq "$2" "$3" >/dev/null || { echo "$1 differ: $(diff -rq "$2" "$3" | head -n 1)"; return 1; }
+    [ "$name" = $reference ] || diff -rq "$2" "$3" >/dev/null ||
+        { echo "$1 differ: $(diff -rq "$2" "$3" | head -n 1)"; return 1; }
 }
 
 play() { # GAME (a packed one) DEMO
@@ -112,7 +117,8 @@ play() { # GAME (a packed one) DEMO
     cmp -s "$cross/$reference/tracks/$key" "$dir/tracks/$key" ||
         { echo "$2: $(first_difference "$cross/$reference/tracks/$key" "$dir/tracks/$key")"; return 1; }
     # One of an older core version may differ, in the same frame and parts everywhere.
-    runs curtain-null verify "$1" "$2" >"$dir/verdicts/$key" || grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
+    runs curtain-null verify "$1" "$2" >"$dir/verdicts/$key" ||
+        grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
     same_files "$2: verdict" "$cross/$reference/verdicts/$key" "$dir/verdicts/$key" || return 1
     frames=$(tail -n 1 "$dir/tracks/$key" | cut -d ' ' -f 1)
     runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every" -o "$dir/pictures/$key" || return 1
@@ -166,12 +172,14 @@ lua_of() { # BUILD
 }
 
 table() {
-    local name key keys
+    local name key keys kind
     keys=$(ls "$cross/$reference/tracks" | grep -v '^keys-')
     echo "| build | \`file\` | words, bytes | compiler | Lua |"
     echo "|---|---|---|---|---|"
     for name in $builds; do
-        echo "| $name | $(file -b "$cross/$name/curtain-null" | sed 's/, BuildID[^,]*//; s/, with debug_info//; s/, for GNU.*//; s/, not stripped//') | $(fact "$name" machine) | $(fact "$name" compiler) | $(lua_of "$name") |"
+        kind=$(file -b "$cross/$name/curtain-null" |
+            sed 's/, BuildID[^,]*//; s/, with debug_info//; s/, for GNU.*//; s/, not stripped//')
+        echo "| $name | $kind | $(fact "$name" machine) | $(fact "$name" compiler) | $(lua_of "$name") |"
     done
     echo
     echo "The state's hash after the last frame:"
@@ -184,7 +192,8 @@ table() {
             printf ' | %s: `%s`' $(tail -n 1 "$cross/$name/tracks/$key" | cut -d ' ' -f 1,2)
         done
         # shellcheck disable=SC2086
-        echo " | $(cd "$cross/$name/tracks" && cat $keys | wc -l) | $(cd "$cross/$name/pictures" && find $keys -name '*.png' | wc -l) |"
+        echo " | $(cd "$cross/$name/tracks" && cat $keys | wc -l) |" \
+            "$(cd "$cross/$name/pictures" && find $keys -name '*.png' | wc -l) |"
     done
 }
 
@@ -197,14 +206,17 @@ contents() {
     echo
     table
     echo
-    echo "All are equal, at every frame and in every part. So are the bytes of the games they packed, and the digest of all"
-    echo "functions of \`src/base\` (\`tools/prove/digest.c\`). A build of x86-64 whose \`pairs\` keeps Lua's own order is found"
+    echo "All are equal, at every frame and in every part. So are the bytes of the games they packed, and" \
+        "the digest of all"
+    echo "functions of \`src/base\` (\`tools/prove/digest.c\`). A build of x86-64 whose \`pairs\` keeps" \
+        "Lua's own order is found"
     echo "out: \`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
 }
 
 write_page() {
     contents >"$cross/contents"
-    sed -e "/^<!-- cross/r $cross/contents" -e '/^<!-- cross/,/^<!-- end/{/^<!--/!d}' "$page" >"$cross/page" && cp "$cross/page" "$page"
+    sed -e "/^<!-- cross/r $cross/contents" -e '/^<!-- cross/,/^<!-- end/{/^<!--/!d}' "$page" >"$cross/page" &&
+        cp "$cross/page" "$page"
 }
 
 if [ "${1:-}" = --one ]; then

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# unsorted.sh - that a build which diverges is found out: one of today's objects in which pairs leaves strings in the order
-# Lua has them in, another in every run, must not hold a demo, and the first frame and part that differ are named.
+# unsorted.sh - that a build which diverges is found out: one of today's objects in which pairs leaves strings in the
+# order Lua has them in, another in every run, must not hold a demo, and the first frame and part that differ are named.
 #
 #     tools/cross/unsorted.sh OUT DEMO      OUT: a build folder; DEMO: of tests/cross/keys
 #
@@ -12,7 +12,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 sorted='if (k.texts || !k.ascending)'
-[ "$(grep -cF "$sorted" src/board/lua/luatable.c)" = 1 ] || { echo "unsorted.sh: src/board/lua/luatable.c has no line to change"; exit 1; }
+[ "$(grep -cF "$sorted" src/board/lua/luatable.c)" = 1 ] ||
+    { echo "unsorted.sh: src/board/lua/luatable.c has no line to change"; exit 1; }
 sed 's/if (k\.texts || !k\.ascending)/if (!k.texts \&\& !k.ascending)/' src/board/lua/luatable.c >"$scratch/luatable.c"
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/board/lua $(pkg-config --cflags lua5.4) \

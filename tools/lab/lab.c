@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "../numbers.h"
 
 enum { ROUNDS = 25 };
 
@@ -42,13 +43,6 @@ static double now_ns(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 void lab_time(struct lab_rival *rivals, int n, int standard)
 {
     double(*ns)[ROUNDS] = lab.exact ? NULL : malloc((size_t)n * sizeof *ns);
@@ -67,7 +61,7 @@ void lab_time(struct lab_rival *rivals, int n, int standard)
                 ns[i][round] = (now_ns() - from) / rivals[i].ops;
         }
     for (int i = 0; i < n; i++) {
-        qsort(ns[i], ROUNDS, sizeof ns[i][0], by_value);
+        numbers_sort(ns[i], ROUNDS);
         rivals[i].low = ns[i][ROUNDS / 4];
         rivals[i].ns = ns[i][ROUNDS / 2];
         rivals[i].high = ns[i][ROUNDS - 1 - ROUNDS / 4];

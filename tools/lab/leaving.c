@@ -4,8 +4,8 @@
  * Bullets fly at a player who stands 8 px above the field's lower edge, and are gone after the frame that they end
  * outside of field and margin. The model knows a bullet's place, velocity and the edge: it walks the frames one by one,
  * asks touches.h of the way of each, and stops after the first that ends outside. So it says in which frame each bullet
- * touches first, if ever; the engine, on a board with all of them, must tell that frame, and within a frame the slots in
- * their order.
+ * touches first, if ever; the engine, on a board with all of them, must tell that frame, and within a frame the slots
+ * in their order.
  */
 #include "leaving.h"
 #include <math.h>

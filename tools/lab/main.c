@@ -7,13 +7,9 @@
  * the engine does, or a claim of the text.
  */
 #include <stdio.h>
-#include <string.h>
 #include "lab.h"
 
-static const struct {
-    const char *name;
-    void (*run)(void);
-} SECTIONS[] = {
+static const struct report_part SECTIONS[] = {
     { "functions", section_functions },
     { "collision", section_collision },
     { "positions", section_positions },
@@ -25,42 +21,13 @@ static const struct {
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
-static int section_of(const char *name)
-{
-    for (int i = 0; i < COUNT; i++)
-        if (!strcmp(SECTIONS[i].name, name))
-            return i;
-    return -1;
-}
-
-static int usage(void)
-{
-    fprintf(stderr, "usage: lab [--exact] [--out FOLDER] [SECTION...]\nsections:");
-    for (int i = 0; i < COUNT; i++)
-        fprintf(stderr, " %s", SECTIONS[i].name);
-    fprintf(stderr, "\n");
-    return 2;
-}
-
 int main(int argc, char **argv)
 {
-    bool exact = false, chosen[COUNT] = { false }, all = true;
-    const char *folder = "docs";
+    struct report_options o = { .usage = "lab [--exact] [--out FOLDER]", .takes_exact = true, .folder = "docs" };
 
-    for (int i = 1; i < argc; i++) {
-        int s = section_of(argv[i]);
-        if (!strcmp(argv[i], "--exact"))
-            exact = true;
-        else if (!strcmp(argv[i], "--out") && i + 1 < argc)
-            folder = argv[++i];
-        else if (s < 0)
-            return usage();
-        else
-            chosen[s] = true, all = false;
-    }
-    lab_begin(exact, folder);
-    for (int i = 0; i < COUNT; i++)
-        if (all || chosen[i])
-            SECTIONS[i].run();
+    if (!report_options(&o, argc, argv, SECTIONS, COUNT))
+        return 2;
+    lab_begin(o.exact, o.folder);
+    report_run(&o, SECTIONS, COUNT);
     return lab_finish();
 }

@@ -37,7 +37,8 @@ struct rivals {
 };
 
 /* Arguments: a, b; sqrt and rsqrt a; sin, cos and polar dir, polar's speed a; atan2, hypot and normalise x = a, y = b;
- * lerp a, b, t; degrees deg; difference from dir to a, as degrees from deg to other; to_degrees dir. polar and normalise have two results. */
+ * lerp a, b, t; degrees deg; difference from dir to a, as degrees from deg to other; to_degrees dir. polar and
+ * normalise have two results. */
 extern const struct rivals rivals_mul, rivals_div, rivals_sqrt, rivals_rsqrt, rivals_hypot, rivals_sin, rivals_cos,
     rivals_atan2, rivals_polar, rivals_normalise, rivals_lerp, rivals_degrees, rivals_difference, rivals_to_degrees;
 

@@ -1,6 +1,6 @@
 /*
- * digest.c - what every function of fx.h and trig.h gives for a fixed stream of arguments, as one hexadecimal line: equal
- * in every build. `digest --each` has a line for each function.
+ * digest.c - what every function of fx.h and trig.h gives for a fixed stream of arguments, as one hexadecimal line:
+ * equal in every build. `digest --each` has a line for each function.
  * floor: tools
  *
  * Portable: no wide integers, no library but the C one. Besides random arguments, those of hard.inc for every function:
@@ -10,18 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../src/base/trig.h"
+#include "../numbers.h"
 
 enum { RUNS = 40000 };
-
-/* splitmix64: Steele, Lea and Flood 2014. */
-static uint64_t random_next(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15;
-
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return z ^ z >> 31;
-}
 
 static uint64_t fold(uint64_t digest, uint64_t v)
 {
@@ -171,7 +162,7 @@ static uint64_t digest_of(enum what what)
     uint64_t state = (uint64_t)what, digest = 0;
 
     for (int i = 0; i < RUNS; i++) {
-        uint64_t z = random_next(&state), y = random_next(&state);
+        uint64_t z = numbers_random(&state), y = numbers_random(&state);
         uint32_t shift = (uint32_t)(z & 31), other = (uint32_t)(z >> 5 & 31);
 
         digest = fold(digest, result(what, (fx)((int64_t)z >> 32 >> shift), (fx)((int64_t)y >> 32 >> other), y));

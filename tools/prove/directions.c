@@ -2,12 +2,12 @@
  * directions.c - proves trig_atan2 and trig_normalise.
  * floor: tools
  *
- * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks on
- * which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth of a
- * turn has 2^29 rays, of slope t. Where |dt - n| < 1/(2d), the vector (d, n) is a convergent of the continued fraction of
- * t, or a multiple of one (Legendre): so is all that lies within 2^-64 radians of a ray, and the nearest of all. The
- * fractions of all rays are walked as far as d <= 2^31, and convergents nearer than 2^-60 radians tried, with their
- * largest multiples.
+ * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks
+ * on which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth
+ * of a turn has 2^29 rays, of slope t. Where |dt - n| < 1/(2d), the vector (d, n) is a convergent of the continued
+ * fraction of t, or a multiple of one (Legendre): so is all that lies within 2^-64 radians of a ray, and the nearest of
+ * all. The fractions of all rays are walked as far as d <= 2^31, and convergents nearer than 2^-60 radians tried, with
+ * their largest multiples.
  *
  * Oracle: the vector's side of the rays half an ang away from the result, from sines and cosines to 124 bits; what is
  * within 2^-88 of a ray, by MPFR.
@@ -99,7 +99,7 @@ static void check_ray(struct tally *t, uint32_t h, uint64_t *random)
         if (angle < 0x1p-82)
             check_turn_mirrored(t, (int64_t)w.n, (int64_t)w.d);
         else
-            check_turn_in(t, (int64_t)w.n, (int64_t)w.d, (uint32_t)(prove_random(random) >> 61));
+            check_turn_in(t, (int64_t)w.n, (int64_t)w.d, (uint32_t)(numbers_random(random) >> 61));
         if (most > 1)
             check_turn_in(t, most * (int64_t)w.n, most * (int64_t)w.d, 6);
     }
@@ -117,10 +117,10 @@ static void beside_rays(uint64_t chunk, struct tally *t, uint64_t *random)
     u128 s, c;
 
     (void)chunk;
-    oracle_circle((uint32_t)(prove_random(random) >> 34 >> prove_random(random) % 20) | 1, &s, &c);
+    oracle_circle((uint32_t)(numbers_random(random) >> 34 >> numbers_random(random) % 20) | 1, &s, &c);
     for (struct walk w = walk_from(s >> 34, c >> 34); walk_next(&w, (uint64_t)LONGEST);)
         for (int i = 0; i < 8; i++) {
-            uint64_t z = prove_random(random), f = z % 256 + 1, g = z >> 8 & 255 >> (z >> 16) % 8;
+            uint64_t z = numbers_random(random), f = z % 256 + 1, g = z >> 8 & 255 >> (z >> 16) % 8;
 
             if (f * w.d + g * w.d0 <= (uint64_t)LONGEST)
                 check_turn_in(&t[TURN], (int64_t)(f * w.n + g * w.n0), (int64_t)(f * w.d + g * w.d0),
@@ -142,8 +142,8 @@ static void any_turn(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t x = prove_scaled(random) | 1;
 
         check_turn(&t[TURN], prove_scaled(random), x);
-        check_turn(&t[TURN], (int32_t)prove_random(random) | 1, (int32_t)prove_random(random));
-        check_turn(&t[TURN], x, (int32_t)prove_random(random));
+        check_turn(&t[TURN], (int32_t)numbers_random(random) | 1, (int32_t)numbers_random(random));
+        check_turn(&t[TURN], x, (int32_t)numbers_random(random));
     }
 }
 
@@ -258,7 +258,7 @@ static void unit_ray(uint64_t chunk, struct tally *t, uint64_t *random)
         check_unit_mirrored(t + UNIT, (int64_t)w.n, (int64_t)w.d);
         check_unit_in(t + UNIT, most * (int64_t)w.n, most * (int64_t)w.d, 6);
         for (int i = 0; i < 16; i++) {
-            uint64_t z = prove_random(random), f = z % 256 + 1, g = z >> 8 & 255 >> (z >> 16) % 8;
+            uint64_t z = numbers_random(random), f = z % 256 + 1, g = z >> 8 & 255 >> (z >> 16) % 8;
 
             if (f * w.d + g * w.d0 <= (uint64_t)LONGEST)
                 check_unit_in(t + UNIT, (int64_t)(f * w.n + g * w.n0), (int64_t)(f * w.d + g * w.d0),
@@ -281,8 +281,8 @@ static void any_unit(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t x = prove_scaled(random) | 1;
 
         check_unit(&t[UNIT], prove_scaled(random), x);
-        check_unit(&t[UNIT], (int32_t)prove_random(random) | 1, (int32_t)prove_random(random));
-        check_unit(&t[UNIT], x, (int32_t)prove_random(random));
+        check_unit(&t[UNIT], (int32_t)numbers_random(random) | 1, (int32_t)numbers_random(random));
+        check_unit(&t[UNIT], x, (int32_t)numbers_random(random));
     }
 }
 

@@ -1,10 +1,10 @@
 /*
- * oracle.h - sines and cosines to 124 bits and more, made by MPFR; MPFR itself where that does not decide. Nothing of the
- * engine is included here.
+ * oracle.h - sines and cosines to 124 bits and more, made by MPFR; MPFR itself where that does not decide. Nothing of
+ * the engine is included here.
  * floor: tools    used by: tools/prove/
  *
- * Angles are in half angs, 2^-33 of a turn, so that what is halfway between two angs is a whole number too. Fractions of
- * 128 bits are in units of 2^-128; one is 2^128 - 1.
+ * Angles are in half angs, 2^-33 of a turn, so that what is halfway between two angs is a whole number too. Fractions
+ * of 128 bits are in units of 2^-128; one is 2^128 - 1.
  */
 #ifndef PROVE_ORACLE_H
 #define PROVE_ORACLE_H
@@ -42,8 +42,8 @@ static inline u128 oracle_product(u128 a, u128 b)
 }
 
 /*
- * Sine and cosine of h <= a quarter turn, by sin(a+b) = sin a - sin a (1 - cos b) + cos a sin b and its like. Off by less
- * than 2^-124: four table entries off by 1/2, products by 2, one by 1.
+ * Sine and cosine of h <= a quarter turn, by sin(a+b) = sin a - sin a (1 - cos b) + cos a sin b and its like. Off by
+ * less than 2^-124: four table entries off by 1/2, products by 2, one by 1.
  */
 static inline void oracle_circle(uint32_t h, u128 *sine, u128 *cosine)
 {
@@ -79,8 +79,8 @@ int64_t oracle_ratio(int64_t a, int64_t b, int64_t c, int64_t d); /* (a * b + c)
 u128 oracle_other_side(uint32_t odd);
 
 /*
- * A continued fraction, walked: the convergents n/d of b/a, 0 <= b <= a <= 2^94. They are the fractions nearest to b/a for
- * their size: whenever |d * b/a - n| < 1/(2d), n/d in lowest terms is one of them (Legendre).
+ * A continued fraction, walked: the convergents n/d of b/a, 0 <= b <= a <= 2^94. They are the fractions nearest to b/a
+ * for their size: whenever |d * b/a - n| < 1/(2d), n/d in lowest terms is one of them (Legendre).
  */
 struct walk {
     u128 before, rest; /* |d * b - n * a| of the last convergent but one, and the last */

@@ -105,7 +105,7 @@ static void check_convergents(struct tally *t, uint32_t u, uint64_t *random)
             if (odd * w.rest < one >> 60)
                 check_positions(t, (int64_t)(odd * w.d / 2), u);
             else
-                check_position(t, odd * w.d / 2, u, (uint32_t)(prove_random(random) >> 60));
+                check_position(t, odd * w.d / 2, u, (uint32_t)(numbers_random(random) >> 60));
     }
 }
 
@@ -121,8 +121,8 @@ static void any(uint64_t chunk, struct tally *t, uint64_t *random)
     for (int i = 0; i < CHUNK; i++) {
         int32_t speed = prove_scaled(random);
 
-        check_polar(&t[POLAR], speed, (int64_t)(prove_random(random) >> 32));
-        check_polar(&t[POLAR], (int32_t)prove_random(random), (int64_t)((prove_random(random) & 0x1ff) << 23));
+        check_polar(&t[POLAR], speed, (int64_t)(numbers_random(random) >> 32));
+        check_polar(&t[POLAR], (int32_t)numbers_random(random), (int64_t)((numbers_random(random) & 0x1ff) << 23));
     }
 }
 
@@ -131,7 +131,7 @@ static void fastest(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     for (uint32_t i = 0; i < CHUNK; i++)
         check_position(&t[POLAR], SPEED_MOST - (i & 1), (uint32_t)chunk * CHUNK + i,
-                       (uint32_t)(prove_random(random) >> 60));
+                       (uint32_t)(numbers_random(random) >> 60));
 }
 
 static void axes(uint64_t chunk, struct tally *t, uint64_t *random)
@@ -146,7 +146,7 @@ static void axes(uint64_t chunk, struct tally *t, uint64_t *random)
 
 static void by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 {
-    ang dir = (ang)prove_random(random);
+    ang dir = (ang)numbers_random(random);
     int64_t speed = prove_scaled(random), want[2];
     fx got[2];
 
@@ -212,9 +212,9 @@ static void any_stride(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     (void)chunk;
     for (int i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
-        int64_t from = (int64_t)prove_random(random) >> 15 >> (z & 31);
-        int64_t to = z & 32 ? from + prove_scaled(random) : (int64_t)prove_random(random) >> 15 >> (z >> 6 & 31);
+        uint64_t z = numbers_random(random);
+        int64_t from = (int64_t)numbers_random(random) >> 15 >> (z & 31);
+        int64_t to = z & 32 ? from + prove_scaled(random) : (int64_t)numbers_random(random) >> 15 >> (z >> 6 & 31);
 
         check_stride(&t[STRIDE], from >> 1, to >> 1, (ang)(z >> 32));
     }

@@ -37,7 +37,7 @@ static void check_mul(struct tally *t, int64_t a, int64_t b)
 static void residues_mul(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     for (int64_t low = 0; low < FX_ONE; low++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         int shift = (int)(z & 15);
         int64_t a = (int32_t)(z >> 32) >> shift, b = (int16_t)(z >> 16) >> (16 - shift) << 16 >> (z >> 4 & 3);
 
@@ -53,7 +53,7 @@ static void any_mul(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t a = prove_scaled(random);
 
         check_mul(&t[F], a, prove_scaled(random));
-        check_mul(&t[F], (int32_t)prove_random(random), a);
+        check_mul(&t[F], (int32_t)numbers_random(random), a);
     }
 }
 
@@ -139,7 +139,7 @@ static void tied_div(uint64_t chunk, struct tally *t, uint64_t *random)
     int64_t j = (int64_t)chunk + 1;
 
     for (int64_t a = j; a <= FX_MAX; a += 2 * j)
-        check_div_signed(&t[F], a, j << 17, (uint64_t)a / 2 + prove_sampled() * (prove_random(random) & 3));
+        check_div_signed(&t[F], a, j << 17, (uint64_t)a / 2 + prove_sampled() * (numbers_random(random) & 3));
 }
 
 /* Some of them for the sampled form: all of a divisor are too many. */
@@ -147,7 +147,7 @@ static void few_tied_div(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     (void)chunk;
     for (int i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         int64_t j = (int64_t)(z >> 18 & 0x3fff) + 1 - (int64_t)((z >> 18 & 0x3fff) == 0x3fff);
         int64_t a = j * (int64_t)((z >> 32) % (uint64_t)(FX_MAX / j) | 1);
 
@@ -157,8 +157,8 @@ static void few_tied_div(uint64_t chunk, struct tally *t, uint64_t *random)
 }
 
 /*
- * The hardest that are no ties: b = 2^e b' with b' odd; with e < 17 the distance of 2^17 a from an odd multiple of b is an
- * odd multiple of 2^e, and least where 2^(17-e) a = +-1 modulo b'.
+ * The hardest that are no ties: b = 2^e b' with b' odd; with e < 17 the distance of 2^17 a from an odd multiple of b is
+ * an odd multiple of 2^e, and least where 2^(17-e) a = +-1 modulo b'.
  */
 static void hard_div_by(struct tally *t, int64_t b, uint64_t *random)
 {
@@ -172,7 +172,7 @@ static void hard_div_by(struct tally *t, int64_t b, uint64_t *random)
     for (; halvings; halvings--)
         a = (a % 2 ? a + odd : a) / 2;
     for (int k = 0; k < 2; k++, a = odd - a) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         int64_t most = (FX_MAX - a) / odd, more = most ? a + (int64_t)((z >> 8) % (uint64_t)(most + 1)) * odd : a;
 
         check_div_signed(t, a, b, z);
@@ -192,7 +192,7 @@ static void small_div(uint64_t chunk, struct tally *t, uint64_t *random)
     int64_t b = (int64_t)chunk + 1;
 
     for (int64_t i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
 
         check_div_signed(&t[F], i, b, z);
         check_div_signed(&t[F], (int64_t)(z >> 33), b, z >> 2);
@@ -207,7 +207,7 @@ static void any_div(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t a = prove_scaled(random);
 
         check_div(&t[F], a, prove_scaled(random));
-        check_div(&t[F], (int32_t)prove_random(random), a);
+        check_div(&t[F], (int32_t)numbers_random(random), a);
         check_div(&t[F], a, 0);
     }
 }
@@ -256,7 +256,7 @@ static void any_sum(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     (void)chunk;
     for (int i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
 
         check_sums(t, (int32_t)z, (int32_t)(z >> 32));
         check_sums(t, (int32_t)z,
@@ -285,7 +285,7 @@ static void check_lerp(struct tally *t, int64_t a, int64_t b, int64_t at)
 static void residues_lerp(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     for (int64_t low = 0; low < FX_ONE; low++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         int64_t a = prove_scaled(random), at = z & 1 ? (int64_t)chunk : (int32_t)(z >> 32) >> (z >> 8 & 15);
         int64_t b = prove_scaled(random);
 
@@ -299,7 +299,7 @@ static void any_lerp(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     (void)chunk;
     for (int i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         int32_t a = prove_scaled(random), b = (int32_t)z;
 
         check_lerp(&t[F], a, b, prove_scaled(random));
@@ -344,7 +344,7 @@ static void check_difference(struct tally *t, int64_t from, int64_t to)
 static void any_difference(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     for (int64_t i = 0; i < CHUNK; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
 
         check_difference(&t[F], (int64_t)(z & 0xffffffff), (int64_t)(z >> 32));
         check_difference(&t[F], (int64_t)(z & 0xffffffff), (int64_t)((z + 0x80000000) & 0xffffffff) & ~(int64_t)1);
@@ -454,7 +454,7 @@ static void other_doubles(uint64_t chunk, struct tally *t, uint64_t *random)
         for (uint64_t i = 0; i < COUNT(ENDS); i++)
             check_around(&t[F], ENDS[i]);
     for (int i = 0; i < CHUNK; i++) {
-        double v = ldexp((double)(int64_t)prove_random(random), -(int)(prove_random(random) % 100) - 40);
+        double v = ldexp((double)(int64_t)numbers_random(random), -(int)(numbers_random(random) % 100) - 40);
 
         check_from_double(&t[F], v);
         check_around(&t[F], ldexp(floor(ldexp(v, 17)), -17));
@@ -559,14 +559,14 @@ static void other_degrees(uint64_t chunk, struct tally *t, uint64_t *random)
         for (uint64_t i = 0; i < COUNT(ENDS); i++)
             check_degrees_around(t, ENDS[i]);
     for (int i = 0; i < CHUNK / 4; i++) {
-        uint64_t z = prove_random(random);
+        uint64_t z = numbers_random(random);
         double tie = (double)((z >> 32) * 2 + 1) * 45 / 1073741824, turns = (double)(prove_scaled(random) >> 12);
 
         check_degrees_around(t, tie + 360 * turns);
         check_degrees_around(t, -tie);
         check_degrees(t, (double)(int64_t)(z % 7200) / 10);
-        check_degrees(t, ldexp((double)(int64_t)prove_random(random), (int)(z % 200) - 120));
-        check_degrees(t, ldexp((double)(int64_t)z, (int)(prove_random(random) % 900)));
+        check_degrees(t, ldexp((double)(int64_t)numbers_random(random), (int)(z % 200) - 120));
+        check_degrees(t, ldexp((double)(int64_t)z, (int)(numbers_random(random) % 900)));
     }
 }
 

@@ -114,7 +114,7 @@ static uint64_t chosen(const struct phase *p, uint64_t run, uint64_t *random)
 {
     if (p->runs == p->chunks || run == 0)
         return run;
-    return run == 1 ? p->chunks - 1 : prove_random(random) % p->chunks;
+    return run == 1 ? p->chunks - 1 : numbers_random(random) % p->chunks;
 }
 
 static void *work(void *arg)

@@ -4,15 +4,16 @@
  *
  *     PROGRAM [--sample] [--seed N] [--threads N] [--only NAME] [--hard FILE]
  *
- * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.inc) and a few chunks
- * of everything else, chosen by the seed. Inputs depend on the seed alone, not on the threads. --hard appends the inputs
- * found nearest to a tie to FILE, in the form of hard.inc. Exit 1 if anything was misrounded.
+ * Without --sample every input named in the lines is tried. --sample tries the known hard cases (hard.inc) and a few
+ * chunks of everything else, chosen by the seed. Inputs depend on the seed alone, not on the threads. --hard appends
+ * the inputs found nearest to a tie to FILE, in the form of hard.inc. Exit 1 if anything was misrounded.
  */
 #ifndef PROVE_H
 #define PROVE_H
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "../numbers.h"
 
 __extension__ typedef unsigned __int128 u128;
 __extension__ typedef __int128 i128;
@@ -59,20 +60,10 @@ static inline void tally_right(struct tally *t, double off, int64_t a, int64_t b
 /* A wrong one, its error in ulp. */
 void tally_wrong(struct tally *t, double error, int64_t a, int64_t b, int64_t got, int64_t want);
 
-/* The next of a stream of pseudo-random numbers. */
-static inline uint64_t prove_random(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15;
-
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return z ^ z >> 31;
-}
-
 /* Of any magnitude: all 32 bits, or fewer. */
 static inline int32_t prove_scaled(uint64_t *state)
 {
-    uint64_t z = prove_random(state);
+    uint64_t z = numbers_random(state);
 
     return (int32_t)((int64_t)z >> 32 >> (z & 31));
 }

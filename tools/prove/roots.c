@@ -2,14 +2,14 @@
  * roots.c - proves fx_sqrt, fx_rsqrt and fx_hypot.
  * floor: tools
  *
- * Oracle: a root is checked by squares of whole numbers, which is exact: r is the nearest to sqrt(n) when
- * (2r - 1)^2 < 4n < (2r + 1)^2, and to 2^24/sqrt(x) when (2r - 1)^2 x < 2^50 < (2r + 1)^2 x. None of these can be equal,
- * so there are no ties. A sample is compared with what MPFR makes of it, too.
+ * Oracle: a root is checked by squares of whole numbers, which is exact: r is the nearest to sqrt(n) when (2r - 1)^2 <
+ * 4n < (2r + 1)^2, and to 2^24/sqrt(x) when (2r - 1)^2 x < 2^50 < (2r + 1)^2 x. None of these can be equal, so there
+ * are no ties. A sample is compared with what MPFR makes of it, too.
  *
- * fx_hypot depends on x and y only through n = x*x + y*y <= 2^63, of which it takes fx_root. That is a guess which never
- * falls as n grows (conversion, sqrt and cutting are monotone, and so is the twin), plus one if n > g*g + g for the guess
- * g. If it is right for the first and for the last n of those that round to r, then g is r or r - 1 for both, therefore
- * for all between, and the correction is right for all of them. So both sides of every boundary are every n.
+ * fx_hypot depends on x and y only through n = x*x + y*y <= 2^63, of which it takes fx_root. That is a guess which
+ * never falls as n grows (conversion, sqrt and cutting are monotone, and so is the twin), plus one if n > g*g + g for
+ * the guess g. If it is right for the first and for the last n of those that round to r, then g is r or r - 1 for both,
+ * therefore for all between, and the correction is right for all of them. So both sides of every boundary are every n.
  */
 #include "../../src/base/fx.h"
 #include "oracle.h"
@@ -219,7 +219,7 @@ static void random_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
         int32_t x = prove_scaled(random);
 
         check_hypot(&t[ROOT], x, prove_scaled(random));
-        check_hypot(&t[ROOT], (int32_t)prove_random(random), x);
+        check_hypot(&t[ROOT], (int32_t)numbers_random(random), x);
     }
 }
 
@@ -230,7 +230,7 @@ static void clamped_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
 
     (void)chunk;
     for (int i = 0; i < CHUNK / 8; i++) {
-        double x = (double)((uint32_t)prove_random(random) >> 1), y = floor(sqrt(limit - x * x));
+        double x = (double)((uint32_t)numbers_random(random) >> 1), y = floor(sqrt(limit - x * x));
 
         for (int k = -2; k <= 2; k++)
             check_hypot_mirrored(&t[ROOT], (int64_t)x, (int64_t)y + k);
@@ -277,17 +277,17 @@ static bool is_prime(uint64_t p)
 }
 
 /*
- * x*x + y*y = r*r + r + e, e = 0 or 1: with y = r - k that is x^2 + k^2 - e = r (2k + 1), so (2x)^2 = 4e - 1 modulo
- * p = 2k + 1. When p is prime, a root of -1 is g^((p-1)/4) if g has no root, and one of 3 is 3^((p+1)/4) if p = 11 modulo
+ * x*x + y*y = r*r + r + e, e = 0 or 1: with y = r - k that is x^2 + k^2 - e = r (2k + 1), so (2x)^2 = 4e - 1 modulo p =
+ * 2k + 1. When p is prime, a root of -1 is g^((p-1)/4) if g has no root, and one of 3 is 3^((p+1)/4) if p = 11 modulo
  * 12. Every x of the two classes modulo p that this gives lies on the boundary with its y.
  */
 static void on_boundary(struct tally *t, uint64_t p, int64_t e, uint64_t root, uint64_t *random)
 {
     uint64_t k = p / 2, x = root & 1 ? (root + p) / 2 : root / 2;
 
-    if (prove_random(random) & 1)
+    if (numbers_random(random) & 1)
         x = p - x;
-    for (int i = 0; i < 4; i++, x += p * (prove_random(random) % 8 + 1)) {
+    for (int i = 0; i < 4; i++, x += p * (numbers_random(random) % 8 + 1)) {
         i128 n = (i128)x * x + (i128)k * k - e, r = n / (i128)p, y = r - (i128)k;
 
         if (x > FX_MAX || y > FX_MAX || y < -(i128)FX_MAX)
@@ -302,7 +302,7 @@ static void on_boundary(struct tally *t, uint64_t p, int64_t e, uint64_t root, u
 
 static void boundary_hypot(uint64_t chunk, struct tally *t, uint64_t *random)
 {
-    uint64_t p = (prove_random(random) >> 33 >> chunk % 16) | 1, g = 2, root;
+    uint64_t p = (numbers_random(random) >> 33 >> chunk % 16) | 1, g = 2, root;
 
     while (!is_prime(p) || !(p % 4 == 1 || p % 12 == 11))
         p = (p + 2) & 0x7fffffff;

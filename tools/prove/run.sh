@@ -19,7 +19,10 @@ done
 # Of strides and of products, all are alike; of guesses, none is near a tie.
 grep -v -e trig_stride -e trig_guess -e trig_turn -e fx_mul -e fx_lerp "$dir/hard.new" >"$dir/hard.inc"
 summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
-    END { printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong; exit wrong > 0 }' "$dir/said") || failed=1
+    END {
+        printf "prove: %d functions, %.0f inputs, %.0f misrounded\n", functions, inputs, wrong
+        exit wrong > 0
+    }' "$dir/said") || failed=1
 {
     echo "$summary"
     echo "digest of all functions: $("$dir/digest")"
@@ -29,7 +32,8 @@ summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
 } | tee "$dir/end"
 ! grep -q FAILED "$dir/end" && [ $failed = 0 ] || exit 1
 {
-    echo "What make prove said last. Each line: inputs tried, how many were misrounded, the largest error of a result, ties,"
+    echo "What make prove said last. Each line: inputs tried, how many were misrounded, the largest error" \
+        "of a result, ties,"
     echo "inputs near a tie and the nearest of them, and how the inputs were chosen."
     echo
     cat "$dir/said" "$dir/end"

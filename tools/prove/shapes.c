@@ -1,5 +1,6 @@
 /*
- * shapes.c - the contact tests of geom.h against shapes_oracle.h, near contact, at the ends of the domain and at random.
+ * shapes.c - the contact tests of geom.h against shapes_oracle.h, near contact, at the ends of the domain and at
+ * random.
  *
  *     shapes [--sample] [--only SHAPE] [--threads N]     30 million cases a shape; --sample: 100,000
  *     shapes --shortcuts                                 what a cheaper circle test gets wrong
@@ -56,8 +57,8 @@ static int64_t either_sign(struct dice *d, int64_t v)
 /* ---- shapes ---- */
 
 /*
- * What a case consists of, as drawn and as placed: two shapes a and b, a starts at d seen from b and moves by w. Which of
- * these are arguments is the shape's choice.
+ * What a case consists of, as drawn and as placed: two shapes a and b, a starts at d seen from b and moves by w. Which
+ * of these are arguments is the shape's choice.
  */
 enum role { DX, DY, WX, WY, R, HW, HH, AX, AY, BX, BY, EX, EY, R1, R2, HW1, HH1, HW2, HH2, ROLES };
 
@@ -213,8 +214,8 @@ static void limits(const struct shape *s, enum role role, int64_t *low, int64_t 
 }
 
 /*
- * Both ends of a's way and b on one axis, d and w being given: anywhere the coordinates go, or as near to an end of them
- * as it can be. False: it does not fit.
+ * Both ends of a's way and b on one axis, d and w being given: anywhere the coordinates go, or as near to an end of
+ * them as it can be. False: it does not fit.
  */
 static bool place_axis(struct dice *dice, const struct shape *s, int64_t *c, enum role axis, bool at_end)
 {
@@ -293,8 +294,8 @@ static void draw_scaled(struct dice *d, const struct shape *s, int64_t *c)
 }
 
 /*
- * In contact at one point, exactly. The path runs along (p, q), p^2 + q^2 = h^2, and the point of contact lies across it;
- * p, q and h are whole for m^2 - n^2, 2mn, m^2 + n^2.
+ * In contact at one point, exactly. The path runs along (p, q), p^2 + q^2 = h^2, and the point of contact lies across
+ * it; p, q and h are whole for m^2 - n^2, 2mn, m^2 + n^2.
  */
 static void draw_touching(struct dice *d, const struct shape *s, int64_t *c)
 {
@@ -595,7 +596,8 @@ static const struct {
 };
 enum { SHORTCUT_COUNT = sizeof SHORTCUTS / sizeof *SHORTCUTS };
 
-/* How many of `runs` cases with centres low..high pixels apart each gets wrong: at any such radius, or within 2 units. */
+/* How many of `runs` cases with centres low..high pixels apart each gets wrong: at any such radius, or within 2
+ * units. */
 static void shortcut_band(int64_t low, int64_t high, int64_t runs, bool near, int64_t *wrong)
 {
     const struct shape *s = &SHAPES[0];

@@ -1,7 +1,7 @@
 /*
  * shapes_oracle.h - what shapes.c compares with: do two shapes touch, in 256-bit integers. Slow, plain, nothing of the
- * engine in it, and by other ways than the engine's: times of entry and quadratic equations instead of normals, unions of
- * boxes and discs instead of nearest points.
+ * engine in it, and by other ways than the engine's: times of entry and quadratic equations instead of normals, unions
+ * of boxes and discs instead of nearest points.
  *
  * Largest number: of points that start 2^61 away and move by 2^31, the product of d.d and w.w, 2^187.
  */

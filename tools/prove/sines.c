@@ -85,12 +85,12 @@ static void edges(uint64_t chunk, struct tally *t, uint64_t *random)
 static void everywhere(uint64_t chunk, struct tally *t, uint64_t *random)
 {
     for (int i = 0; i < 64; i++)
-        check_four(t, (uint32_t)chunk << 21 | (uint32_t)(prove_random(random) >> 43));
+        check_four(t, (uint32_t)chunk << 21 | (uint32_t)(numbers_random(random) >> 43));
 }
 
 static void by_mpfr(uint64_t chunk, struct tally *t, uint64_t *random)
 {
-    ang a = (ang)prove_random(random);
+    ang a = (ang)numbers_random(random);
     int64_t r[4] = { trig_sin(a), trig_cos(a), trig_sin30(a), trig_cos30(a) };
 
     (void)chunk;

@@ -69,6 +69,49 @@ const char *report_page(void)
     return report.about.page;
 }
 
+/* ---- the command line ---- */
+
+static int part_of(const char *name, const struct report_part *parts, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!strcmp(parts[i].name, name))
+            return i;
+    return -1;
+}
+
+static bool print_usage(const char *program, const struct report_part *parts, int n)
+{
+    fprintf(stderr, "usage: %s [SECTION...]\nsections:", program);
+    for (int i = 0; i < n; i++)
+        fprintf(stderr, " %s", parts[i].name);
+    fprintf(stderr, "\n");
+    return false;
+}
+
+bool report_options(struct report_options *o, int argc, char **argv, const struct report_part *parts, int n)
+{
+    o->all = true;
+    for (int i = 1; i < argc; i++) {
+        int part = part_of(argv[i], parts, n);
+        if (o->takes_exact && !strcmp(argv[i], "--exact"))
+            o->exact = true;
+        else if (!strcmp(argv[i], "--out") && i + 1 < argc)
+            o->folder = argv[++i];
+        else if (part < 0)
+            return print_usage(o->usage, parts, n);
+        else
+            o->chosen[part] = true, o->all = false;
+    }
+    return true;
+}
+
+void report_run(const struct report_options *o, const struct report_part *parts, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (o->all || o->chosen[i])
+            parts[i].run();
+}
+
 /* ---- text ---- */
 
 void report_section(const char *title)

@@ -45,6 +45,31 @@ void report_fail(const char *what);
 /* "PROCESSOR; COMPILER; `FLAGS`" of this machine and this program. */
 const char *report_machine(void);
 
+/* ---- the command line: [--exact] [--out FOLDER] [SECTION...] ---- */
+
+enum { REPORT_PARTS = 16 };
+
+/* A section: its name on the command line, and what measures it. */
+struct report_part {
+    const char *name;
+    void (*run)(void);
+};
+
+struct report_options {
+    const char *usage;  /* in: "PROGRAM [--out FOLDER]", without the sections */
+    bool takes_exact;   /* in: is --exact an option? */
+    bool exact;         /* --exact was given */
+    const char *folder; /* --out; NULL: not given */
+    bool all;           /* no section was named: all are to run */
+    bool chosen[REPORT_PARTS];
+};
+
+/* Reads the command line of a program with n sections. False: it is wrong, and the usage went to stderr. */
+bool report_options(struct report_options *o, int argc, char **argv, const struct report_part *parts, int n);
+
+/* Runs the sections that were chosen, in the order of the list. */
+void report_run(const struct report_options *o, const struct report_part *parts, int n);
+
 /* ---- text ---- */
 
 /* "## TITLE"; it begins a section. */

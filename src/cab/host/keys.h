@@ -2,13 +2,15 @@
  * keys.h - from raw switches to pads: the key map, and the cabinet's own keys.
  * floor: cab
  *
- * An action is a button of a player (p1.fire) or of the cabinet (pause). It has up to KEYS_EACH switches, written by
- * name:
+ * An action is a button of a player (p1.fire) or a key of the cabinet (pause). It has up to KEYS_EACH switches, written
+ * by name, with blanks between them:
  *
- *     z enter kp0 lshift f12 ...   a key, by its place on a US keyboard; key100 is USB HID usage 100
- *     alt+enter ctrl+q             a key while that modifier is held; a plain binding of the key is then not seen
- *     pad.south pad.r1 ...         a controller's switch: p1 has the first controller, p2 the second, the cabinet both
- *     pad1.south pad2.south        a certain controller's
+ *     z  enter  kp0  lshift  f12     a key, by its place on a US keyboard
+ *     key100                         the key of USB HID usage 100
+ *     alt+enter  ctrl+q              a key while that modifier is held; a plain binding of the key is then not seen
+ *     pad.south  pad.r1              a controller's switch: p1 has the first controller, p2 the second, the
+ *                                    cabinet both
+ *     pad1.south  pad2.south         a switch of a certain controller
  */
 #ifndef CAB_KEYS_H
 #define CAB_KEYS_H

@@ -27,31 +27,31 @@ enum { REPEAT_AFTER = 24, REPEAT_EVERY = 3 /* polls */ };
 
 static const char keep[] = "keep ";
 
-/* ---- what was said ---- */
+/* ---- output ---- */
 
-static void say_bytes(struct console *c, enum ink_colour colour, const char *text, size_t n)
+static void print_bytes(struct console *c, enum canvas_colour colour, const char *text, size_t n)
 {
-    struct console_said *s = &c->said[c->told++ % CONSOLE_SAID];
+    struct console_output *s = &c->output[c->outputs++ % CONSOLE_OUTPUT];
     s->colour = colour;
     snprintf(s->text, sizeof s->text, "%.*s", (int)n, text);
 }
 
 /* Text of any length, with \n in it or not. */
-static void say(struct console *c, enum ink_colour colour, const char *text)
+static void print(struct console *c, enum canvas_colour colour, const char *text)
 {
     while (*text) {
-        size_t n = strcspn(text, "\n"), part = n < CONSOLE_WORDS - 1 ? n : CONSOLE_WORDS - 1;
-        say_bytes(c, colour, text, part);
+        size_t n = strcspn(text, "\n"), part = n < CONSOLE_TEXT - 1 ? n : CONSOLE_TEXT - 1;
+        print_bytes(c, colour, text, part);
         text += part;
         text += part == n && *text == '\n';
     }
 }
 
-static void say_all(struct console *c, enum ink_colour colour, const char *format, const char *what)
+static void print_format(struct console *c, enum canvas_colour colour, const char *format, const char *what)
 {
     char text[EVAL_TEXT + 64];
     snprintf(text, sizeof text, format, what);
-    say(c, colour, text);
+    print(c, colour, text);
 }
 
 /* ---- running a line ---- */
@@ -73,21 +73,21 @@ static void run(struct console *c, struct board *b, bool keeps)
 {
     char out[EVAL_TEXT];
     bool kept = strncmp(c->line, keep, sizeof keep - 1) == 0;
-    say_all(c, INK_YELLOW, "> %s", c->line);
+    print_format(c, CANVAS_YELLOW, "> %s", c->line);
     if (kept && !keeps) {
-        say(c, INK_RED, "a demo is shown: nothing can be kept");
+        print(c, CANVAS_RED, "a demo is shown: nothing can be kept");
         return;
     }
     if (!save(c, b)) {
-        say(c, INK_RED, "not enough memory to put RAM back afterwards");
+        print(c, CANVAS_RED, "not enough memory to put RAM back afterwards");
         return;
     }
     bool good = board_eval(b, c->line + (kept ? sizeof keep - 1 : 0), out, sizeof out);
     if (!good || !kept)
         board_restore(b, c->snapshot);
-    say(c, good ? INK_WHITE : INK_RED, out);
+    print(c, good ? CANVAS_WHITE : CANVAS_RED, out);
     if (good && kept)
-        say(c, INK_GREY, "kept: the demo is touched, scores are not saved any more");
+        print(c, CANVAS_GREY, "kept: the demo is touched, scores are not saved any more");
     c->kept = c->kept || (good && kept);
 }
 
@@ -118,13 +118,13 @@ static void erase(struct console *c, int at)
 }
 
 /* by 1: one line further back; -1: forward. */
-static void leaf(struct console *c, int by)
+static void recall(struct console *c, int by)
 {
-    int most = c->lines < CONSOLE_PAST ? c->lines : CONSOLE_PAST, to = c->back + by;
+    int most = c->lines < CONSOLE_HISTORY ? c->lines : CONSOLE_HISTORY, to = c->back + by;
     if (to < 0 || to > most)
         return;
     c->back = to;
-    set_line(c, to ? c->past[(c->lines - to) % CONSOLE_PAST] : "");
+    set_line(c, to ? c->history[(c->lines - to) % CONSOLE_HISTORY] : "");
 }
 
 static void enter(struct console *c, struct board *b, bool keeps)
@@ -132,8 +132,8 @@ static void enter(struct console *c, struct board *b, bool keeps)
     if (!c->length)
         return;
     run(c, b, keeps);
-    if (!c->lines || strcmp(c->past[(c->lines - 1) % CONSOLE_PAST], c->line) != 0)
-        memcpy(c->past[c->lines++ % CONSOLE_PAST], c->line, sizeof c->line);
+    if (!c->lines || strcmp(c->history[(c->lines - 1) % CONSOLE_HISTORY], c->line) != 0)
+        memcpy(c->history[c->lines++ % CONSOLE_HISTORY], c->line, sizeof c->line);
     c->back = 0;
     set_line(c, "");
 }
@@ -167,10 +167,10 @@ static void press(struct console *c, unsigned key, struct board *b, bool keeps)
         c->at += c->at < c->length;
         break;
     case KEY_UP:
-        leaf(c, 1);
+        recall(c, 1);
         break;
     case KEY_DOWN:
-        leaf(c, -1);
+        recall(c, -1);
         break;
     }
 }
@@ -210,10 +210,10 @@ static void open_console(struct console *c)
 {
     c->open = true;
     c->repeats = 0;
-    if (!c->told)
-        say(c, INK_GREY,
-            "A line of Lua. What it changes is undone afterwards,\nbut of `keep LINE`. Up: lines before. Escape: "
-            "close.");
+    if (!c->outputs)
+        print(c, CANVAS_GREY,
+              "A line of Lua. What it changes is undone afterwards,\nbut of `keep LINE`. Up: lines before. Escape: "
+              "close.");
 }
 
 /* The key that opens and closes it has a letter too: what comes while it is held is not typed. */
@@ -247,47 +247,48 @@ static int rows_of(const char *text, int columns)
 {
     int rows = 0;
     do {
-        text += ink_fit(text, columns);
+        text += canvas_fit(text, columns);
         rows++;
     } while (*text);
     return rows;
 }
 
 /* From the newest upwards, as far as there is room. */
-static void draw_said(const struct console *c, const struct ink *ink, int y0, int y1, int columns)
+static void draw_output(const struct console *c, const struct canvas *canvas, int y0, int y1, int columns)
 {
-    int oldest = c->told > CONSOLE_SAID ? c->told - CONSOLE_SAID : 0, y = y1;
-    for (int i = c->told - 1; i >= oldest && y > y0; i--) {
-        const struct console_said *s = &c->said[i % CONSOLE_SAID];
+    int oldest = c->outputs > CONSOLE_OUTPUT ? c->outputs - CONSOLE_OUTPUT : 0, y = y1;
+    for (int i = c->outputs - 1; i >= oldest && y > y0; i--) {
+        const struct console_output *s = &c->output[i % CONSOLE_OUTPUT];
         const char *text = s->text;
-        int row = y -= rows_of(text, columns) * INK_CELL_H;
-        for (int n; *text; text += n, row += INK_CELL_H) {
-            n = ink_fit(text, columns);
+        int row = y -= rows_of(text, columns) * CANVAS_CELL_H;
+        for (int n; *text; text += n, row += CANVAS_CELL_H) {
+            n = canvas_fit(text, columns);
             if (row >= y0)
-                ink_bytes(ink, 2, row, s->colour, text, n);
+                canvas_bytes(canvas, 2, row, s->colour, text, n);
         }
     }
 }
 
 /* A line longer than the picture is wide is shown round the cursor. */
-static void draw_line(const struct console *c, const struct ink *ink, int y, int columns)
+static void draw_line(const struct console *c, const struct canvas *canvas, int y, int columns)
 {
     int first = c->at < columns - 2 ? 0 : c->at - columns + 3;
-    int x = ink_text(ink, 2, y, INK_YELLOW, "> ");
-    ink_bytes(ink, x, y, INK_WHITE, c->line + first, columns - 2);
-    ink_rect(ink, x + (c->at - first) * INK_CELL_W, y + INK_CELL_H - 1, INK_CELL_W - 1, 1, INK_YELLOW);
+    int x = canvas_text(canvas, 2, y, CANVAS_YELLOW, "> ");
+    canvas_bytes(canvas, x, y, CANVAS_WHITE, c->line + first, columns - 2);
+    canvas_rect(canvas, x + (c->at - first) * CANVAS_CELL_W, y + CANVAS_CELL_H - 1, CANVAS_CELL_W - 1, 1,
+                CANVAS_YELLOW);
 }
 
-int console_draw(const struct console *c, const struct ink *ink)
+int console_draw(const struct console *c, const struct canvas *canvas)
 {
-    int w = ink->fb->w, h = ink->fb->h, columns = (w - 3) / INK_CELL_W;
-    int rows = h / 2 / INK_CELL_H, y0 = h - rows * INK_CELL_H - 3, line = h - INK_CELL_H - 1;
+    int w = canvas->fb->w, h = canvas->fb->h, columns = (w - 3) / CANVAS_CELL_W;
+    int rows = h / 2 / CANVAS_CELL_H, y0 = h - rows * CANVAS_CELL_H - 3, line = h - CANVAS_CELL_H - 1;
     if (!c->open)
         return h;
-    ink_rect(ink, 0, y0, w, h - y0, INK_PAPER);
-    ink_rect(ink, 0, y0, w, 1, INK_GREY);
-    draw_said(c, ink, y0 + 2, line, columns);
-    draw_line(c, ink, line, columns);
+    canvas_rect(canvas, 0, y0, w, h - y0, CANVAS_DARK);
+    canvas_rect(canvas, 0, y0, w, 1, CANVAS_GREY);
+    draw_output(c, canvas, y0 + 2, line, columns);
+    draw_line(c, canvas, line, columns);
     return y0;
 }
 

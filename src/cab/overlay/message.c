@@ -3,14 +3,14 @@
  */
 #include "message.h"
 
-int message_draw(const struct ink *ink, int y, const char *text)
+int message_draw(const struct canvas *canvas, int y, const char *text)
 {
-    int columns = (ink->fb->w - 1) / INK_CELL_W;
-    ink_rect(ink, 0, y, ink->fb->w, 1, INK_PAPER);
-    for (y++; *text && y < ink->fb->h; y += INK_CELL_H) {
-        int n = ink_fit(text, columns);
-        ink_rect(ink, 0, y, ink->fb->w, INK_CELL_H, INK_PAPER);
-        ink_bytes(ink, 1, y, INK_WHITE, text, n);
+    int columns = (canvas->fb->w - 1) / CANVAS_CELL_W;
+    canvas_rect(canvas, 0, y, canvas->fb->w, 1, CANVAS_DARK);
+    for (y++; *text && y < canvas->fb->h; y += CANVAS_CELL_H) {
+        int n = canvas_fit(text, columns);
+        canvas_rect(canvas, 0, y, canvas->fb->w, CANVAS_CELL_H, CANVAS_DARK);
+        canvas_bytes(canvas, 1, y, CANVAS_WHITE, text, n);
         text += n;
         text += *text == '\n';
     }

@@ -1,14 +1,14 @@
 /*
  * message.h - sentences over a picture, broken into lines.
- * floor: cab    used by: cab
+ * floor: cab
  */
 #ifndef CAB_MESSAGE_H
 #define CAB_MESSAGE_H
 
-#include "ink.h"
+#include "canvas.h"
 
-/* Writes text on a dark band as wide as the picture, from line y down; lines are broken where they do not fit, tabs are
- * two blanks, what is not ASCII is a question mark. Returns the line after the band. */
-int message_draw(const struct ink *ink, int y, const char *text);
+/* Writes text on a dark band as wide as the picture, from row y down. Lines are broken where they do not fit; tabs and
+ * bytes that are not ASCII are drawn as by canvas_text. Returns the row after the band. */
+int message_draw(const struct canvas *canvas, int y, const char *text);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * overlay.c - see overlay.h.
  *
- * A panel is a sheet of text lines, each of one colour, some with a bar behind. Panels stand side by side from the top
- * left on; the one about the mouse's thing stands beside it, where no other panel is.
+ * A panel is lines of text, each of one colour, some with a bar after it. Panels are placed side by side from the top
+ * left; the panel of the object under the mouse is placed beside it, where no other panel is.
  */
 #include "overlay.h"
 
@@ -14,11 +14,11 @@
 
 enum {
     FRAME_USEC = 1000000 / 60,
-    LINE = 72,   /* bytes of a sheet's line */
-    LINES = 48,  /* of a sheet */
+    LINE = 72,   /* bytes of a panel's line */
+    LINES = 48,  /* of a panel */
     BAR = 30,    /* px that a bar of a whole frame is long */
     PANELS = 8,  /* most on a picture */
-    EDGE = 2,    /* px round a sheet's text */
+    EDGE = 2,    /* px round a panel's text */
     GAP = 1,     /* px between panels */
     MOUSE = 6,   /* px that a thing may be away from the mouse */
     BESIDE = 10, /* px from the mouse to its panel */
@@ -50,7 +50,7 @@ void overlay_lap(struct overlay *o, int part)
     o->split.last = now;
 }
 
-static void phase_over(void *context, enum board_phase phase)
+static void phase_ended(void *context, enum board_phase phase)
 {
     overlay_lap(context, (int)phase);
 }
@@ -63,7 +63,7 @@ static void before_tick(void *context)
 void overlay_begin(struct overlay *o, struct guard *g)
 {
     bool on = o->on[OVERLAY_SPLIT];
-    board_on_phase(g->board, on ? phase_over : 0, o);
+    board_on_phase(g->board, on ? phase_ended : 0, o);
     g->before = on ? before_tick : 0;
     g->context = o;
     memset(o->split.now, 0, sizeof o->split.now);
@@ -103,11 +103,11 @@ void overlay_end(struct overlay *o)
         close_window(s);
 }
 
-/* ---- sheets ---- */
+/* ---- panels ---- */
 
-struct sheet {
+struct panel {
     char text[LINES][LINE];
-    enum ink_colour colour[LINES];
+    enum canvas_colour colour[LINES];
     int bar[LINES]; /* microseconds, -1: none */
     int lines, columns;
     bool bars;
@@ -117,7 +117,7 @@ struct sheet {
 __attribute__((format(printf, 3, 4)))
 #endif
 static void
-add(struct sheet *s, enum ink_colour c, const char *format, ...)
+add(struct panel *s, enum canvas_colour c, const char *format, ...)
 {
     va_list args;
     if (s->lines == LINES)
@@ -125,90 +125,93 @@ add(struct sheet *s, enum ink_colour c, const char *format, ...)
     va_start(args, format);
     vsnprintf(s->text[s->lines], LINE, format, args);
     va_end(args);
-    int columns = ink_width(s->text[s->lines]) / INK_CELL_W;
+    int columns = canvas_width(s->text[s->lines]) / CANVAS_CELL_W;
     s->columns = columns > s->columns ? columns : s->columns;
     s->bar[s->lines] = -1;
     s->colour[s->lines++] = c;
 }
 
-static void add_bar(struct sheet *s, uint32_t usec)
+static void add_bar(struct panel *s, uint32_t usec)
 {
     s->bar[s->lines - 1] = usec > INT32_MAX ? INT32_MAX : (int)usec;
     s->bars = true;
 }
 
-static int sheet_w(const struct sheet *s)
+static int panel_w(const struct panel *s)
 {
-    return s->columns * INK_CELL_W - 1 + 2 * EDGE + (s->bars ? EDGE + BAR : 0);
+    return s->columns * CANVAS_CELL_W - 1 + 2 * EDGE + (s->bars ? EDGE + BAR : 0);
 }
 
-static int sheet_h(int lines)
+static int panel_h(int lines)
 {
-    return lines * INK_CELL_H - 1 + 2 * EDGE;
+    return lines * CANVAS_CELL_H - 1 + 2 * EDGE;
 }
 
-static void draw_bar(const struct ink *ink, int x, int y, int usec)
+static void draw_bar(const struct canvas *canvas, int x, int y, int usec)
 {
     int w = usec >= FRAME_USEC ? BAR : usec * BAR / FRAME_USEC;
-    ink_rect(ink, x, y + 4, BAR, 1, INK_GREY);
-    ink_rect(ink, x, y, usec && !w ? 1 : w, 5, w >= BAR ? INK_RED : w > BAR / 2 ? INK_YELLOW : INK_GREEN);
+    canvas_rect(canvas, x, y + 4, BAR, 1, CANVAS_GREY);
+    canvas_rect(canvas, x, y, usec && !w ? 1 : w, 5,
+                w >= BAR      ? CANVAS_RED
+                : w > BAR / 2 ? CANVAS_YELLOW
+                              : CANVAS_GREEN);
 }
 
-static void draw_sheet(const struct ink *ink, const struct sheet *s, int x, int y, int lines)
+static void draw_panel(const struct canvas *canvas, const struct panel *s, int x, int y, int lines)
 {
-    ink_rect(ink, x, y, sheet_w(s), sheet_h(lines), INK_PAPER);
+    canvas_rect(canvas, x, y, panel_w(s), panel_h(lines), CANVAS_DARK);
     for (int i = 0; i < lines; i++) {
-        int at = y + EDGE + i * INK_CELL_H;
+        int at = y + EDGE + i * CANVAS_CELL_H;
         bool cut = i == lines - 1 && lines < s->lines;
-        ink_text(ink, x + EDGE, at, cut ? INK_GREY : s->colour[i], cut ? "..." : s->text[i]);
+        canvas_text(canvas, x + EDGE, at, cut ? CANVAS_GREY : s->colour[i], cut ? "..." : s->text[i]);
         if (s->bar[i] >= 0 && !cut)
-            draw_bar(ink, x + sheet_w(s) - EDGE - BAR, at, s->bar[i]);
+            draw_bar(canvas, x + panel_w(s) - EDGE - BAR, at, s->bar[i]);
     }
 }
 
 /* ---- where panels stand ---- */
 
-struct place {
+struct rect {
     int x, y, w, h;
 };
 
 struct layout {
     int y0, y1, w;   /* of the picture, what is free for panels */
     int x, y, shelf; /* the next one's place; how high its row of panels is so far */
-    struct place taken[PANELS];
+    struct rect used[PANELS];
     int n;
 };
 
-static void take(struct layout *l, int x, int y, int w, int h)
+static void occupy(struct layout *l, int x, int y, int w, int h)
 {
     if (l->n < PANELS)
-        l->taken[l->n++] = (struct place){ x, y, w, h };
+        l->used[l->n++] = (struct rect){ x, y, w, h };
 }
 
 /* Beside the one before when the picture is wide enough, else under the row of those; as many lines of it as there is
  * room for. */
-static void put(struct layout *l, const struct ink *ink, const struct sheet *s)
+static void place(struct layout *l, const struct canvas *canvas, const struct panel *s)
 {
-    int lines = s->lines, w = sheet_w(s);
+    int lines = s->lines, w = panel_w(s);
     if (l->x > 0 && l->x + w > l->w) {
         l->x = 0;
         l->y += l->shelf + GAP;
         l->shelf = 0;
     }
-    while (lines > 0 && l->y + sheet_h(lines) > l->y1)
+    while (lines > 0 && l->y + panel_h(lines) > l->y1)
         lines--;
     if (!lines)
         return;
-    draw_sheet(ink, s, l->x, l->y, lines);
-    take(l, l->x, l->y, w, sheet_h(lines));
+    draw_panel(canvas, s, l->x, l->y, lines);
+    occupy(l, l->x, l->y, w, panel_h(lines));
     l->x += w + GAP;
-    l->shelf = sheet_h(lines) > l->shelf ? sheet_h(lines) : l->shelf;
+    l->shelf = panel_h(lines) > l->shelf ? panel_h(lines) : l->shelf;
 }
 
 static bool overlaps(const struct layout *l, int x, int y, int w, int h)
 {
     for (int i = 0; i < l->n; i++) {
-        const struct place *t = &l->taken[i];
+        const struct rect *t = &l->used[i];
         if (x < t->x + t->w + GAP && t->x < x + w + GAP && y < t->y + t->h + GAP && t->y < y + h + GAP)
             return true;
     }
@@ -216,55 +219,56 @@ static bool overlaps(const struct layout *l, int x, int y, int w, int h)
 }
 
 /* Is (x, y, w, h) free? Then it is a place as far from the mouse as *best says. */
-static void try_place(const struct layout *l, int x, int y, int w, int h, int mouse_x, int mouse_y, struct place *best,
-                      int *far)
+static void try_position(const struct layout *l, int x, int y, int w, int h, int mouse_x, int mouse_y,
+                         struct rect *best, int *far)
 {
     int dx = mouse_x < x ? x - mouse_x : mouse_x >= x + w ? mouse_x - x - w + 1 : 0;
     int dy = mouse_y < y ? y - mouse_y : mouse_y >= y + h ? mouse_y - y - h + 1 : 0;
     int away = dx > dy ? dx : dy;
     if (x < 0 || y < l->y0 || x + w > l->w || y + h > l->y1 || away < BESIDE || away >= *far || overlaps(l, x, y, w, h))
         return;
-    *best = (struct place){ x, y, w, h };
+    *best = (struct rect){ x, y, w, h };
     *far = away;
 }
 
 /* Beside the mouse, and where no panel is: the nearest of many places. Where there is none, at the bottom. */
-static void put_beside(struct layout *l, const struct ink *ink, const struct sheet *s, int mouse_x, int mouse_y)
+static void place_beside_mouse(struct layout *l, const struct canvas *canvas, const struct panel *s, int mouse_x,
+                               int mouse_y)
 {
-    int w = sheet_w(s), h = sheet_h(s->lines), far = INT32_MAX;
-    struct place best = { l->w - w, l->y1 - h, w, h };
-    try_place(l, mouse_x + BESIDE, mouse_y + BESIDE, w, h, mouse_x, mouse_y, &best, &far);
-    try_place(l, mouse_x - BESIDE - w + 1, mouse_y + BESIDE, w, h, mouse_x, mouse_y, &best, &far);
+    int w = panel_w(s), h = panel_h(s->lines), far = INT32_MAX;
+    struct rect best = { l->w - w, l->y1 - h, w, h };
+    try_position(l, mouse_x + BESIDE, mouse_y + BESIDE, w, h, mouse_x, mouse_y, &best, &far);
+    try_position(l, mouse_x - BESIDE - w + 1, mouse_y + BESIDE, w, h, mouse_x, mouse_y, &best, &far);
     for (int y = l->y0; y + h <= l->y1; y += 4)
         for (int x = 0; x + w <= l->w; x += 4)
-            try_place(l, x, y, w, h, mouse_x, mouse_y, &best, &far);
-    draw_sheet(ink, s, best.x, best.y, s->lines);
-    ink_frame(ink, best.x, best.y, w, h, INK_GREY);
+            try_position(l, x, y, w, h, mouse_x, mouse_y, &best, &far);
+    draw_panel(canvas, s, best.x, best.y, s->lines);
+    canvas_frame(canvas, best.x, best.y, w, h, CANVAS_GREY);
 }
 
 /* ---- hit shapes ---- */
 
-static void draw_shape(const struct ink *ink, const struct inspect_body *s, enum ink_colour c)
+static void draw_shape(const struct canvas *canvas, const struct inspect_body *s, enum canvas_colour c)
 {
     if (s->shape == INSPECT_CIRCLE)
-        ink_ring(ink, s->x, s->y, s->a, c);
+        canvas_ring(canvas, s->x, s->y, s->a, c);
     else if (s->shape == INSPECT_BOX)
-        ink_box(ink, s->x, s->y, s->a, s->b, c);
+        canvas_box(canvas, s->x, s->y, s->a, s->b, c);
     else
-        ink_box(ink, s->x, s->y, 0, 0, c);
+        canvas_box(canvas, s->x, s->y, 0, 0, c);
 }
 
-static enum ink_colour colour_of(const struct inspect_body *s)
+static enum canvas_colour colour_of(const struct inspect_body *s)
 {
     switch (s->kind) {
     case INSPECT_BULLET:
-        return s->shape == INSPECT_NONE ? INK_GREY : s->spent ? INK_MAGENTA : INK_RED;
+        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->spent ? CANVAS_MAGENTA : CANVAS_RED;
     case INSPECT_SHOT:
-        return INK_CYAN;
+        return CANVAS_CYAN;
     case INSPECT_ENEMY:
-        return s->spent ? INK_GREY : INK_YELLOW;
+        return s->spent ? CANVAS_GREY : CANVAS_YELLOW;
     default:
-        return s->spent ? INK_GREY : INK_GREEN;
+        return s->spent ? CANVAS_GREY : CANVAS_GREEN;
     }
 }
 
@@ -276,70 +280,72 @@ static void draw_shade(void *context, const struct inspect_body *s)
     around.a += WIDER;
     around.b += WIDER;
     around.shape = s->shape == INSPECT_NONE ? INSPECT_BOX : s->shape;
-    draw_shape(context, &around, INK_PAPER);
+    draw_shape(context, &around, CANVAS_DARK);
     if (s->graze)
-        ink_ring(context, s->x, s->y, s->graze + WIDER, INK_PAPER);
+        canvas_ring(context, s->x, s->y, s->graze + WIDER, CANVAS_DARK);
 }
 
 static void draw_body(void *context, const struct inspect_body *s)
 {
-    const struct ink *ink = context;
+    const struct canvas *canvas = context;
     if (s->graze)
-        ink_ring(ink, s->x, s->y, s->graze, INK_WHITE);
-    draw_shape(ink, s, colour_of(s));
+        canvas_ring(canvas, s->x, s->y, s->graze, CANVAS_WHITE);
+    draw_shape(canvas, s, colour_of(s));
 }
 
 /* As the things themselves, shapes are seen on the field alone. */
-static void draw_shapes(const struct ink *ink, int y0, int y1, const struct board *b)
+static void draw_shapes(const struct canvas *canvas, int y0, int y1, const struct board *b)
 {
     struct inspect_area f = inspect_field(b);
-    struct ink on_field = *ink;
+    struct canvas on_field = *canvas;
     int top = f.y > y0 ? f.y : y0, bottom = f.y + f.h < y1 ? f.y + f.h : y1;
-    fb_clip(ink->fb, f.x, top, f.w, bottom - top);
+    fb_clip(canvas->fb, f.x, top, f.w, bottom - top);
     inspect_bodies(b, draw_shade, &on_field);
     inspect_bodies(b, draw_body, &on_field);
-    fb_clip_all(ink->fb);
+    fb_clip_all(canvas->fb);
 }
 
 /* ---- panels ---- */
 
-static void gauge_line(struct sheet *s, const char *name, uint32_t live, uint32_t top, uint32_t cap, uint32_t refused)
+static void gauge_line(struct panel *s, const char *name, uint32_t live, uint32_t top, uint32_t cap, uint32_t refused)
 {
-    enum ink_colour c = refused ? INK_RED : (uint64_t)live * 10 > (uint64_t)cap * 9 ? INK_YELLOW : INK_WHITE;
-    add(s, live ? c : INK_GREY, "%-12s %5u %5u %5u %7u", name, (unsigned)live, (unsigned)top, (unsigned)cap,
+    enum canvas_colour c = refused                                   ? CANVAS_RED
+                           : (uint64_t)live * 10 > (uint64_t)cap * 9 ? CANVAS_YELLOW
+                                                                     : CANVAS_WHITE;
+    add(s, live ? c : CANVAS_GREY, "%-12s %5u %5u %5u %7u", name, (unsigned)live, (unsigned)top, (unsigned)cap,
         (unsigned)refused);
 }
 
-static void put_gauges(struct layout *l, const struct ink *ink, const struct board *b)
+static void place_gauges(struct layout *l, const struct canvas *canvas, const struct board *b)
 {
-    struct sheet s = { .lines = 0 };
+    struct panel s = { .lines = 0 };
     struct inspect_gauge g[MAX_PARTS];
     size_t used, size;
     int n = inspect_gauges(b, g);
-    add(&s, INK_CYAN, "%-12s %5s %5s %5s %7s", "part", "live", "top", "cap", "refused");
+    add(&s, CANVAS_CYAN, "%-12s %5s %5s %5s %7s", "part", "live", "top", "cap", "refused");
     for (int i = 0; i < n; i++)
         if (!g[i].fixed)
             gauge_line(&s, g[i].name, g[i].live, g[i].top, g[i].cap, g[i].refused);
     inspect_memory(b, &used, &size);
-    add(&s, used * 10 > size * 9 ? INK_YELLOW : INK_WHITE, "%-12s %5u %5s %5u", "Lua KiB", (unsigned)(used / 1024), "",
-        (unsigned)(size / 1024));
-    put(l, ink, &s);
+    add(&s, used * 10 > size * 9 ? CANVAS_YELLOW : CANVAS_WHITE, "%-12s %5u %5s %5u", "Lua KiB",
+        (unsigned)(used / 1024), "", (unsigned)(size / 1024));
+    place(l, canvas, &s);
 }
 
-static void put_split(struct layout *l, const struct ink *ink, const struct split *t)
+static void place_split(struct layout *l, const struct canvas *canvas, const struct split *t)
 {
     static const char *const names[SPLITS] = {
         "scripts", "motion", "hits", "events", "rest", "cabinet", "draw", "show"
     };
-    struct sheet s = { .lines = 0 };
-    add(&s, INK_CYAN, "%-7s %5s %5s", "usec", "mean", "most");
+    struct panel s = { .lines = 0 };
+    add(&s, CANVAS_CYAN, "%-7s %5s %5s", "usec", "mean", "most");
     for (int i = 0; i < SPLITS; i++) {
-        add(&s, INK_WHITE, "%-7s %5u %5u", names[i], (unsigned)t->mean[i], (unsigned)t->peak[i]);
+        add(&s, CANVAS_WHITE, "%-7s %5u %5u", names[i], (unsigned)t->mean[i], (unsigned)t->peak[i]);
         add_bar(&s, t->mean[i]);
     }
-    add(&s, INK_CYAN, "%-7s %5u %5u", "frame", (unsigned)t->all, (unsigned)t->worst);
+    add(&s, CANVAS_CYAN, "%-7s %5u %5u", "frame", (unsigned)t->all, (unsigned)t->worst);
     add_bar(&s, t->all);
-    put(l, ink, &s);
+    place(l, canvas, &s);
 }
 
 static const char *state_of(const struct inspect_task *t, char *buf, size_t size)
@@ -365,80 +371,80 @@ static const char *owner_of(const struct inspect_task *t, char *buf, size_t size
     return buf;
 }
 
-static void put_tasks(struct layout *l, const struct ink *ink, const struct board *b)
+static void place_tasks(struct layout *l, const struct canvas *canvas, const struct board *b)
 {
-    struct sheet s = { .lines = 0 };
+    struct panel s = { .lines = 0 };
     struct inspect_task t[TASKS];
     char state[16], owner[24];
     uint32_t n = inspect_tasks(b, 0, t, TASKS), listed = n < TASKS ? n : TASKS;
-    add(&s, INK_CYAN, "frame %u  random numbers %llu  tasks %u", (unsigned)board_frame(b),
+    add(&s, CANVAS_CYAN, "frame %u  random numbers %llu  tasks %u", (unsigned)board_frame(b),
         (unsigned long long)inspect_drawn(b), (unsigned)n);
-    add(&s, INK_CYAN, "%6s %5s %-11s %s", "task", "wait", "owner", "line");
+    add(&s, CANVAS_CYAN, "%6s %5s %-11s %s", "task", "wait", "owner", "line");
     for (uint32_t i = 0; i < listed; i++)
-        add(&s, t[i].scope ? INK_GREY : INK_WHITE, "%6u %5s %-11s %s", (unsigned)t[i].serial,
+        add(&s, t[i].scope ? CANVAS_GREY : CANVAS_WHITE, "%6u %5s %-11s %s", (unsigned)t[i].serial,
             state_of(&t[i], state, sizeof state), owner_of(&t[i], owner, sizeof owner), t[i].at);
-    put(l, ink, &s);
+    place(l, canvas, &s);
 }
 
 /* ---- what is under the mouse ---- */
 
-static void add_place(struct sheet *s, const struct inspect_thing *t)
+static void add_place(struct panel *s, const struct inspect_thing *t)
 {
-    add(s, INK_WHITE, "at     %.2f, %.2f", t->x / 65536.0, t->y / 65536.0);
+    add(s, CANVAS_WHITE, "at     %.2f, %.2f", t->x / 65536.0, t->y / 65536.0);
 }
 
-static void add_author(struct sheet *s, const struct board *b, uint32_t by)
+static void add_author(struct panel *s, const struct board *b, uint32_t by)
 {
     struct inspect_task task;
     if (!by)
         return;
     if (inspect_task(b, by, &task))
-        add(s, INK_WHITE, "by     task %u %s", (unsigned)by, task.at);
+        add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.at);
     else
-        add(s, INK_WHITE, "by     task %u, over", (unsigned)by);
+        add(s, CANVAS_WHITE, "by     task %u, over", (unsigned)by);
 }
 
-static void add_motion(struct sheet *s, const struct inspect_thing *t)
+static void add_motion(struct panel *s, const struct inspect_thing *t)
 {
     char name[40];
     if (!t->moves)
         return;
     snprintf(name, sizeof name, t->motion ? "%s" : "number %s%u", t->motion ? t->motion : "", (unsigned)t->program);
     if (t->step > t->steps)
-        add(s, INK_WHITE, "motion %s, over", name);
+        add(s, CANVAS_WHITE, "motion %s, over", name);
     else if (t->left)
-        add(s, INK_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->steps,
+        add(s, CANVAS_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->steps,
             (unsigned)t->left);
     else
-        add(s, INK_WHITE, "motion %s step %u/%u", name, (unsigned)t->step, (unsigned)t->steps);
+        add(s, CANVAS_WHITE, "motion %s step %u/%u", name, (unsigned)t->step, (unsigned)t->steps);
 }
 
-static void add_flight(struct sheet *s, const struct inspect_thing *t)
+static void add_flight(struct panel *s, const struct inspect_thing *t)
 {
-    add(s, INK_WHITE, "age    %u", (unsigned)t->age);
-    add(s, INK_WHITE, "speed  %.3f dir %.2f", t->speed / 65536.0, t->dir);
+    add(s, CANVAS_WHITE, "age    %u", (unsigned)t->age);
+    add(s, CANVAS_WHITE, "speed  %.3f dir %.2f", t->speed / 65536.0, t->dir);
     add_motion(s, t);
     if (t->player)
-        add(s, INK_WHITE, "by     player %d", t->player);
+        add(s, CANVAS_WHITE, "by     player %d", t->player);
 }
 
-static void add_health(struct sheet *s, const struct inspect_thing *t)
+static void add_health(struct panel *s, const struct inspect_thing *t)
 {
     bool enemy = t->body.kind == INSPECT_ENEMY;
     if (enemy)
-        add(s, INK_WHITE, "age    %u", (unsigned)t->age);
-    add(s, INK_WHITE, enemy ? "hp     %d" : "lives  %d", (int)(enemy ? t->hp : t->lives));
+        add(s, CANVAS_WHITE, "age    %u", (unsigned)t->age);
+    add(s, CANVAS_WHITE, enemy ? "hp     %d" : "lives  %d", (int)(enemy ? t->hp : t->lives));
     if (t->safe)
-        add(s, INK_WHITE, t->safe < 0 ? "safe   for ever" : "safe   %d", (int)t->safe);
+        add(s, CANVAS_WHITE, t->safe < 0 ? "safe   for ever" : "safe   %d", (int)t->safe);
 }
 
-static void describe(struct sheet *s, const struct board *b, const struct inspect_thing *t)
+static void describe(struct panel *s, const struct board *b, const struct inspect_thing *t)
 {
     static const char *const kinds[] = { "", "bullet", "shot", "enemy", "player" };
-    add(s, INK_CYAN, "%s %u", kinds[t->body.kind], (unsigned)t->body.slot + (t->body.kind == INSPECT_PLAYER));
-    add(s, INK_WHITE, "kind   %s", t->name ? t->name : "?");
+    add(s, CANVAS_CYAN, "%s %u", kinds[t->body.kind], (unsigned)t->body.slot + (t->body.kind == INSPECT_PLAYER));
+    add(s, CANVAS_WHITE, "kind   %s", t->name ? t->name : "?");
     if (t->tag)
-        add(s, INK_WHITE, "tag    %s", t->tag);
+        add(s, CANVAS_WHITE, "tag    %s", t->tag);
     add_place(s, t);
     if (t->body.kind == INSPECT_BULLET || t->body.kind == INSPECT_SHOT)
         add_flight(s, t);
@@ -453,41 +459,41 @@ static bool on_panel(const struct layout *l, int x, int y)
 }
 
 /* Where the mouse points: ports hide their own pointer in fullscreen. */
-static void draw_pointer(const struct ink *ink, int x, int y)
+static void draw_pointer(const struct canvas *canvas, int x, int y)
 {
     enum { NEAR = 4, FAR = 6 };
-    ink_line(ink, x - FAR, y, x - NEAR, y, INK_WHITE);
-    ink_line(ink, x + NEAR, y, x + FAR, y, INK_WHITE);
-    ink_line(ink, x, y - FAR, x, y - NEAR, INK_WHITE);
-    ink_line(ink, x, y + NEAR, x, y + FAR, INK_WHITE);
+    canvas_line(canvas, x - FAR, y, x - NEAR, y, CANVAS_WHITE);
+    canvas_line(canvas, x + NEAR, y, x + FAR, y, CANVAS_WHITE);
+    canvas_line(canvas, x, y - FAR, x, y - NEAR, CANVAS_WHITE);
+    canvas_line(canvas, x, y + NEAR, x, y + FAR, CANVAS_WHITE);
 }
 
-static void put_thing(struct layout *l, const struct ink *ink, const struct board *b, int x, int y)
+static void place_thing(struct layout *l, const struct canvas *canvas, const struct board *b, int x, int y)
 {
-    struct sheet s = { .lines = 0 };
+    struct panel s = { .lines = 0 };
     struct inspect_thing t;
     if (x < 0 || y < l->y0 || y >= l->y1 || on_panel(l, x, y))
         return;
-    draw_pointer(ink, x, y);
+    draw_pointer(canvas, x, y);
     if (!inspect_at(b, x, y, MOUSE, &t))
         return;
-    draw_shape(ink, &t.body, INK_WHITE);
+    draw_shape(canvas, &t.body, CANVAS_WHITE);
     describe(&s, b, &t);
-    put_beside(l, ink, &s, x, y);
+    place_beside_mouse(l, canvas, &s, x, y);
 }
 
-void overlay_draw(const struct overlay *o, const struct ink *ink, int y0, int y1, const struct board *b, int mouse_x,
-                  int mouse_y)
+void overlay_draw(const struct overlay *o, const struct canvas *canvas, int y0, int y1, const struct board *b,
+                  int mouse_x, int mouse_y)
 {
-    struct layout l = { .y0 = y0, .y1 = y1, .w = ink->fb->w, .y = y0 };
+    struct layout l = { .y0 = y0, .y1 = y1, .w = canvas->fb->w, .y = y0 };
     if (o->on[OVERLAY_SHAPES])
-        draw_shapes(ink, y0, y1, b);
+        draw_shapes(canvas, y0, y1, b);
     if (o->on[OVERLAY_GAUGES])
-        put_gauges(&l, ink, b);
+        place_gauges(&l, canvas, b);
     if (o->on[OVERLAY_SPLIT])
-        put_split(&l, ink, &o->split);
+        place_split(&l, canvas, &o->split);
     if (o->on[OVERLAY_TASKS])
-        put_tasks(&l, ink, b);
+        place_tasks(&l, canvas, b);
     if (overlay_on(o))
-        put_thing(&l, ink, b, mouse_x, mouse_y);
+        place_thing(&l, canvas, b, mouse_x, mouse_y);
 }

@@ -1,9 +1,9 @@
 /*
  * cab.c - see cab.h: power, the frame, and its clock.
  *
- * plat_loop calls frame(), which may be the host's own timer, so everything is in one struct and frame() itself cleans up
- * at the end. A frame is due every 1/60 s, counted from a base so that nothing is lost to rounding. When the host was
- * late, up to MAX_LATE ticks are made up for; what is later than that is forgotten and the game slows down.
+ * plat_loop calls frame() and may be the host's own timer, so all state is in one struct and frame() itself cleans up
+ * at the end. A frame is due every 1/60 s, counted from a base so that nothing is lost to rounding. When the host is
+ * late, up to MAX_LATE ticks are made up for; later than that, frames are dropped and the game slows down.
  */
 #include "cab.h"
 
@@ -18,10 +18,10 @@
 enum {
     SECOND = 1000000,
     MAX_LATE = 4,
-    MAX_TURBO = 32,      /* ticks a frame */
-    TURBO_USEC = 12000,  /* of a frame spent on them */
-    SAVE_EVERY = 60,     /* frames */
-    NVRAM_MOST = 1 << 20 /* bytes that are kept of a damaged score file */
+    MAX_TURBO = 32,          /* ticks a frame */
+    TURBO_USEC = 12000,      /* of a frame spent on them */
+    SAVE_EVERY = 60,         /* frames */
+    MAX_NVRAM_KEPT = 1 << 20 /* bytes that are kept of a damaged score file */
 };
 
 struct cab cab;
@@ -33,7 +33,7 @@ static uint64_t due(uint64_t frame)
     return cab.base + frame * SECOND / 60;
 }
 
-/* Frames that are due by now, at least one; what is too late is forgotten. */
+/* Frames that are due by now, at least one; those that are too late are dropped. */
 static int frames_due(uint64_t now)
 {
     int n = 1;
@@ -53,23 +53,23 @@ static void turbo(uint64_t now)
         cab_tick();
 }
 
-/* True when a slowed board's turn has come. */
-static bool turn(void)
+/* In slow motion: is this one of the frames that tick? */
+static bool slow_tick_due(void)
 {
-    cab.waited = (cab.waited + 1) % cab.slow;
-    return cab.waited == 0;
+    cab.slow_frames = (cab.slow_frames + 1) % cab.slow;
+    return cab.slow_frames == 0;
 }
 
-/* Presses gather in cab.pads until a tick has seen them; those of a pause are lost. */
+/* Presses are collected in cab.pads until a tick has seen them; those of a pause are lost. */
 static void run(int frames, const struct keys_read *k, uint64_t now)
 {
     bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
     cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
     cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
-    if (cab.ask.open)
+    if (cab.prompt.open)
         return;
     if (cab.rewinding) {
-        cab_go_back((uint32_t)frames);
+        cab_rewind((uint32_t)frames);
         cab.step = false;
         memset(cab.pads, 0, sizeof cab.pads);
         return;
@@ -79,7 +79,7 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
     else if (fast && !cab.paused)
         turbo(now);
     for (int i = 0; i < frames && !cab.paused && !fast; i++)
-        if (turn()) {
+        if (slow_tick_due()) {
             cab_tick();
             ticked = true;
         }
@@ -104,21 +104,19 @@ static bool keeps_nvram(void)
            !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
 }
 
-/* Scores that cannot be read are kept beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
+/* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
 static void keep_damaged(const char *name, const uint8_t *image, size_t size)
 {
-    char beside[CAB_NAME + 32], text[2 * CAB_NAME + 64];
+    char beside[CAB_NAME + 32];
 
     snprintf(beside, sizeof beside, "%s.damaged", name);
     for (int i = 2; plat_size(beside) >= 0; i++)
         snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
     bool kept = plat_save(beside, image, size);
     cab.no_scores = !kept; /* then the file is not written either */
-    snprintf(text, sizeof text,
-             kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
-                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
-             name, beside);
-    plat_log(text);
+    cab_say(kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
+                 : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
+            name, beside);
 }
 
 uint8_t *cab_load_nvram(struct board_start *start)
@@ -128,10 +126,10 @@ uint8_t *cab_load_nvram(struct board_start *start)
     long size = plat_size(name);
     if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
         return NULL;
-    size = size < NVRAM_MOST ? size : NVRAM_MOST;
+    size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
     if (!image || plat_load(name, image, (size_t)size) != size) {
-        cab_say("curtain: %s: cannot be read; scores are not saved%s", name, "");
+        cab_say("curtain: %s: cannot be read; scores are not saved", name);
         cab.no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
@@ -153,7 +151,7 @@ void cab_save_nvram(void)
     cab.nvram_saved = changed;
     nvram_name(name);
     if (!files_save(name, image, NVRAM_BYTES, err, sizeof err))
-        cab_say("curtain: %s%s", err, "");
+        cab_say("curtain: %s", err);
 }
 
 /* ---- power ---- */
@@ -167,7 +165,7 @@ static void finish(void)
     bool good = session_close(&cab.session);
     cab.result = good || cab.result != RESULT_DONE ? cab.result : RESULT_HOST;
     if (!good)
-        cab_say("curtain: %s%s", cab.session.err, "");
+        cab_say("curtain: %s", cab.session.err);
     if (cab.attracting)
         cab_attract_end();
     cab_picture_close(&cab.picture);
@@ -184,18 +182,18 @@ static bool frame(void)
     if (now < due(cab.frames))
         return true;
     cab_poll(&k);
-    cab_look_for_changes();
+    cab_check_folder();
     int n = frames_due(now);
-    overlay_begin(&cab.overlay, cab.attracting ? &cab.shown : &cab.session.now->guard);
+    overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
     if (cab.practice.open)
         cab_menu(&k);
-    else if (cab.session.way != SESSION_THERE)
+    else if (cab.session.state != SESSION_IDLE)
         cab_work(now);
     else if (cab.console.open)
         memset(cab.pads, 0, sizeof cab.pads);
     else
         run(n, &k, now);
-    cab.bar -= cab.bar > 0;
+    cab.timebar_left -= cab.timebar_left > 0;
     cab.notice_left -= cab.notice_left > 0;
     if (++cab.since_save >= SAVE_EVERY) {
         cab.since_save = 0;
@@ -241,7 +239,7 @@ enum result cab_play(const struct cab_options *options)
     cab.start = options->start;
     cab.slow = 1;
     if (!config_load(&cab.config, err, sizeof err)) {
-        cab_say("curtain: %s%s", err, "");
+        cab_say("curtain: %s", err);
         return RESULT_REFUSED;
     }
     cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
@@ -258,10 +256,10 @@ enum result cab_play(const struct cab_options *options)
     practice_init(&cab.practice, options->cart, &cab.start);
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);
-    cab_wrote(!cab.session.err[0]);
+    cab_check_recording(!cab.session.err[0]);
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
-        cab_halt();
+        cab_report_fault();
     folder_open(&cab.folder, options->path);
     cab.base = plat_usec();
     plat_loop(frame);

@@ -1,5 +1,5 @@
 /*
- * cab_keys.c - the switches: what each of the cabinet's own does, and which go to the game.
+ * cab_keys.c - the switches: what each of the cabinet's keys does, and which buttons go to the game.
  */
 #include <stdio.h>
 #include <string.h>
@@ -29,65 +29,67 @@ static void cabinet_keys(const struct keys_read *k)
     if (k->pressed & 1 << CAB_STEP)
         cab.paused = cab.step = true;
     if (k->pressed & 1 << CAB_SLOW) {
-        cab_assisted();
+        cab_mark_assisted();
         cab.slow = cab.slow == MAX_SLOW ? 1 : cab.slow * 2;
     }
     if (k->pressed & 1 << CAB_SCREENSHOT)
         cab_screenshot(&cab.picture);
 }
 
-/* Those that go to and fro in time. */
+/* The keys that move in time. */
 static void time_keys(const struct keys_read *k)
 {
     const struct session *s = &cab.session;
-    uint32_t now = s->way == SESSION_SEEKS ? s->to : board_frame(cab_live()); /* pressed twice, it leads twice as far */
+    uint32_t now = s->state == SESSION_SEEKING
+                       ? s->to
+                       : board_frame(cab_live()); /* a second press counts from the target of the first */
 
     if (cab.attracting)
         return;
     if (k->pressed & 1 << CAB_BACK) {
         cab.paused = true;
-        cab_go_back(1);
+        cab_rewind(1);
     }
     if (k->pressed & 1 << CAB_BEFORE)
-        cab_go(timebar_before(&cab.session, now));
+        cab_goto(timebar_previous(&cab.session, now));
     if (k->pressed & 1 << CAB_AFTER)
-        cab_go(timebar_after(&cab.session, now));
+        cab_goto(timebar_next(&cab.session, now));
     if (k->pressed & 1 << CAB_TAKE_OVER)
         cab_take_over();
     if (k->pressed & 1 << CAB_RELOAD)
         cab_reload();
 }
 
-/* In a playback, and wherever the bar is shown, a click on it leads there. */
+/* In a playback, and whenever the time bar is shown, a click on it moves to that frame. */
 static void mouse(const struct plat_input *in)
 {
     uint32_t frame;
     bool held = in->mouse & 1, pressed = held && !cab.mouse;
 
     cab.mouse = held;
-    if (cab.attracting || cab.console.open || !(cab.session.demo || cab_bar_shown()) ||
+    if (cab.attracting || cab.console.open || !(cab.session.demo || cab_timebar_shown()) ||
         !timebar_at(&cab.session, cab.picture.fb.w, cab.picture.fb.h, in->mouse_x, in->mouse_y, &frame))
         return;
-    cab.bar = cab.bar ? cab.bar : 1;
-    if (pressed || (held && cab.session.way == SESSION_THERE && frame != board_frame(cab_live())))
-        cab_go(frame);
+    cab.timebar_left = cab.timebar_left ? cab.timebar_left : 1;
+    if (pressed || (held && cab.session.state == SESSION_IDLE && frame != board_frame(cab_live())))
+        cab_goto(frame);
 }
 
-/* True while a frame is asked for: the keys are for that, and time stands still. */
-static bool ask(const struct plat_input *in)
+/* True while the prompt is open: the keys are its own, and time stands still. */
+static bool prompt_keys(const struct plat_input *in)
 {
     uint32_t frame;
 
-    if (!cab.ask.open)
+    if (!cab.prompt.open)
         return false;
-    if (ask_poll(&cab.ask, in, &frame)) {
+    if (prompt_poll(&cab.prompt, in, &frame)) {
         cab.paused = true;
-        cab_go(frame);
+        cab_goto(frame);
     }
     return true;
 }
 
-/* Buttons gather until a tick has seen them. */
+/* Collects buttons until a tick has seen them. */
 static void take_pads(const struct keys_read *k)
 {
     for (int i = 0; i < PADS; i++) {
@@ -99,13 +101,13 @@ static void take_pads(const struct keys_read *k)
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
-    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.way == SESSION_THERE;
+    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.state == SESSION_IDLE;
     if (k->pressed & 1 << CAB_CONSOLE)
         cab_save_nvram();
     console_poll(&cab.console, in, k, stands ? cab_live() : NULL, !cab.session.demo);
     if (console_kept(&cab.console)) {
-        cab_wrote(session_touch(&cab.session));
-        practice_void(&cab.practice);
+        cab_check_recording(session_mark_touched(&cab.session));
+        practice_stop_counting(&cab.practice);
     }
     if (cab.want.text == cab.console.open)
         return;
@@ -120,8 +122,9 @@ void cab_poll(struct keys_read *k)
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
-    keys_read(&cab.config.keys, &in, k); /* also while a frame is asked for: what closes that is not to be read then */
-    if (ask(&in)) {
+    keys_read(&cab.config.keys, &in,
+              k); /* also while the prompt is open: the key that closes it must not be read afterwards */
+    if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
         return;
     }
@@ -134,7 +137,7 @@ void cab_poll(struct keys_read *k)
         return;
     time_keys(k);
     if (k->pressed & 1 << CAB_GOTO && !cab.attracting)
-        ask_open(&cab.ask, &in);
+        prompt_open(&cab.prompt, &in);
     mouse(&in);
     if (cab.attracting && k->fresh)
         cab_attract_end();

@@ -1,12 +1,12 @@
 /*
- * cab_parts.h - the cabinet's insides, shared by its files: cab.c (the frame, power), cab_run.c (the session's ticks, attract,
- * to and fro in time, reload), cab_practice.c, cab_show.c (window and picture), cab_keys.c (switches).
- * floor: cab    used by: cab.c cab_*.c
+ * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
+ * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches).
+ * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
 #define CAB_CAB_PARTS_H
 
-#include "../overlay/ask.h"
+#include "../overlay/prompt.h"
 #include "cab.h"
 #include "../host/config.h"
 #include "../overlay/console.h"
@@ -17,60 +17,66 @@
 #include "session.h"
 #include "../host/speaker.h"
 
+#ifdef __GNUC__
+#define CAB_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#else
+#define CAB_PRINTF(at, first)
+#endif
+
 enum {
     CAB_NAME = 96,
-    CAB_SAYS = 180 /* frames a notice stands */
+    CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
 };
 
-/* What is on the screen: the board's picture, untouched, and a copy with our words on it. */
+/* fb, rgb: the board's picture as it drew it. composed, composed_rgb: a copy with the overlay drawn on it. */
 struct picture {
-    struct fb fb, over;
+    struct fb fb, composed;
     void *memory;
     void *scratch;
-    uint32_t rgb[256], over_rgb[256];
+    uint32_t rgb[256], composed_rgb[256];
 };
 
-/* All of it. frame() may be called by the host's own timer, hence one for all. */
+/* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
 struct cab {
     struct cab_options options;
     struct board_start start;
-    uint8_t *nvram; /* what start.nvram points to, if we loaded it */
+    uint8_t *nvram; /* what start.nvram points to, if the cabinet loaded it; malloc */
     struct config config;
     struct plat_want want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
-    struct guard shown; /* of an attract demo */
+    struct guard attract_guard; /* runs an attract demo */
     struct demo attract;
     bool attracting;
     struct speaker speaker;
     struct picture picture;
-    uint64_t base;        /* frames are due from here */
-    uint64_t frames;      /* since base */
+    uint64_t base;        /* usec: when frame 0 was due */
+    uint64_t frames;      /* counted from base: the next one that is due */
     int since_save;       /* frames since nvram was last looked at */
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
     bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     uint16_t pads[PADS];  /* held since the last tick */
-    uint16_t stale[PADS]; /* held since the menu was open: not meant for the game */
+    uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
     bool paused, step;
-    bool rewinding; /* time runs backwards */
-    bool scrubbed;  /* somebody went to and fro in a playback: it waits at its end */
-    bool quiet;     /* not at full speed: no sound */
-    int slow;       /* 1, 2, 4: frames a tick */
-    int waited;     /* frames since the last tick */
-    int bar;        /* frames the bar of time is still shown */
-    bool mouse;     /* its button was held at the last poll */
+    bool rewinding;   /* time runs backwards */
+    bool scrubbed;    /* the player moved in time in a playback: at its end it pauses and does not quit */
+    bool quiet;       /* not at full speed: no sound */
+    int slow;         /* 1, 2, 4: frames a tick */
+    int slow_frames;  /* frames since the last tick */
+    int timebar_left; /* frames that the time bar is still shown */
+    bool mouse;       /* the mouse button was held at the last poll */
     int mouse_x, mouse_y;
-    struct ask ask;
+    struct prompt prompt;
     struct overlay overlay;
     struct console console;
     struct folder folder;
-    uint32_t differs; /* what was told of session.differs */
-    int since_look;
-    bool taking_in; /* something has: once the picture says so */
+    uint32_t differs; /* the value of session.differs that was last reported */
+    int since_check;  /* frames since the folder was last looked at */
+    bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
     char notice[DEMO_PATH + 128];
-    int notice_left; /* frames; -1: until it is put right */
-    bool told;       /* the fault that stands in the board */
+    int notice_left;     /* frames; -1: until a reload works */
+    bool fault_reported; /* of the fault that the board has now */
     bool quit;
     enum result result; /* of cab_play */
 };
@@ -78,92 +84,94 @@ extern struct cab cab;
 
 /* ---- cab.c ---- */
 
-/* The saved image for a start that has none of its own: malloc'ed, and start points to it. A practice start has a blank
- * one. NULL: none. */
+/* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
+ * is wanted: a practice run starts with a blank one. */
 uint8_t *cab_load_nvram(struct board_start *start);
 
-/* Saves nvram if it has changed, of a live run that nobody tampered with. */
+/* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
 
 /* ---- cab_run.c ---- */
 
-/* A line for the log: format has two %s. */
-void cab_say(const char *format, const char *a, const char *b);
+/* Writes a line to the log, cleaned of control characters. */
+CAB_PRINTF(1, 2) void cab_say(const char *format, ...);
 
-/* A line over the picture for so many frames; -1: until it is put right. */
-void cab_notice(const char *text, int frames);
+/* Shows a line over the picture for so many frames; -1: until a reload works. */
+CAB_PRINTF(2, 3) void cab_notice(int frames, const char *format, ...);
 
-/* After what may write a demo: with false, what the session said goes to the log. */
-void cab_wrote(bool good);
+/* Takes the result of a call that may write the recording. false: session.err goes to the log, and the exit code is
+ * 3. */
+void cab_check_recording(bool good);
 
-/* What the user calls the game; the ROM that runs, its board, and its fault or NULL. */
+/* The name the user typed for the game; the cart that runs, its board, and its fault or NULL. */
 const char *cab_game(void);
 const struct cart *cab_cart(void);
 struct board *cab_live(void);
 const struct board_fault *cab_fault(void);
 
-/* Slow motion or steps were used. */
-void cab_assisted(void);
+/* Flags the recording: slow motion or steps were used. */
+void cab_mark_assisted(void);
 
-/* A name "ID-N.what" in the current folder that is free. */
+/* Finds a name "ID-N.what" that no file in the current folder has. */
 void cab_free_name(char name[CAB_NAME], const char *what);
 
-/* What scripts printed in the last tick. */
+/* Writes to the log what scripts printed in the last tick. */
 void cab_log_lines(const struct board_out *out);
 
-/* The board has a fault: told once. */
-void cab_halt(void);
+/* Writes the board's fault to the log, once. */
+void cab_report_fault(void);
 
-/* The demo that is shown ends. */
+/* Ends the attract demo. */
 void cab_attract_end(void);
 
-/* One frame on, of the attract demo if one is shown; a single step, which is as it was, if it was. */
+/* cab_tick runs one frame, of the attract demo if one is shown. cab_step does too, but repeats what is recorded if the
+ * present is not the end of the recording. */
 void cab_tick(void);
 void cab_step(void);
 
-/* To another frame, or so many back; the bar of time shows where that is. */
-void cab_go(uint32_t frame);
-void cab_go_back(uint32_t frames);
+/* Moves to a frame, or so many frames back, and shows the time bar. */
+void cab_goto(uint32_t frame);
+void cab_rewind(uint32_t frames);
 
-/* The player plays on in a playback. */
+/* Ends a playback: from here the player plays. */
 void cab_take_over(void);
 
-/* Takes in what changed in the game's folder; looks whether something has; a piece of a long way of the session's. */
+/* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload. */
 void cab_reload(void);
-void cab_look_for_changes(void);
+void cab_check_folder(void);
 void cab_work(uint64_t now);
 
 /* ---- cab_practice.c ---- */
 
 uint64_t cab_seed_from_clock(void);
 
-/* The keys that open the menu and try again; a frame of the open menu, which has player 1's pad while the board stands
- * still. */
+/* Handles the keys that open the menu and retry; runs a frame of the open menu, which reads player 1's pad while the
+ * board stands still. */
 void cab_practice_keys(const struct keys_read *k);
 void cab_menu(const struct keys_read *k);
 
 /* ---- cab_show.c ---- */
 
-/* Memory for the pictures of a board; false: not enough. */
+/* Allocates the pictures of a board. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
 void cab_picture_close(struct picture *p);
 
-/* The window as cab.want and the game's manifest say. False: there is none. */
+/* Opens the window, or changes it, as cab.want and the game's manifest say. False: there is none. */
 bool cab_open_window(void);
 
-/* Draws the board that is to be seen; shows it, with all that stands over it. */
+/* Draws the board that is to be seen; shows the picture with the overlay on it. */
 void cab_picture_draw(struct picture *p);
 void cab_picture_show(struct picture *p);
 
-/* Shown where time is gone to and fro, and in a playback under the mouse. */
-bool cab_bar_shown(void);
+/* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
+bool cab_timebar_shown(void);
 
-/* The board's picture without our words, under the first free number. */
+/* Saves the board's picture, without the overlay, under the first free number. */
 void cab_screenshot(const struct picture *p);
 
 /* ---- cab_keys.c ---- */
 
-/* Reads the switches and does what the cabinet's own say. */
+/* Reads the switches and carries out the cabinet's own keys. */
 void cab_poll(struct keys_read *k);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * cab_practice.c - practice: the menu's and the retry key's part of the cabinet. A try is a power-on.
+ * cab_practice.c - the practice menu and the retry key. Each attempt is a power-on.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -13,10 +13,10 @@ uint64_t cab_seed_from_clock(void)
     return hash_fold(hash_fold(0, (uint64_t)time(0)), plat_usec());
 }
 
-/* The board anew with another start. */
+/* Powers the board again, with another start. */
 static void power_anew(struct board_start start)
 {
-    bool reloads = cab.session.way == SESSION_RELOADS;
+    bool reloads = cab.session.state == SESSION_RELOADING;
     const struct session_run *before = cab.session.now;
 
     cab_save_nvram();
@@ -24,8 +24,8 @@ static void power_anew(struct board_start start)
     start.nvram_size = cab.options.start.nvram_size;
     uint8_t *nvram = cab_load_nvram(&start);
     if (!session_restart(&cab.session, &start)) {
-        cab_notice(cab.session.err, CAB_SAYS);
-        cab_say("curtain: %s%s", cab.session.err, "");
+        cab_notice(CAB_NOTICE_FRAMES, "%s", cab.session.err);
+        cab_say("curtain: %s", cab.session.err);
     }
     if (cab.session.now == before) { /* as it was */
         free(nvram);
@@ -35,27 +35,27 @@ static void power_anew(struct board_start start)
     cab.nvram = nvram;
     cab.start = start;
     cab.nvram_saved = 0;
-    cab.told = cab.paused = cab.scrubbed = false;
-    cab.bar = cab.waited = 0;
+    cab.fault_reported = cab.paused = cab.scrubbed = false;
+    cab.timebar_left = cab.slow_frames = 0;
     memset(cab.pads, 0, sizeof cab.pads);
     practice_began(&cab.practice, &start);
     if (cab.slow > 1)
-        cab_assisted();
+        cab_mark_assisted();
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
-        cab_halt();
+        cab_report_fault();
     if (reloads)
         cab_reload();
 }
 
-/* A demo is played to its end; one that is recorded of a game is not lost to a section. */
+/* Practice may not end a playback, nor the recording of a game from its title. */
 static bool may_practise(void)
 {
     bool records = cab.session.record && !cab.start.practice.section[0];
 
     if (cab.session.demo || records)
-        cab_notice(records ? "no practice: this recording is of the game from its title" : "no practice in a demo",
-                   CAB_SAYS);
+        cab_notice(CAB_NOTICE_FRAMES,
+                   records ? "no practice: this recording is of the game from its title" : "no practice in a demo");
     return !cab.session.demo && !records;
 }
 
@@ -65,7 +65,7 @@ static void retry(void)
     if (cab.start.practice.section[0])
         power_anew(cab.start);
     else
-        cab_notice("nothing to try again: choose a piece first", CAB_SAYS);
+        cab_notice(CAB_NOTICE_FRAMES, "nothing to try again: choose a piece first");
 }
 
 void cab_practice_keys(const struct keys_read *k)
@@ -94,7 +94,7 @@ void cab_menu(const struct keys_read *k)
     memset(cab.pads, 0, sizeof cab.pads);
     enum practice_choice choice = practice_poll(&cab.practice, k->pads[0]);
     if (cab.practice.slow != cab.slow)
-        cab_assisted();
+        cab_mark_assisted();
     cab.slow = cab.practice.slow;
     cab.overlay.on[OVERLAY_SHAPES] = cab.practice.hitbox;
     if (choice != PRACTICE_START)

@@ -1,8 +1,9 @@
 /*
- * cab_run.c - the run: its ticks, to and fro in time (which is session.c's doing), reload, and attract demos.
+ * cab_run.c - the run: its ticks, moving in time (session.c does the work), reload, and attract demos.
  *
- * Two boards at most: the session's, and while it is parked the one that shows an attract demo.
+ * There are two boards at most: the session's, and while that one stands still the one that shows an attract demo.
  */
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
@@ -11,16 +12,20 @@
 
 enum {
     LOOK_EVERY = 15,  /* frames between two looks at the game's folder */
-    BAR_STAYS = 120,  /* frames after it was used */
-    WORK_USEC = 12000 /* of a frame spent on a long way */
+    BAR_STAYS = 120,  /* frames the time bar is shown after its last use */
+    WORK_USEC = 12000 /* of a frame spent on a seek or a reload */
 };
 
-/* ---- words ---- */
+/* ---- messages ---- */
 
-void cab_say(const char *format, const char *a, const char *b)
+void cab_say(const char *format, ...)
 {
     char line[2048];
-    snprintf(line, sizeof line, format, a, b);
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
     clean_line(line);
     plat_log(line);
 }
@@ -45,23 +50,27 @@ const struct board_fault *cab_fault(void)
     return board_last(cab_live())->fault;
 }
 
-void cab_notice(const char *text, int frames)
+void cab_notice(int frames, const char *format, ...)
 {
-    snprintf(cab.notice, sizeof cab.notice, "%s", text);
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(cab.notice, sizeof cab.notice, format, args);
+    va_end(args);
     cab.notice_left = frames;
 }
 
-void cab_wrote(bool good)
+void cab_check_recording(bool good)
 {
     if (good)
         return;
-    cab_say("curtain: %s%s", cab.session.err, "");
+    cab_say("curtain: %s", cab.session.err);
     cab.result = RESULT_HOST;
 }
 
-void cab_assisted(void)
+void cab_mark_assisted(void)
 {
-    cab_wrote(session_assist(&cab.session));
+    cab_check_recording(session_mark_assisted(&cab.session));
 }
 
 void cab_free_name(char name[CAB_NAME], const char *what)
@@ -72,7 +81,7 @@ void cab_free_name(char name[CAB_NAME], const char *what)
     while (plat_size(name) >= 0);
 }
 
-/* ---- what a tick hands out ---- */
+/* ---- tick output ---- */
 
 void cab_log_lines(const struct board_out *out)
 {
@@ -87,22 +96,22 @@ void cab_log_lines(const struct board_out *out)
     }
 }
 
-static void hear(const struct board_out *out)
+static void play_sound(const struct board_out *out)
 {
     if (!cab.quiet)
         speaker_play(&cab.speaker, out->sound);
 }
 
-void cab_halt(void)
+void cab_report_fault(void)
 {
-    if (!cab.told) {
+    if (!cab.fault_reported) {
         struct board_fault fault = *cab_fault();
         cab_say("curtain: %s: %s", cab_game(), fault.message);
         clean_lines(fault.trace);
         if (fault.trace[0])
             plat_log(fault.trace);
     }
-    cab.told = true;
+    cab.fault_reported = true;
 }
 
 /* ---- attract: a second board while the live one stands still ---- */
@@ -121,7 +130,7 @@ static bool find_attract(const char *name, struct lump *lump)
 
 void cab_attract_end(void)
 {
-    guard_close(&cab.shown);
+    guard_close(&cab.attract_guard);
     demo_free(&cab.attract);
     cab.attracting = false;
 }
@@ -134,7 +143,7 @@ static void attract_begin(const char *name)
         return;
     cab.attracting = demo_read(&cab.attract, lump.data, lump.size, err, sizeof err) &&
                      demo_fits(&cab.attract, cab_cart(), err, sizeof err) &&
-                     guard_power(&cab.shown, cab_cart()->rom, &cab.attract.start, err, sizeof err);
+                     guard_power(&cab.attract_guard, cab_cart()->rom, &cab.attract.start, err, sizeof err);
     if (cab.attracting)
         return;
     cab_say("curtain: demo \"%s\": %s", name, err);
@@ -144,47 +153,44 @@ static void attract_begin(const char *name)
 static void attract_tick(void)
 {
     uint16_t pads[PADS];
-    const struct board *b = cab.shown.board;
+    const struct board *b = cab.attract_guard.board;
     if (board_last(b)->fault || board_last(b)->request == REQUEST_QUIT || board_frame(b) >= cab.attract.frames) {
         cab_attract_end();
         return;
     }
     demo_pads(&cab.attract, board_frame(b), pads);
-    hear(guard_tick(&cab.shown, pads));
+    play_sound(guard_tick(&cab.attract_guard, pads));
 }
 
 /* ---- forward ---- */
 
-/* What the tick just over hands out. */
-static void hand_out(void)
+/* Handles the output of the last tick. */
+static void handle_output(void)
 {
     const struct board_out *out = board_last(cab_live());
 
     cab_log_lines(out);
-    hear(out);
-    practice_hear(&cab.practice, out);
+    play_sound(out);
+    practice_after_tick(&cab.practice, out);
     if (out->fault)
-        cab_halt();
+        cab_report_fault();
     else if (out->request == REQUEST_QUIT)
         cab.quit = true;
     else if (out->request == REQUEST_ATTRACT && !cab.session.demo)
         attract_begin(out->attract);
 }
 
-/* A playback that is another run than was recorded says so, once. */
-static void tell_difference(void)
+/* Reports, once, that a playback is not the run that was recorded. */
+static void report_difference(void)
 {
-    char text[96];
-
     if (!cab.session.differs || cab.differs == cab.session.differs)
         return;
     cab.differs = cab.session.differs;
-    snprintf(text, sizeof text, "from frame %u on this is not the run that was recorded", (unsigned)cab.differs);
-    cab_notice(text, CAB_SAYS);
-    cab_say("curtain: %s: %s", cab_game(), text);
+    cab_notice(CAB_NOTICE_FRAMES, "from frame %u on this is not the run that was recorded", (unsigned)cab.differs);
+    cab_say("curtain: %s: %s", cab_game(), cab.notice);
 }
 
-/* A playback is over at its end, or waits there for who went to and fro in it. */
+/* At its end a playback quits, or pauses if the player has moved in time. */
 static bool at_end(void)
 {
     if (!cab.session.demo || board_frame(cab_live()) < cab.session.demo->frames)
@@ -204,9 +210,9 @@ void cab_tick(void)
     }
     if (cab_fault() || at_end())
         return;
-    cab_wrote(session_tick(&cab.session, cab.pads));
-    tell_difference();
-    hand_out();
+    cab_check_recording(session_tick(&cab.session, cab.pads));
+    report_difference();
+    handle_output();
 }
 
 void cab_step(void)
@@ -214,109 +220,101 @@ void cab_step(void)
     if (cab.attracting || cab_fault())
         return;
     if (board_frame(cab_live()) < session_last(&cab.session)) {
-        session_again(&cab.session);
-        hand_out();
+        session_replay_tick(&cab.session);
+        handle_output();
     } else {
-        cab_assisted();
+        cab_mark_assisted();
         cab_tick();
     }
 }
 
-/* ---- to and fro ---- */
+/* ---- moving in time ---- */
 
-static void not_before(void)
+static void notice_first_frame(void)
 {
-    char text[64];
-
-    snprintf(text, sizeof text, "what was before frame %u is not known", (unsigned)session_first(&cab.session));
-    cab_notice(text, BAR_STAYS);
+    cab_notice(BAR_STAYS, "what was before frame %u is not known", (unsigned)session_first(&cab.session));
 }
 
-void cab_go(uint32_t frame)
+void cab_goto(uint32_t frame)
 {
     if (!cab.session.demo && !cab.session.rewound)
         cab_save_nvram();
     if (frame < session_first(&cab.session))
-        not_before();
+        notice_first_frame();
     session_goto(&cab.session, frame);
-    practice_void(&cab.practice);
+    practice_stop_counting(&cab.practice);
     cab.scrubbed = true;
-    cab.told = cab.told && cab_fault();
-    cab.bar = BAR_STAYS;
+    cab.fault_reported = cab.fault_reported && cab_fault();
+    cab.timebar_left = BAR_STAYS;
 }
 
-void cab_go_back(uint32_t frames)
+void cab_rewind(uint32_t frames)
 {
     uint32_t now = board_frame(cab_live());
-    cab_go(now > frames ? now - frames : 0);
+    cab_goto(now > frames ? now - frames : 0);
 }
 
 void cab_take_over(void)
 {
     static char name[CAB_NAME];
-    char text[CAB_NAME + 32];
 
     if (!cab.session.demo) {
-        cab_notice("nothing to take over: it is you who plays", CAB_SAYS);
+        cab_notice(CAB_NOTICE_FRAMES, "nothing to take over: it is you who plays");
         return;
     }
     cab_free_name(name, "demo");
     bool given = cab.options.record != NULL;
-    cab_wrote(session_take_over(&cab.session, given ? cab.options.record : name));
-    snprintf(text, sizeof text, "you play; recording %s", given ? cab.options.record : name);
-    cab_notice(text, CAB_SAYS);
-    cab_say("curtain: %s: %s", cab_game(), text);
+    cab_check_recording(session_take_over(&cab.session, given ? cab.options.record : name));
+    cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", given ? cab.options.record : name);
+    cab_say("curtain: %s: %s", cab_game(), cab.notice);
     cab.paused = false;
-    cab.bar = 0;
+    cab.timebar_left = 0;
 }
 
 /* ---- reload ---- */
 
-static void not_taken_in(void)
+static void report_reload_failure(void)
 {
-    char text[sizeof cab.session.err + 32];
-
-    snprintf(text, sizeof text, "not taken in: %s", cab.session.err);
-    cab_notice(text, -1);
-    cab_say("curtain: %s%s", text, "");
+    cab_notice(-1, "not taken in: %s", cab.session.err);
+    cab_say("curtain: %s", cab.notice);
 }
 
 void cab_reload(void)
 {
     if (!cab.options.path) {
-        cab_notice("the built-in game cannot be reloaded", CAB_SAYS);
+        cab_notice(CAB_NOTICE_FRAMES, "the built-in game cannot be reloaded");
         return;
     }
-    cab_save_nvram(); /* a run that was touched does not */
+    cab_save_nvram(); /* does nothing once the run is touched */
     if (session_reload(&cab.session, cab.options.path, cab.options.nearest)) {
         cab.notice_left = 0;
         return;
     }
-    not_taken_in();
+    report_reload_failure();
 }
 
-void cab_look_for_changes(void)
+void cab_check_folder(void)
 {
-    if (cab.taking_in) {
-        cab.taking_in = false;
+    if (cab.reload_due) {
+        cab.reload_due = false;
         cab_reload();
     }
-    if (++cab.since_look < LOOK_EVERY)
+    if (++cab.since_check < LOOK_EVERY)
         return;
-    cab.since_look = 0;
-    cab.taking_in = folder_changed(&cab.folder);
-    if (cab.taking_in) /* a script that loads for long stops the picture: it should say why */
-        cab_notice("taking in what changed", CAB_SAYS);
+    cab.since_check = 0;
+    cab.reload_due = folder_changed(&cab.folder);
+    if (cab.reload_due) /* loading may stop the picture for long: say why first */
+        cab_notice(CAB_NOTICE_FRAMES, "taking in what changed");
 }
 
-/* The changed game may have another screen and other capacities. */
-static void landed(void)
+/* The new ROM runs: it may have another screen and other capacities. */
+static void finish_reload(void)
 {
     const struct manifest *m = &cab_cart()->m;
 
-    if (cab.attracting) /* its board was of the ROM that is gone */
+    if (cab.attracting) /* its board reads the ROM that is freed */
         cab_attract_end();
-    cab.told = false;
+    cab.fault_reported = false;
     practice_reloaded(&cab.practice, cab_cart());
     cab_picture_close(&cab.picture);
     if (!cab_picture_open(&cab.picture, cab_live())) {
@@ -327,23 +325,23 @@ static void landed(void)
     }
     if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0)
         cab.quit = !cab_open_window() || cab.quit;
-    cab_say("curtain: %s: reloaded%s", cab_game(), "");
-    cab_notice("reloaded", CAB_SAYS / 3);
+    cab_say("curtain: %s: reloaded", cab_game());
+    cab_notice(CAB_NOTICE_FRAMES / 3, "reloaded");
 }
 
 void cab_work(uint64_t now)
 {
-    bool reloads = cab.session.way == SESSION_RELOADS;
+    bool reloads = cab.session.state == SESSION_RELOADING;
 
     if (!session_work(&cab.session, now + WORK_USEC)) {
         if (reloads)
-            not_taken_in();
+            report_reload_failure();
         else
-            cab_wrote(false);
-    } else if (reloads && cab.session.way == SESSION_THERE) {
-        landed();
+            cab_check_recording(false);
+    } else if (reloads && cab.session.state == SESSION_IDLE) {
+        finish_reload();
     }
-    tell_difference();
+    report_difference();
     if (cab_fault())
-        cab_halt();
+        cab_report_fault();
 }

@@ -1,5 +1,5 @@
 /*
- * cab_show.c - the window: the board's picture, and over a copy of it words, bar of time, panels, console or menu.
+ * cab_show.c - the window: the board's picture, and over a copy of it the message, time bar, panels, console or menu.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ bool cab_picture_open(struct picture *p, const struct board *b)
     if (!p->memory || !p->scratch)
         return false;
     fb_init(&p->fb, p->memory, w, h);
-    fb_init(&p->over, (char *)p->memory + fb_size(w, h), w, h);
+    fb_init(&p->composed, (char *)p->memory + fb_size(w, h), w, h);
     return true;
 }
 
@@ -46,36 +46,36 @@ bool cab_open_window(void)
 
 void cab_picture_draw(struct picture *p)
 {
-    const struct board *b = cab.attracting ? cab.shown.board : cab_live();
+    const struct board *b = cab.attracting ? cab.attract_guard.board : cab_live();
     if (cab.attracting || !cab_fault())
         board_draw(b, &p->fb, p->rgb, p->scratch);
 }
 
-static struct ink picture_copy(struct picture *p)
+static struct canvas copy_picture(struct picture *p)
 {
-    struct ink ink;
+    struct canvas canvas;
 
     for (int y = 0; y < p->fb.h; y++)
-        memcpy(p->over.pix + y * p->over.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
-    memcpy(p->over_rgb, p->rgb, sizeof p->rgb);
-    ink_open(&ink, &p->over, p->over_rgb);
-    return ink;
+        memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
+    memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
+    canvas_open(&canvas, &p->composed, p->composed_rgb);
+    return canvas;
 }
 
-/* ---- over it ---- */
+/* ---- the overlay ---- */
 
-/* What we have to say over the picture; "": nothing. */
-static void words(char *text, size_t size)
+/* The message over the picture; "": none. */
+static void message_text(char *text, size_t size)
 {
     const struct board_fault *f = cab_fault();
     uint32_t at = board_frame(cab_live());
 
     text[0] = 0;
-    if (cab.session.way != SESSION_THERE)
-        snprintf(text, size, "%s %d%%", cab.session.way == SESSION_SEEKS ? "seeking" : "reloading",
+    if (cab.session.state != SESSION_IDLE)
+        snprintf(text, size, "%s %d%%", cab.session.state == SESSION_SEEKING ? "seeking" : "reloading",
                  session_progress(&cab.session) / 10);
-    else if (cab.ask.open)
-        snprintf(text, size, "go to frame %s_", cab.ask.digits);
+    else if (cab.prompt.open)
+        snprintf(text, size, "go to frame %s_", cab.prompt.digits);
     else if (cab.notice_left)
         snprintf(text, size, "%s", cab.notice);
     else if (f)
@@ -88,17 +88,18 @@ static void words(char *text, size_t size)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
 }
 
-bool cab_bar_shown(void)
+bool cab_timebar_shown(void)
 {
-    return !cab.attracting && (cab.ask.open || cab.rewinding || cab.bar > 0 || (cab.session.demo && cab.paused));
+    return !cab.attracting &&
+           (cab.prompt.open || cab.rewinding || cab.timebar_left > 0 || (cab.session.demo && cab.paused));
 }
 
-static void progress_draw(const struct ink *ink)
+static void draw_progress(const struct canvas *canvas)
 {
-    int w = ink->fb->w, done = (int)((int64_t)w * session_progress(&cab.session) / 1000);
+    int w = canvas->fb->w, done = (int)((int64_t)w * session_progress(&cab.session) / 1000);
 
-    ink_rect(ink, 0, INK_CELL_H + 1, w, 2, INK_GREY);
-    ink_rect(ink, 0, INK_CELL_H + 1, done, 2, INK_GREEN);
+    canvas_rect(canvas, 0, CANVAS_CELL_H + 1, w, 2, CANVAS_GREY);
+    canvas_rect(canvas, 0, CANVAS_CELL_H + 1, done, 2, CANVAS_GREEN);
 }
 
 void cab_picture_show(struct picture *p)
@@ -106,25 +107,25 @@ void cab_picture_show(struct picture *p)
     char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4];
 
     if (cab.practice.open) {
-        struct ink ink = picture_copy(p);
-        practice_draw(&cab.practice, &ink);
-        plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
+        struct canvas canvas = copy_picture(p);
+        practice_draw(&cab.practice, &canvas);
+        plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
         return;
     }
-    words(text, sizeof text);
-    if (!text[0] && !cab_bar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
+    message_text(text, sizeof text);
+    if (!text[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
-    struct ink ink = picture_copy(p);
-    int y0 = text[0] ? message_draw(&ink, 0, text) : 0, y1 = console_draw(&cab.console, &ink);
-    overlay_draw(&cab.overlay, &ink, y0, cab_bar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
-                 cab.attracting ? cab.shown.board : cab_live(), cab.mouse_x, cab.mouse_y);
-    if (cab.session.way != SESSION_THERE)
-        progress_draw(&ink);
-    if (cab_bar_shown() && !cab.console.open)
-        timebar_draw(&ink, &cab.session);
-    plat_show(p->over.pix, p->over.pitch, p->over.w, p->over.h, p->over_rgb);
+    struct canvas canvas = copy_picture(p);
+    int y0 = text[0] ? message_draw(&canvas, 0, text) : 0, y1 = console_draw(&cab.console, &canvas);
+    overlay_draw(&cab.overlay, &canvas, y0, cab_timebar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
+                 cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
+    if (cab.session.state != SESSION_IDLE)
+        draw_progress(&canvas);
+    if (cab_timebar_shown() && !cab.console.open)
+        timebar_draw(&canvas, &cab.session);
+    plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
 }
 
 void cab_screenshot(const struct picture *p)
@@ -140,6 +141,6 @@ void cab_screenshot(const struct picture *p)
         return;
     }
     bool good = files_save(name, png, size, err, sizeof err);
-    cab_say(good ? "wrote %s%s" : "curtain: %s%s", good ? name : err, "");
+    cab_say(good ? "wrote %s" : "curtain: %s", good ? name : err);
     free(png);
 }

@@ -1,6 +1,6 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls,
- * so it fits every screen; names are cut before they reach the column of numbers.
+ * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls, so
+ * it fits every screen; names are cut before they reach the numbers' column.
  */
 #include "practice.h"
 
@@ -45,8 +45,8 @@ static struct row row_at(const struct practice_menu *m, int at)
     return (struct row){ ROW_SECTION, at - 7 - n };
 }
 
-/* Where nothing can be chosen: the line between, and the bosses' headings. */
-static bool passed_over(const struct practice_menu *m, int at)
+/* Rows that cannot be chosen: the blank line, and the bosses' headings. */
+static bool is_heading(const struct practice_menu *m, int at)
 {
     struct row r = row_at(m, at);
 
@@ -54,22 +54,22 @@ static bool passed_over(const struct practice_menu *m, int at)
 }
 
 /* The next row that can be chosen, round the list's ends. */
-static int step(const struct practice_menu *m, int at, int way)
+static int step(const struct practice_menu *m, int at, int direction)
 {
     do
-        at = (at + way + rows(m)) % rows(m);
-    while (passed_over(m, at));
+        at = (at + direction + rows(m)) % rows(m);
+    while (is_heading(m, at));
     return at;
 }
 
-/* The row of a section; the first section's, or the title's, where there is none of that id. */
+/* The row of a section; if none has that id the first section's, or the title's. */
 static int row_of(const struct practice_menu *m, const char *id)
 {
     int first = 0;
 
     for (int at = rows(m) - 1; at > 0; at--) {
         struct row r = row_at(m, at);
-        if (r.kind != ROW_SECTION || passed_over(m, at))
+        if (r.kind != ROW_SECTION || is_heading(m, at))
             continue;
         if (strcmp(m->sections.section[r.i].id, id) == 0)
             return at;
@@ -96,22 +96,22 @@ void practice_began(struct practice_menu *m, const struct board_start *start)
 {
     m->start = *start;
     m->counts = start->practice.section[0] && !start->practice.invincible;
-    m->trying = false;
+    m->attempting = false;
 }
 
-void practice_void(struct practice_menu *m)
+void practice_stop_counting(struct practice_menu *m)
 {
-    m->counts = m->trying = false;
+    m->counts = m->attempting = false;
 }
 
 void practice_reloaded(struct practice_menu *m, const struct cart *cart)
 {
     m->cart = cart;
     m->listed = false;
-    practice_void(m);
+    practice_stop_counting(m);
 }
 
-/* Does the marker tell that the section ended well? */
+/* Does the marker mean that the section ended well? */
 static bool ends_well(const char *section, const struct board_marker *marker)
 {
     char name[80];
@@ -126,25 +126,25 @@ static bool ends_well(const char *section, const struct board_marker *marker)
     return n == strlen(marker->name) && memcmp(section, marker->name, n) == 0;
 }
 
-static void hear(struct practice_menu *m, const struct board_marker *marker)
+static void count_marker(struct practice_menu *m, const struct board_marker *marker)
 {
     const char *section = m->start.practice.section, *difficulty = m->cart->m.difficulties[difficulty_of(m, &m->start)];
 
     if (marker->kind == MARKER_START) {
         records_attempt(&m->records, section, difficulty);
-        m->trying = true;
+        m->attempting = true;
     } else if (marker->kind == MARKER_DEATH) {
-        m->trying = false;
-    } else if (m->trying && ends_well(section, marker)) {
+        m->attempting = false;
+    } else if (m->attempting && ends_well(section, marker)) {
         records_capture(&m->records, section, difficulty);
-        m->trying = false;
+        m->attempting = false;
     }
 }
 
-void practice_hear(struct practice_menu *m, const struct board_out *out)
+void practice_after_tick(struct practice_menu *m, const struct board_out *out)
 {
     for (int i = 0; m->counts && i < out->markers; i++)
-        hear(m, &out->marker[i]);
+        count_marker(m, &out->marker[i]);
 }
 
 void practice_close(struct practice_menu *m)
@@ -163,7 +163,7 @@ static void list(struct practice_menu *m)
         m->value[i] = m->sections.reg[i].value;
 }
 
-/* The settings of the run as it is. */
+/* Takes over the settings of the present run. */
 static void take_settings(struct practice_menu *m)
 {
     const struct practice *p = &m->start.practice;
@@ -226,19 +226,19 @@ static int32_t add_within(int32_t v, int by)
     return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
 }
 
-static void change(struct practice_menu *m, int way, int times)
+static void change(struct practice_menu *m, int direction, int times)
 {
     struct row r = row_at(m, m->row);
 
     switch (r.kind) {
     case ROW_DIFFICULTY:
-        m->difficulty = round_to(m->difficulty + way, 0, m->cart->m.n_difficulties - 1);
+        m->difficulty = round_to(m->difficulty + direction, 0, m->cart->m.n_difficulties - 1);
         break;
     case ROW_LIVES:
-        m->lives = round_to(m->lives + way * times, 0, PRACTICE_LIVES);
+        m->lives = round_to(m->lives + direction * times, 0, PRACTICE_LIVES);
         break;
     case ROW_REGISTER:
-        m->value[r.i] = add_within(m->value[r.i], way * times);
+        m->value[r.i] = add_within(m->value[r.i], direction * times);
         break;
     case ROW_INVINCIBLE:
         m->invincible = !m->invincible;
@@ -247,7 +247,7 @@ static void change(struct practice_menu *m, int way, int times)
         m->hitbox = !m->hitbox;
         break;
     case ROW_SPEED:
-        m->slow = way > 0 ? (m->slow == 4 ? 1 : m->slow * 2) : (m->slow == 1 ? 4 : m->slow / 2);
+        m->slow = direction > 0 ? (m->slow == 4 ? 1 : m->slow * 2) : (m->slow == 1 ? 4 : m->slow / 2);
         break;
     default:
         break;
@@ -270,17 +270,17 @@ static enum practice_choice accept(struct practice_menu *m)
     return PRACTICE_START;
 }
 
-/* Buttons that go down, or do so again because they are held. */
+/* Buttons that were just pressed, and arrows that repeat because they are held. */
 static uint16_t pressed(struct practice_menu *m, uint16_t pad)
 {
     enum { WAIT = 20, AGAIN = 3 };
-    const uint16_t ways = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT;
+    const uint16_t arrows = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT;
     uint16_t fresh = (uint16_t)(pad & ~m->held);
 
-    m->held_for = pad & ways && !(fresh & ways) ? m->held_for + 1 : 0;
+    m->held_for = pad & arrows && !(fresh & arrows) ? m->held_for + 1 : 0;
     m->held = pad;
     if (m->held_for >= WAIT && (m->held_for - WAIT) % AGAIN == 0)
-        fresh |= (uint16_t)(pad & ways);
+        fresh |= (uint16_t)(pad & arrows);
     return fresh;
 }
 
@@ -305,36 +305,36 @@ enum practice_choice practice_poll(struct practice_menu *m, uint16_t pad)
 
 /* ---- drawing ---- */
 
-enum { ROW_H = INK_CELL_H + 1, EDGE = 2, FOOT_FROM = 160 /* px of height with room for a line of help */ };
+enum { ROW_H = CANVAS_CELL_H + 1, EDGE = 2, FOOT_FROM = 160 /* px of height with room for a line of help */ };
 
-/* Where the menu stands, in pixels; the rows and the numbers' column end at right. */
+/* The menu's rectangle, in pixels; the numbers' column ends at its right edge. */
 struct page {
-    const struct ink *ink;
+    const struct canvas *canvas;
     int x, y, w, h;
 };
 
 /* Text cut to w pixels, with two dots where it is cut. */
-static void put(const struct page *p, int x, int y, int w, enum ink_colour c, const char *text)
+static void draw_cut(const struct page *p, int x, int y, int w, enum canvas_colour c, const char *text)
 {
-    int room = w / INK_CELL_W, n = (int)strlen(text);
+    int room = w / CANVAS_CELL_W, n = (int)strlen(text);
 
     if (n <= room) {
-        ink_text(p->ink, x, y, c, text);
+        canvas_text(p->canvas, x, y, c, text);
         return;
     }
     int kept = room > 2 ? room - 2 : 0;
-    x = ink_bytes(p->ink, x, y, c, text, kept);
-    ink_bytes(p->ink, x, y, c, "..", room - kept);
+    x = canvas_bytes(p->canvas, x, y, c, text, kept);
+    canvas_bytes(p->canvas, x, y, c, "..", room - kept);
 }
 
-/* A row's left part, and its right one against the edge, which is never cut. */
-static void line(const struct page *p, int y, int indent, enum ink_colour c, const char *left, enum ink_colour rc,
+/* Draws a row's left part, cut where it must be, and its right part, which never is, at the right edge. */
+static void line(const struct page *p, int y, int indent, enum canvas_colour c, const char *left, enum canvas_colour rc,
                  const char *right)
 {
-    int x = p->x + EDGE + indent * INK_CELL_W, end = p->x + p->w - EDGE, w = ink_width(right);
+    int x = p->x + EDGE + indent * CANVAS_CELL_W, end = p->x + p->w - EDGE, w = canvas_width(right);
 
-    put(p, x, y, end - x - (w ? w + INK_CELL_W : 0), c, left);
-    ink_text(p->ink, end - w, y, rc, right);
+    draw_cut(p, x, y, end - x - (w ? w + CANVAS_CELL_W : 0), c, left);
+    canvas_text(p->canvas, end - w, y, rc, right);
 }
 
 static const struct record *record_of(const struct practice_menu *m, const struct section *section)
@@ -343,21 +343,21 @@ static const struct record *record_of(const struct practice_menu *m, const struc
 }
 
 /* Grey: never tried; yellow: never captured. */
-static enum ink_colour colour_of(const struct record *r)
+static enum canvas_colour colour_of(const struct record *r)
 {
-    return !r || !r->attempts ? INK_GREY : r->captures ? INK_GREEN : INK_YELLOW;
+    return !r || !r->attempts ? CANVAS_GREY : r->captures ? CANVAS_GREEN : CANVAS_YELLOW;
 }
 
-/* A boss by its title, with its name where numbers stand; all else by its name, and what follows that. */
+/* A boss is shown by its title, with its name in the numbers' column; other sections by name and title. */
 static void draw_section(const struct practice_menu *m, const struct page *p, int y, const struct section *section,
-                         bool chosen)
+                       bool chosen)
 {
     const struct record *r = record_of(m, section);
     bool stage = section->kind == SECTION_STAGE;
     char left[96], right[32];
 
     if (section->kind == SECTION_BOSS) {
-        line(p, y, 0, INK_CYAN, section->title[0] ? section->title : section->name, INK_GREY,
+        line(p, y, 0, CANVAS_CYAN, section->title[0] ? section->title : section->name, CANVAS_GREY,
              section->title[0] ? section->name : "");
         return;
     }
@@ -365,13 +365,13 @@ static void draw_section(const struct practice_menu *m, const struct page *p, in
              section->title);
     snprintf(right, sizeof right, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
     line(p, y, stage ? 0 : 2,
-         chosen  ? INK_PAPER
-         : stage ? INK_CYAN
-                 : INK_WHITE,
-         left, chosen ? INK_PAPER : colour_of(r), right);
+         chosen  ? CANVAS_DARK
+         : stage ? CANVAS_CYAN
+                 : CANVAS_WHITE,
+         left, chosen ? CANVAS_DARK : colour_of(r), right);
 }
 
-/* The words of a setting. */
+/* The text of a setting. */
 static void setting(const struct practice_menu *m, struct row r, char left[64], char right[32])
 {
     static const char *const speeds[] = { "", "1", "1/2", "", "1/4" };
@@ -406,20 +406,20 @@ static void draw_row(const struct practice_menu *m, const struct page *p, int y,
     char left[64], right[32], both[40];
 
     if (chosen)
-        ink_rect(p->ink, p->x, y - 1, p->w, ROW_H, INK_WHITE);
+        canvas_rect(p->canvas, p->x, y - 1, p->w, ROW_H, CANVAS_WHITE);
     if (r.kind == ROW_SECTION)
         draw_section(m, p, y, &m->sections.section[r.i], chosen);
     else if (r.kind == ROW_TITLE)
-        line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, "the game from its title", INK_PAPER, "");
+        line(p, y, 0, chosen ? CANVAS_DARK : CANVAS_WHITE, "the game from its title", CANVAS_DARK, "");
     else if (r.kind != ROW_BLANK) {
         setting(m, r, left, right);
         snprintf(both, sizeof both, chosen ? "< %s >" : "%s", right);
-        line(p, y, 0, chosen ? INK_PAPER : INK_WHITE, left, chosen ? INK_PAPER : INK_YELLOW, both);
+        line(p, y, 0, chosen ? CANVAS_DARK : CANVAS_WHITE, left, chosen ? CANVAS_DARK : CANVAS_YELLOW, both);
     }
 }
 
-/* How many bytes of s stand on one line; breaks at blanks where there are some. */
-static int words(const char *s, int room)
+/* How many bytes of s fit on one line; it breaks at blanks where there are some. */
+static int line_length(const char *s, int room)
 {
     int n = (int)strlen(s), at = room;
 
@@ -430,14 +430,14 @@ static int words(const char *s, int room)
     return s[at] == ' ' ? at : room;
 }
 
-/* A sentence in lines from y on; returns the y after it. */
-static int sentence(const struct page *p, int y, const char *s)
+/* Draws a sentence in lines from y down; returns the y after it. */
+static int draw_text(const struct page *p, int y, const char *s)
 {
-    int room = (p->w - 2 * EDGE) / INK_CELL_W;
+    int room = (p->w - 2 * EDGE) / CANVAS_CELL_W;
 
-    while (*s && room > 0 && y + INK_CELL_H <= p->y + p->h / 2) {
-        int n = words(s, room);
-        ink_bytes(p->ink, p->x + EDGE, y, INK_RED, s, n);
+    while (*s && room > 0 && y + CANVAS_CELL_H <= p->y + p->h / 2) {
+        int n = line_length(s, room);
+        canvas_bytes(p->canvas, p->x + EDGE, y, CANVAS_RED, s, n);
         s += n;
         s += strspn(s, " ");
         y += ROW_H;
@@ -445,7 +445,7 @@ static int sentence(const struct page *p, int y, const char *s)
     return y;
 }
 
-/* The first row shown so that the chosen one is, and the row before a section's first too: it is a heading. */
+/* The first row to show so that the chosen row and its neighbours are visible: the one above may be a heading. */
 static int scrolled(const struct practice_menu *m, int shown)
 {
     int top = m->top, most = rows(m) - shown;
@@ -459,11 +459,11 @@ static int scrolled(const struct practice_menu *m, int shown)
     return top < 0 ? 0 : top;
 }
 
-static struct page page_of(const struct ink *ink)
+static struct page page_of(const struct canvas *canvas)
 {
-    int w = ink->fb->w, h = ink->fb->h, margin = w >= 160 && h >= 160 ? 8 : 0;
+    int w = canvas->fb->w, h = canvas->fb->h, margin = w >= 160 && h >= 160 ? 8 : 0;
 
-    return (struct page){ ink, margin, margin, w - 2 * margin, h - 2 * margin };
+    return (struct page){ canvas, margin, margin, w - 2 * margin, h - 2 * margin };
 }
 
 static void draw_bar(const struct practice_menu *m, const struct page *p, int y)
@@ -471,24 +471,24 @@ static void draw_bar(const struct practice_menu *m, const struct page *p, int y)
     int n = rows(m), h = m->shown * ROW_H;
 
     if (n > m->shown)
-        ink_rect(p->ink, p->x + p->w - 1, y + h * m->top / n, 1, h * m->shown / n, INK_GREY);
+        canvas_rect(p->canvas, p->x + p->w - 1, y + h * m->top / n, 1, h * m->shown / n, CANVAS_GREY);
 }
 
-void practice_draw(struct practice_menu *m, const struct ink *ink)
+void practice_draw(struct practice_menu *m, const struct canvas *canvas)
 {
-    struct page p = page_of(ink);
+    struct page p = page_of(canvas);
     int y = p.y + EDGE;
 
-    ink_rect(ink, p.x, p.y, p.w, p.h, INK_PAPER);
-    ink_frame(ink, p.x - 1, p.y - 1, p.w + 2, p.h + 2, INK_GREY);
-    line(&p, y, 0, INK_GREY, "practice", INK_GREY, m->records.damaged ? "not counted" : "won/tried");
+    canvas_rect(canvas, p.x, p.y, p.w, p.h, CANVAS_DARK);
+    canvas_frame(canvas, p.x - 1, p.y - 1, p.w + 2, p.h + 2, CANVAS_GREY);
+    line(&p, y, 0, CANVAS_GREY, "practice", CANVAS_GREY, m->records.damaged ? "not counted" : "won/tried");
     y += ROW_H;
     if (m->sections.why[0])
-        y = sentence(&p, y, m->sections.why);
+        y = draw_text(&p, y, m->sections.why);
     bool foot = p.h >= FOOT_FROM;
     m->shown = (p.y + p.h - y) / ROW_H - foot;
     if (foot)
-        line(&p, p.y + p.h - ROW_H, 0, INK_GREY, "fire: start   bomb: back   left, right: change", INK_GREY, "");
+        line(&p, p.y + p.h - ROW_H, 0, CANVAS_GREY, "fire: start   bomb: back   left, right: change", CANVAS_GREY, "");
     m->top = scrolled(m, m->shown);
     for (int i = 0; i < m->shown && m->top + i < rows(m); i++)
         draw_row(m, &p, y + 1 + i * ROW_H, m->top + i);

@@ -259,7 +259,7 @@ void records_attempt(struct records *r, const char *section, const char *difficu
         snprintf(at->section, sizeof at->section, "%s", section);
         snprintf(at->difficulty, sizeof at->difficulty, "%s", difficulty);
     }
-    if (at->attempts == RECORDS_MOST)
+    if (at->attempts == MAX_RECORD_COUNT)
         return;
     at->attempts++;
     r->changed = true;

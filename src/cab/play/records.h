@@ -1,7 +1,7 @@
 /*
- * records.h - how often each section of a game was tried in practice, and how often it was captured: a file of the
- * cabinet's, user:<game id>.practice.
- * floor: cab    used by: practice tests/
+ * records.h - how often each section of a game was attempted in practice, and how often it was captured: the file
+ * user:<game id>.practice.
+ * floor: cab
  *
  * The file is plain text, ASCII. Its first line is "practice 1". A line that begins with a digit is a record:
  *
@@ -9,7 +9,7 @@
  *
  * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's,
  * up to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A
- * file that is not so is damaged: nothing of it is used, and it is not written.
+ * file that breaks these rules is damaged: nothing of it is used, and it is not written.
  */
 #ifndef CAB_RECORDS_H
 #define CAB_RECORDS_H
@@ -18,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { RECORDS_MOST = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
+enum { MAX_RECORD_COUNT = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
 
 struct record {
     char section[64], difficulty[16];
@@ -61,7 +61,7 @@ const struct record *records_find(const struct records *r, const char *section, 
 void records_attempt(struct records *r, const char *section, const char *difficulty);
 void records_capture(struct records *r, const char *section, const char *difficulty);
 
-/* Gives the memory back. Harmless on one of zeroes. */
+/* Frees the memory. Harmless on zeroed records. */
 void records_free(struct records *r);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * session.c - see session.h. A run owns what dies with its board; a reload or a new start makes another and swaps.
+ * session.c - see session.h. A session_run owns what is freed with its board; a reload or a restart makes another one.
  */
 #include "session.h"
 
@@ -10,7 +10,7 @@
 
 enum { LOOK_EVERY = 16 /* ticks between two looks at the clock */ };
 
-static bool no(struct session *s, const char *what)
+static bool fail(struct session *s, const char *what)
 {
     snprintf(s->err, sizeof s->err, "%s", what);
     return false;
@@ -43,7 +43,7 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
 
     if (!r) {
         rom_free(rom);
-        no(s, "out of memory");
+        fail(s, "out of memory");
         return NULL;
     }
     r->cart = cart;
@@ -57,9 +57,9 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
     return r;
 }
 
-static bool wrote(struct session *s, bool good)
+static bool check_written(struct session *s, bool good)
 {
-    return good || no(s, s->now->writer.err);
+    return good || fail(s, s->now->writer.err);
 }
 
 bool session_open(struct session *s, const struct cart *cart, const struct board_start *start, const struct demo *demo,
@@ -68,7 +68,7 @@ bool session_open(struct session *s, const struct cart *cart, const struct board
     *s = (struct session){ .start = *start, .demo = demo, .record = record };
     s->now = run_power(s, cart, NULL, start);
     if (s->now && record)
-        wrote(s, demo_keep(&s->now->writer, record));
+        check_written(s, demo_keep(&s->now->writer, record));
     return s->now != NULL;
 }
 
@@ -81,7 +81,7 @@ static bool finish(struct session *s)
 
     if (!board_last(b)->fault && board_frame(b) < w->demo.frames)
         good = demo_rewind(w, board_frame(b));
-    return wrote(s, demo_end(w, b) && good);
+    return check_written(s, demo_end(w, b) && good);
 }
 
 bool session_close(struct session *s)
@@ -110,7 +110,7 @@ bool session_restart(struct session *s, const struct board_start *start)
     s->demo = NULL;
     s->differs = 0;
     s->rewound = false;
-    return !s->record || wrote(s, demo_keep(&r->writer, s->record));
+    return !s->record || check_written(s, demo_keep(&r->writer, s->record));
 }
 
 /* ---- forward ---- */
@@ -125,7 +125,8 @@ static bool known_pads(const struct session *s, uint16_t pads[PADS])
     return frame < d->frames;
 }
 
-/* Is the newest frame of a playback as it was recorded? Parts that only one of both builds has are passed over. */
+/* Compares the newest frame of a playback with its recording. Parts that only one of the two builds has do not
+ * count. */
 static void compare(struct session *s)
 {
     const struct session_run *r = s->now;
@@ -147,10 +148,10 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
     bool good = demo_frame(&r->writer, r->guard.board, pads);
     if (s->demo && !s->differs && r->writer.on && !board_last(r->guard.board)->fault)
         compare(s);
-    return wrote(s, good);
+    return check_written(s, good);
 }
 
-bool session_again(struct session *s)
+bool session_replay_tick(struct session *s)
 {
     uint16_t pads[PADS];
 
@@ -166,15 +167,15 @@ bool session_tick(struct session *s, const uint16_t pads[PADS])
     bool good = true;
 
     if (s->demo)
-        return session_again(s);
+        return session_replay_tick(s);
     if (board_last(b)->fault)
         return true;
     if (board_frame(b) < w->demo.frames)
-        good = wrote(s, demo_rewind(w, board_frame(b)));
+        good = check_written(s, demo_rewind(w, board_frame(b)));
     return tick(s, pads) && good;
 }
 
-/* ---- to and fro ---- */
+/* ---- moving in time ---- */
 
 uint32_t session_first(const struct session *s)
 {
@@ -201,14 +202,14 @@ void session_goto(struct session *s, uint32_t frame)
     s->from = board_frame(session_board(s));
     s->to = frame;
     guard_back(&s->now->guard, frame < end ? frame : end);
-    s->way = board_frame(session_board(s)) == frame ? SESSION_THERE : SESSION_SEEKS;
+    s->state = board_frame(session_board(s)) == frame ? SESSION_IDLE : SESSION_SEEKING;
 }
 
 void session_stop(struct session *s)
 {
     run_free(s->next);
     s->next = NULL;
-    s->way = SESSION_THERE;
+    s->state = SESSION_IDLE;
 }
 
 int session_progress(const struct session *s)
@@ -216,7 +217,7 @@ int session_progress(const struct session *s)
     const struct session_run *r = s->next ? s->next : s->now;
     uint32_t at = board_frame(r->guard.board);
 
-    if (s->way == SESSION_THERE || at >= s->to)
+    if (s->state == SESSION_IDLE || at >= s->to)
         return 1000;
     return at < s->from ? 0 : (int)((uint64_t)(at - s->from) * 1000 / (s->to - s->from));
 }
@@ -227,23 +228,23 @@ bool session_take_over(struct session *s, const char *record)
     uint32_t frame = board_frame(b) + (board_last(b)->fault != NULL); /* the tick that faulted is recorded too */
 
     if (!s->demo)
-        return no(s, "nothing to take over: it is you who plays");
+        return fail(s, "nothing to take over: it is you who plays");
     session_stop(s);
     s->demo = NULL;
     s->differs = 0;
     s->rewound = true;
     s->record = record ? record : s->record;
-    if (!wrote(s, demo_rewind(&s->now->writer, frame)))
+    if (!check_written(s, demo_rewind(&s->now->writer, frame)))
         return false;
-    return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
+    return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));
 }
 
-bool session_assist(struct session *s)
+bool session_mark_assisted(struct session *s)
 {
-    return wrote(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
+    return check_written(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
 }
 
-bool session_touch(struct session *s)
+bool session_mark_touched(struct session *s)
 {
     struct demo_writer *w = &s->now->writer;
     uint32_t frame = board_frame(session_board(s));
@@ -252,7 +253,7 @@ bool session_touch(struct session *s)
     session_stop(s);
     rewind_drop(&s->now->guard.past, frame);
     guard_forget(&s->now->guard);
-    return wrote(s, demo_flag(w, DEMO_TOUCHED) && good);
+    return check_written(s, demo_flag(w, DEMO_TOUCHED) && good);
 }
 
 const struct demo_marker *session_markers(const struct session *s, uint32_t *n)
@@ -270,7 +271,7 @@ static struct session_rom *rom_load(struct session *s, const char *path, bool ne
     struct session_rom *r = calloc(1, sizeof *r);
 
     if (!r) {
-        no(s, "out of memory");
+        fail(s, "out of memory");
         return NULL;
     }
     if (rom_image_load(path, nearest, &r->image, s->err, sizeof s->err) &&
@@ -280,8 +281,8 @@ static struct session_rom *rom_load(struct session *s, const char *path, bool ne
     return NULL;
 }
 
-/* What the new board's fault or end makes of the reload. */
-static bool spoiled(struct session *s)
+/* Ends the reload if the new board has a fault or its game has ended. */
+static bool reload_ended(struct session *s)
 {
     const struct board *b = s->next->guard.board;
     const struct board_out *out = board_last(b);
@@ -314,27 +315,27 @@ bool session_reload(struct session *s, const char *path, bool nearest)
         return false;
     }
     s->next = run_power(s, &rom->cart, rom, &s->start);
-    if (!s->next || spoiled(s))
+    if (!s->next || reload_ended(s))
         return false;
-    s->way = SESSION_RELOADS;
+    s->state = SESSION_RELOADING;
     s->from = 0;
     s->to = board_frame(session_board(s));
     return true;
 }
 
-/* The new run takes the old one's place, and its file. */
-static bool land(struct session *s)
+/* The new run replaces the old one, and continues its file. */
+static bool finish_reload(struct session *s)
 {
     struct session_run *old = s->now;
     unsigned flags = old->writer.demo.flags | DEMO_TOUCHED;
 
     s->now = s->next;
     s->next = NULL;
-    s->way = SESSION_THERE;
+    s->state = SESSION_IDLE;
     s->differs = 0;
     run_free(old);
     demo_flag(&s->now->writer, flags);
-    return !s->record || wrote(s, demo_keep(&s->now->writer, s->record));
+    return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));
 }
 
 /* ---- work ---- */
@@ -347,7 +348,7 @@ static bool reload_tick(struct session *s)
     demo_pads(&s->now->writer.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);
     demo_frame(&r->writer, r->guard.board, pads);
-    return !spoiled(s);
+    return !reload_ended(s);
 }
 
 static bool arrived(const struct session *s)
@@ -361,15 +362,15 @@ bool session_work(struct session *s, uint64_t until)
 {
     bool good = true;
 
-    for (int i = 1; s->way != SESSION_THERE && !arrived(s) && good; i++) {
-        good = s->next ? reload_tick(s) : session_again(s);
+    for (int i = 1; s->state != SESSION_IDLE && !arrived(s) && good; i++) {
+        good = s->next ? reload_tick(s) : session_replay_tick(s);
         if (i % LOOK_EVERY == 0 && plat_usec() >= until)
             return good;
     }
-    if (!good || s->way == SESSION_THERE)
+    if (!good || s->state == SESSION_IDLE)
         return good;
-    if (s->way == SESSION_RELOADS)
-        return land(s);
+    if (s->state == SESSION_RELOADING)
+        return finish_reload(s);
     session_stop(s);
     return true;
 }

@@ -8,13 +8,13 @@
 
 enum { MARGIN = 2, BAR_H = 5, SECOND = 60, RECENT = 30 };
 
-static const enum ink_colour colours[MARKER_KINDS] = {
-    [MARKER_STAGE] = INK_WHITE, [MARKER_MARK] = INK_CYAN,    [MARKER_WAVE] = INK_GREY,
-    [MARKER_BOSS] = INK_RED,    [MARKER_PHASE] = INK_YELLOW, [MARKER_DEATH] = INK_MAGENTA,
+static const enum canvas_colour colours[MARKER_KINDS] = {
+    [MARKER_STAGE] = CANVAS_WHITE, [MARKER_MARK] = CANVAS_CYAN,   [MARKER_WAVE] = CANVAS_GREY,
+    [MARKER_BOSS] = CANVAS_RED,    [MARKER_PHASE] = CANVAS_YELLOW, [MARKER_DEATH] = CANVAS_MAGENTA,
 };
 
 /* The pixel of a frame on a bar w pixels wide. */
-static int place(const struct session *s, int w, uint32_t frame)
+static int frame_x(const struct session *s, int w, uint32_t frame)
 {
     uint32_t first = session_first(s), last = session_last(s);
     uint32_t at = frame < first ? 0 : frame > last ? last - first : frame - first;
@@ -36,31 +36,31 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- markers ---- */
 
-/* The ends of pieces and the tries of practice are no places to go to. */
-static bool counts(const struct session *s, const struct demo_marker *m)
+/* Is the marker one that the keys go to? Waves, and the ends and attempts of sections, are not. */
+static bool is_target(const struct session *s, const struct demo_marker *m)
 {
     return m->marker.kind != MARKER_WAVE && m->marker.kind <= MARKER_DEATH && m->frame >= session_first(s) &&
            m->frame <= session_last(s);
 }
 
-uint32_t timebar_before(const struct session *s, uint32_t frame)
+uint32_t timebar_previous(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_first(s);
     const struct demo_marker *m = session_markers(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
-        if (counts(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
+        if (is_target(s, &m[i]) && m[i].frame + RECENT <= frame && m[i].frame > best)
             best = m[i].frame;
     return best;
 }
 
-uint32_t timebar_after(const struct session *s, uint32_t frame)
+uint32_t timebar_next(const struct session *s, uint32_t frame)
 {
     uint32_t n, best = session_last(s);
     const struct demo_marker *m = session_markers(s, &n);
 
     for (uint32_t i = 0; i < n; i++)
-        if (counts(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
+        if (is_target(s, &m[i]) && m[i].frame > frame && m[i].frame < best)
             best = m[i].frame;
     return best;
 }
@@ -79,7 +79,7 @@ static const struct demo_marker *last_of(const struct session *s, uint32_t frame
 }
 
 /* "stage point boss/phase", as far as they are there. */
-static void words(const struct session *s, uint32_t frame, char *text, size_t size)
+static void position_text(const struct session *s, uint32_t frame, char *text, size_t size)
 {
     const struct demo_marker *stage = last_of(s, frame, MARKER_STAGE, NULL);
     const struct demo_marker *point = last_of(s, frame, MARKER_MARK, stage);
@@ -93,36 +93,36 @@ static void words(const struct session *s, uint32_t frame, char *text, size_t si
 
 /* ---- drawing ---- */
 
-static void draw_markers(const struct ink *ink, const struct session *s, int y, int w)
+static void draw_markers(const struct canvas *canvas, const struct session *s, int y, int w)
 {
     uint32_t n;
     const struct demo_marker *m = session_markers(s, &n);
 
-    for (int pass = 0; pass < 2; pass++) /* waves do not hide what is more */
+    for (int pass = 0; pass < 2; pass++) /* waves first, so that they hide nothing */
         for (uint32_t i = 0; i < n; i++) {
             bool wave = m[i].marker.kind == MARKER_WAVE;
-            if (wave == (pass == 0) && (wave || counts(s, &m[i])))
-                ink_rect(ink, MARGIN + place(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
-                         colours[m[i].marker.kind]);
+            if (wave == (pass == 0) && (wave || is_target(s, &m[i])))
+                canvas_rect(canvas, MARGIN + frame_x(s, w, m[i].frame), y + (wave ? 2 : 0), 1, wave ? 1 : BAR_H,
+                            colours[m[i].marker.kind]);
         }
 }
 
-void timebar_draw(const struct ink *ink, const struct session *s)
+void timebar_draw(const struct canvas *canvas, const struct session *s)
 {
-    int w = ink->fb->w - 2 * MARGIN, top = ink->fb->h - TIMEBAR_H, bar = ink->fb->h - BAR_H - MARGIN;
+    int w = canvas->fb->w - 2 * MARGIN, top = canvas->fb->h - TIMEBAR_H, bar = canvas->fb->h - BAR_H - MARGIN;
     uint32_t frame = board_frame(session_board(s)), last = session_last(s), second = frame / SECOND;
     char text[160], where[128];
 
-    words(s, frame, where, sizeof where);
+    position_text(s, frame, where, sizeof where);
     snprintf(text, sizeof text, "%u/%u %u:%02u %s", (unsigned)frame, (unsigned)last, (unsigned)(second / 60),
              (unsigned)(second % 60), where);
-    ink_rect(ink, 0, top, ink->fb->w, TIMEBAR_H, INK_PAPER);
-    ink_text(ink, MARGIN, top + 1, INK_WHITE, text);
-    ink_rect(ink, MARGIN, bar + 2, w, 1, INK_GREY);
-    ink_rect(ink, MARGIN, bar + 1, place(s, w, frame) + 1, 3, INK_GREEN);
+    canvas_rect(canvas, 0, top, canvas->fb->w, TIMEBAR_H, CANVAS_DARK);
+    canvas_text(canvas, MARGIN, top + 1, CANVAS_WHITE, text);
+    canvas_rect(canvas, MARGIN, bar + 2, w, 1, CANVAS_GREY);
+    canvas_rect(canvas, MARGIN, bar + 1, frame_x(s, w, frame) + 1, 3, CANVAS_GREEN);
     if (s->differs && s->differs <= frame)
-        ink_rect(ink, MARGIN + place(s, w, s->differs), bar + 1, place(s, w, frame) - place(s, w, s->differs) + 1, 3,
-                 INK_RED);
-    draw_markers(ink, s, bar, w);
-    ink_rect(ink, MARGIN + place(s, w, frame), bar - 1, 1, BAR_H + 2, INK_GREEN);
+        canvas_rect(canvas, MARGIN + frame_x(s, w, s->differs), bar + 1,
+                    frame_x(s, w, frame) - frame_x(s, w, s->differs) + 1, 3, CANVAS_RED);
+    draw_markers(canvas, s, bar, w);
+    canvas_rect(canvas, MARGIN + frame_x(s, w, frame), bar - 1, 1, BAR_H + 2, CANVAS_GREEN);
 }

@@ -3,8 +3,8 @@
  * floor: tools    used by: Lua, when it is built for wasm (-include lua_try.h)
  *
  * The host (run.mjs, or a browser's loader) has two imports of module "lua". host_try calls f(L, ud) and returns 0, or
- * 1 when host_throw ended it; then it also puts back the stack pointer. Lua notes why in the jump buffer's status before
- * it throws, so nothing else has to cross.
+ * 1 when host_throw ended it; then it also puts back the stack pointer. Lua notes why in the jump buffer's status
+ * before it throws, so nothing else has to cross.
  */
 #ifndef LUA_TRY_H
 #define LUA_TRY_H

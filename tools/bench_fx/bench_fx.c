@@ -1,5 +1,5 @@
 /*
- * bench_fx.c - Curtain's arithmetic against libfixmath's: `bench_fx ROM DEMO`. tools/bench_fx.sh builds it.
+ * bench_fx.c - Curtain's arithmetic against libfixmath's: `bench_fx ROM DEMO`. tools/bench_fx/bench_fx.sh builds it.
  *
  * Every function of every side runs over the same 65,536 arguments, side after side, ROUNDS times; a ratio is theirs to
  * ours within one round, and its median counts. Two ways of running: free, where calls can overlap, and chained, where
@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "../numbers.h"
 #include "bench_fx.h"
 
 enum { ROUNDS = 31, SIDES = 5 };
@@ -101,16 +102,9 @@ static double measure(const struct call *c, const struct args *g, bool chained)
     return ((double)(end.tv_sec - start.tv_sec) * 1e9 + (double)(end.tv_nsec - start.tv_nsec)) / INPUTS;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 static double median(double v[ROUNDS])
 {
-    qsort(v, ROUNDS, sizeof *v, by_value);
+    numbers_sort(v, ROUNDS);
     return v[ROUNDS / 2];
 }
 

@@ -1,9 +1,9 @@
 /*
- * bench_fx_ours.c - Curtain's side of tools/bench_fx.c.
+ * bench_fx_ours.c - Curtain's side of tools/bench_fx/bench_fx.c.
  * floor: tools
  */
-#include "../src/base/fx.h"
-#include "../src/base/trig.h"
+#include "../../src/base/fx.h"
+#include "../../src/base/trig.h"
 #include "bench_fx.h"
 
 /* Only the value, as theirs. */

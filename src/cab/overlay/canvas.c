@@ -1,7 +1,7 @@
 /*
- * ink.c - see ink.h.
+ * canvas.c - see canvas.h.
  */
-#include "ink.h"
+#include "canvas.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -24,12 +24,12 @@ static const uint32_t glyphs[95] = {
     0052250, 0055316, 0073670, 0326230, 0222220, 0623260, 0036000,          /* xyz{|}~ */
 };
 
-static const uint32_t colours[INKS] = {
-    [INK_PAPER] = 0x101828, [INK_WHITE] = 0xFFFFFF,  [INK_GREY] = 0x8C98A8, [INK_RED] = 0xFF5858,
-    [INK_GREEN] = 0x58E070, [INK_YELLOW] = 0xFFE050, [INK_CYAN] = 0x50D8FF, [INK_MAGENTA] = 0xFF70E8,
+static const uint32_t colours[CANVAS_COLOURS] = {
+    [CANVAS_DARK] = 0x101828,  [CANVAS_WHITE] = 0xFFFFFF,  [CANVAS_GREY] = 0x8C98A8, [CANVAS_RED] = 0xFF5858,
+    [CANVAS_GREEN] = 0x58E070, [CANVAS_YELLOW] = 0xFFE050, [CANVAS_CYAN] = 0x50D8FF, [CANVAS_MAGENTA] = 0xFF70E8,
 };
 
-/* ---- borrowing ---- */
+/* ---- colours ---- */
 
 static void count_pixels(const struct fb *fb, uint32_t count[256])
 {
@@ -74,28 +74,28 @@ static void recolour(struct fb *fb, const uint8_t to[256])
             fb->pix[y * fb->pitch + x] = to[fb->pix[y * fb->pitch + x]];
 }
 
-void ink_open(struct ink *ink, struct fb *fb, uint32_t rgb[256])
+void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 {
     uint32_t count[256] = { 0 };
     bool taken[256] = { false }, seen = false;
     uint8_t to[256];
-    *ink = (struct ink){ .fb = fb, .rgb = rgb };
+    *canvas = (struct canvas){ .fb = fb, .rgb = rgb };
     fb_clip_all(fb);
     count_pixels(fb, count);
-    for (int i = 0; i < INKS; i++) {
-        ink->colour[i] = (uint8_t)least_used(count, taken);
-        taken[ink->colour[i]] = true;
-        seen = seen || count[ink->colour[i]] > 0;
+    for (int i = 0; i < CANVAS_COLOURS; i++) {
+        canvas->colour[i] = (uint8_t)least_used(count, taken);
+        taken[canvas->colour[i]] = true;
+        seen = seen || count[canvas->colour[i]] > 0;
     }
     for (int i = 0; i < 256; i++)
         to[i] = taken[i] && count[i] ? nearest(rgb, taken, i) : (uint8_t)i;
     if (seen)
         recolour(fb, to);
-    for (int i = 0; i < INKS; i++)
-        rgb[ink->colour[i]] = colours[i];
+    for (int i = 0; i < CANVAS_COLOURS; i++)
+        rgb[canvas->colour[i]] = colours[i];
 }
 
-/* ---- words ---- */
+/* ---- text ---- */
 
 static uint32_t glyph(unsigned char c)
 {
@@ -109,43 +109,43 @@ static void letter(struct fb *fb, int x, int y, uint32_t rows, uint8_t colour)
             fb_rect(fb, x + i % COLUMNS, y + i / COLUMNS, 1, 1, colour);
 }
 
-/* Columns a byte takes: none, when it goes on with a character that has begun. */
+/* Columns a byte takes: none when it continues a UTF-8 character. */
 static int columns(unsigned char c)
 {
     return (c & 0xC0) == 0x80 ? 0 : c == '\t' ? 2 : 1;
 }
 
-int ink_bytes(const struct ink *ink, int x, int y, enum ink_colour c, const char *text, int n)
+int canvas_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n)
 {
     for (int i = 0; i < n && text[i]; i++) {
         unsigned char byte = (unsigned char)text[i];
         if (columns(byte) == 1 && byte != ' ')
-            letter(ink->fb, x, y, glyph(byte), ink->colour[c]);
-        x += columns(byte) * INK_CELL_W;
+            letter(canvas->fb, x, y, glyph(byte), canvas->colour[c]);
+        x += columns(byte) * CANVAS_CELL_W;
     }
     return x;
 }
 
-int ink_text(const struct ink *ink, int x, int y, enum ink_colour c, const char *text)
+int canvas_text(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
 {
-    return ink_bytes(ink, x, y, c, text, INT32_MAX);
+    return canvas_bytes(canvas, x, y, c, text, INT32_MAX);
 }
 
-int ink_width(const char *text)
+int canvas_width(const char *text)
 {
     int w = 0;
     for (; *text; text++)
-        w += columns((unsigned char)*text) * INK_CELL_W;
+        w += columns((unsigned char)*text) * CANVAS_CELL_W;
     return w;
 }
 
-int ink_fit(const char *text, int most)
+int canvas_fit(const char *text, int width)
 {
     int n = 0, used = 0, blank = 0;
     for (; text[n] && text[n] != '\n'; n++) {
         used += columns((unsigned char)text[n]);
-        if (used > most)
-            return blank > most / 2 ? blank : n ? n : 1;
+        if (used > width)
+            return blank > width / 2 ? blank : n ? n : 1;
         if (text[n] == ' ')
             blank = n + 1;
     }
@@ -154,19 +154,19 @@ int ink_fit(const char *text, int most)
 
 /* ---- shapes ---- */
 
-void ink_rect(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)
+void canvas_rect(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
-    fb_rect(ink->fb, x, y, w, h, ink->colour[c]);
+    fb_rect(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
 
-void ink_frame(const struct ink *ink, int x, int y, int w, int h, enum ink_colour c)
+void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
-    fb_frame(ink->fb, x, y, w, h, ink->colour[c]);
+    fb_frame(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
 
-void ink_line(const struct ink *ink, int x0, int y0, int x1, int y1, enum ink_colour c)
+void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, enum canvas_colour c)
 {
-    fb_line(ink->fb, x0, y0, x1, y1, ink->colour[c]);
+    fb_line(canvas->fb, x0, y0, x1, y1, canvas->colour[c]);
 }
 
 /* The greatest whole number whose square is not above n >= 0. */
@@ -201,67 +201,58 @@ static void span(const struct disc *d, int64_t row, int64_t *x0, int64_t *x1)
     *x1 = left < 0 ? INT32_MIN : floor_units(d->x + half - UNIT / 2);
 }
 
-static void row_of_dots(const struct ink *ink, int64_t row, int64_t x0, int64_t x1, enum ink_colour c)
+static void row_of_dots(const struct canvas *canvas, int64_t row, int64_t x0, int64_t x1, enum canvas_colour c)
 {
-    const struct fb *fb = ink->fb;
+    const struct fb *fb = canvas->fb;
     x0 = x0 < fb->x0 ? fb->x0 : x0;
     x1 = x1 >= fb->x1 ? fb->x1 - 1 : x1;
     if (x0 <= x1)
-        fb_rect(ink->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, ink->colour[c]);
+        fb_rect(canvas->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, canvas->colour[c]);
 }
 
-/* Of a row all that the next one, away from the middle, does not have, and its ends. */
-static void rim(const struct ink *ink, const struct disc *d, int64_t row, enum ink_colour c)
+/* Draws the pixels of a row that the next row, away from the middle, does not have, and its two ends. */
+static void rim(const struct canvas *canvas, const struct disc *d, int64_t row, enum canvas_colour c)
 {
     int64_t x0, x1, next0, next1;
     span(d, row, &x0, &x1);
     if (x0 > x1)
         return;
     span(d, row * UNIT + UNIT / 2 < d->y ? row - 1 : row + 1, &next0, &next1);
-    row_of_dots(ink, row, x0, next0 > next1 || next0 <= x0 ? x0 : next0 - 1, c);
-    row_of_dots(ink, row, next0 > next1 || next1 >= x1 ? x1 : next1 + 1, x1, c);
+    row_of_dots(canvas, row, x0, next0 > next1 || next0 <= x0 ? x0 : next0 - 1, c);
+    row_of_dots(canvas, row, next0 > next1 || next1 >= x1 ? x1 : next1 + 1, x1, c);
     if (next0 > next1)
-        row_of_dots(ink, row, x0, x1, c);
+        row_of_dots(canvas, row, x0, x1, c);
 }
 
-/* reach: pixels that no row of it is further from the middle. */
-static void disc_rim(const struct ink *ink, const struct disc *d, int64_t reach, enum ink_colour c)
+/* reach: the greatest distance of a row from the middle, in pixels. */
+static void disc_rim(const struct canvas *canvas, const struct disc *d, int64_t reach, enum canvas_colour c)
 {
-    const struct fb *fb = ink->fb;
+    const struct fb *fb = canvas->fb;
     int64_t from = floor_units(d->y) - reach, to = floor_units(d->y) + reach;
     from = from < fb->y0 ? fb->y0 : from;
     to = to >= fb->y1 ? fb->y1 - 1 : to;
     for (int64_t row = from; row <= to; row++)
-        rim(ink, d, row, c);
+        rim(canvas, d, row, c);
 }
 
-void ink_circle(const struct ink *ink, int x, int y, int r, enum ink_colour c)
-{
-    int64_t n = r;
-    if (r < 0 || r > INK_REACH)
-        return;
-    struct disc d = { (int64_t)x * UNIT + UNIT / 2, (int64_t)y * UNIT + UNIT / 2, (n * n + n - (n > 0)) * UNIT * UNIT };
-    disc_rim(ink, &d, r, c);
-}
-
-/* ---- shapes of the board ---- */
+/* ---- hit shapes ---- */
 
 enum { FX = 65536, FX_UNIT = FX / UNIT };
 
-/* The pixel of (x, y), for what is too small to hold any pixel's middle. */
-static void speck(const struct ink *ink, int64_t x, int64_t y, enum ink_colour c)
+/* The pixel of (x, y), for a shape that holds no pixel's middle. */
+static void speck(const struct canvas *canvas, int64_t x, int64_t y, enum canvas_colour c)
 {
-    row_of_dots(ink, y >> 16, x >> 16, x >> 16, c);
+    row_of_dots(canvas, y >> 16, x >> 16, x >> 16, c);
 }
 
-void ink_ring(const struct ink *ink, int32_t x, int32_t y, int32_t r, enum ink_colour c)
+void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c)
 {
     int64_t units = r / FX_UNIT;
     struct disc d = { x / FX_UNIT, y / FX_UNIT, units * units };
     if (r < FX)
-        speck(ink, x, y, c);
+        speck(canvas, x, y, c);
     if (r > 0)
-        disc_rim(ink, &d, units / UNIT + 1, c);
+        disc_rim(canvas, &d, units / UNIT + 1, c);
 }
 
 /* The first pixel whose middle is at or after v. */
@@ -270,12 +261,12 @@ static int64_t first_at(int64_t v)
     return (v - FX / 2 + FX - 1) >> 16;
 }
 
-void ink_box(const struct ink *ink, int32_t x, int32_t y, int32_t a, int32_t b, enum ink_colour c)
+void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c)
 {
     int64_t x0 = first_at((int64_t)x - a), x1 = first_at((int64_t)x + a + 1);
     int64_t y0 = first_at((int64_t)y - b), y1 = first_at((int64_t)y + b + 1);
     if (x0 < x1 && y0 < y1)
-        ink_frame(ink, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
+        canvas_frame(canvas, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
     else
-        speck(ink, x, y, c);
+        speck(canvas, x, y, c);
 }

@@ -3,7 +3,7 @@
 # Curtain has, as it is, without its caches, and with its table of sines. The source is fetched from where apt gets
 # packages, and stays in the build folder; when it cannot be had, Debian's build is compared alone.
 #
-#     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx.sh OBJECT...
+#     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx/bench_fx.sh OBJECT...
 #
 # OBJECT: the board's objects but for trig.o, and those of the measuring program.
 # shellcheck disable=SC2086 # flags and libraries are lists
@@ -21,7 +21,8 @@ fetch() (
     apt-cache policy libfixmath-dev |
         sed -n 's|^ *[0-9-]* \([a-z+]*://[^ ]*\) \([^ /]*\)/\([^ ]*\) .*|deb-src \1 \2 \3|p' | sort -u >sources.list
     [ -s sources.list ] || return 1
-    options="-qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null -o Dir::State::lists=$PWD/lists"
+    options="-qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null"
+    options="$options -o Dir::State::lists=$PWD/lists"
     apt-get $options update
     apt-get $options source --download-only libfixmath || true # Debian's own changes are not needed
     name=$(sed -n '/^Checksums-Sha256/,/^[^ ]*:$/s/^ [0-9a-f]* [0-9]* \(.*\.orig\.tar\..*\)$/\1/p' ./*.dsc)
@@ -36,7 +37,7 @@ source_dir() {
 
 # side NAME LIBRARY: the table theirs_NAME and its library in one object, which shows the table alone.
 side() {
-    $CC $FLAGS -DSIDE="theirs_$1" -c tools/bench_fx_theirs.c -o "$dir/$1.table.o"
+    $CC $FLAGS -DSIDE="theirs_$1" -c tools/bench_fx/bench_fx_theirs.c -o "$dir/$1.table.o"
     $CC -r -nostdlib "$dir/$1.table.o" "$2" -o "$dir/$1.o"
     objcopy --keep-global-symbol="theirs_$1" "$dir/$1.o"
 }
@@ -67,13 +68,16 @@ if [ -n "$(source_dir)" ]; then
 else
     echo "libfixmath's source cannot be had ($dir/fetch.log says why): Debian's build alone"
     for name in o2 uncached lut; do
-        $CC $FLAGS -DABSENT -DSIDE="theirs_$name" -c tools/bench_fx_theirs.c -o "$dir/$name.o"
+        $CC $FLAGS -DABSENT -DSIDE="theirs_$name" -c tools/bench_fx/bench_fx_theirs.c -o "$dir/$name.o"
     done
 fi
-$CC $FLAGS -c tools/bench_fx_ours.c -o "$dir/ours.o"
+$CC $FLAGS -c tools/bench_fx/bench_fx_ours.c -o "$dir/ours.o"
 $CC $FLAGS -c src/base/trig.c -o "$dir/trig.o"
-$CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} -o "$dir/bench_fx"
+$CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} \
+    -o "$dir/bench_fx"
 
-echo "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 /proc/loadavg)"
+echo \
+    "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 \
+    /proc/loadavg)"
 echo "$($CC --version | head -n 1), $FLAGS"
 taskset -c 0 "$dir/bench_fx" roms/glasstide roms/glasstide/demos/attract.demo

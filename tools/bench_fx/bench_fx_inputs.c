@@ -1,29 +1,20 @@
 /*
- * bench_fx_inputs.c - arguments for tools/bench_fx.c: random ones, and those a demo's bullets give.
+ * bench_fx_inputs.c - arguments for tools/bench_fx/bench_fx.c: random ones, and those a demo's bullets give.
  * floor: tools
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../src/base/rng.h"
-#include "../src/board/machine.h"
-#include "../src/cab/demo/demo.h"
-#include "../src/cab/pack/pack.h"
+#include "../../src/base/rng.h"
+#include "../../src/board/machine.h"
+#include "../../src/cab/demo/demo.h"
+#include "../../src/cab/pack/pack.h"
+#include "../numbers.h"
 #include "bench_fx.h"
 
 enum { EVERY = 1 }; /* frames between two looks: the same bullet comes again */
 
 static const double RADIANS_AN_ANG = 6.283185307179586 / 4294967296.0;
-
-/* splitmix64 */
-static uint64_t next(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15);
-
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return z ^ z >> 31;
-}
 
 void inputs_random(struct args all[OPS])
 {
@@ -31,7 +22,7 @@ void inputs_random(struct args all[OPS])
 
     for (int op = 0; op < OPS; op++)
         for (int i = 0; i < INPUTS; i++) {
-            uint64_t r = next(&state), s = next(&state);
+            uint64_t r = numbers_random(&state), s = numbers_random(&state);
             struct args *g = &all[op];
 
             g->a[i] = (int32_t)r;

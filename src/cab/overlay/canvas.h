@@ -1,0 +1,68 @@
+/*
+ * canvas.h - draws text, boxes, lines and circles over a copy of the game's picture, in colours of the cabinet's own.
+ * floor: cab
+ *
+ * A game's font may lack letters and its palette may be faded to black, so the font is built in (printable ASCII, 3 x 5
+ * pixels, and one row below for descenders), and the colours replace the least used palette entries. A picture is
+ * opened once, and everything drawn over it uses that canvas: a second canvas_open would replace the colours of the
+ * first.
+ */
+#ifndef CAB_CANVAS_H
+#define CAB_CANVAS_H
+
+#include "../../../fb/fb.h"
+
+enum canvas_colour {
+    CANVAS_DARK, /* the background of text */
+    CANVAS_WHITE,
+    CANVAS_GREY,
+    CANVAS_RED,
+    CANVAS_GREEN,
+    CANVAS_YELLOW,
+    CANVAS_CYAN,
+    CANVAS_MAGENTA,
+    CANVAS_COLOURS
+};
+
+enum {
+    CANVAS_CELL_W = 4, /* px a character, the gaps included */
+    CANVAS_CELL_H = 7
+};
+
+struct canvas {
+    struct fb *fb;
+    uint32_t *rgb;
+    uint8_t colour[CANVAS_COLOURS]; /* palette entry of each */
+};
+
+/* Gives the palette entries that the picture uses least the canvas's colours; pixels that used one of them take the
+ * nearest other entry. fb and rgb are a copy, not the picture that screenshots are made of; fb's clip is opened. */
+void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
+
+/* Draws one line, its top left corner at (x, y). A tab is two blanks; a byte or UTF-8 character that is not printable
+ * ASCII is one question mark. Returns the x after it. */
+int canvas_text(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
+
+/* The same for the first n bytes of text. */
+int canvas_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n);
+
+/* The width of a line in px, the gap after its last character included: CANVAS_CELL_W a character. */
+int canvas_width(const char *text);
+
+/* How many bytes of text fit on one line of so many columns: up to a \n, or to where the line is broken, after a blank
+ * if there is one in the second half. At least one, unless the line is empty. */
+int canvas_fit(const char *text, int columns);
+
+/* All are clipped to the picture and take any values. A rectangle is filled; a frame is its outline, one pixel wide,
+ * inside it; w or h below 1 draws nothing. A line includes both its ends. */
+void canvas_rect(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c);
+void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c);
+void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, enum canvas_colour c);
+
+/* Hit shapes in Q15.16 px, where pixel n reaches from n to n + 1: the outline of the pixels whose middles are inside a
+ * circle of radius r, or a box of half sizes a and b, round (x, y). A shape that holds no pixel's middle, and a circle
+ * of a radius below 1 px, draw the pixel of (x, y). */
+void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c);
+void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c);
+
+#endif
