@@ -3,12 +3,11 @@
 #
 #     OUT=build/release tests/run.sh [all|unit|torture|sanitizer]
 #
-# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; unit: the C
-# programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where any
-# finding ends the program.
-# Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
-# output of a program stays in $OUT/results, and is shown when something in it failed. Exit 1: something failed. No verdict
-# depends on the time: what hangs is told from what is slow by its own progress.
+# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; unit: the
+# C programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where
+# any finding ends the program. Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as
+# failed. One line a program; the output of a program stays in $OUT/results, and is shown when something in it failed.
+# Exit 1: something failed. No verdict depends on the time: what hangs is told from what is slow by its own progress.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 what=${1:-all}

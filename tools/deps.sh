@@ -3,8 +3,8 @@
 #
 #     tools/deps.sh [--say] [null] [play] [test] [fuzz] [nightly] [bench] [cross]
 #
-# null: what curtain-null is built with; play: that, and SDL2. Without arguments: all but nightly and cross. With --say it
-# installs nothing: it says, in one line to paste, what is missing, and exits with 3.
+# null: what curtain-null is built with; play: that, and SDL2. Without arguments: all but nightly and cross. With --say
+# it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
 if [ "${1:-}" = --say ]; then

@@ -1,6 +1,6 @@
 /*
- * fuzz_symbols.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the symbols that `check` finds. All
- * that is found is there to its last byte. (fuzz_manifest.c looks at what the compiler takes.)
+ * fuzz_symbols.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the symbols that `check` finds.
+ * All that is found is there to its last byte. (fuzz_manifest.c looks at what the compiler takes.)
  */
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/ the sandbox's own and the icons are what tools/art/art.c draws, pixel by pixel, with gcc and
-# clang.
+# art.sh - the pictures in roms/, the sandbox's own and the icons are what tools/art/art.c draws, pixel by pixel, with
+# gcc and clang.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 

@@ -100,7 +100,7 @@ machine() {
 check "its test of a board passes" machine
 shell() {
     mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs"
-    cp tests/check.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" && block sh 3 >"$scratch/shell/tests/house/first.sh" &&
+    cp tests/tap.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" && block sh 3 >"$scratch/shell/tests/house/first.sh" &&
         bash "$scratch/shell/tests/house/first.sh"
 }
 check "its shell test passes" shell

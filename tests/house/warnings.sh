@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# warnings.sh - every C file that make compiles is free of warnings by the Makefile's own flags (WARN and its exceptions).
+# warnings.sh - every C file that make compiles is free of warnings by the Makefile's own flags (WARN and its
+# exceptions).
 . "$(dirname "$0")/../tap.sh"
 
 # commands [VARIABLE=VALUE...]: a line for each file that make compiles: its flags and its name

@@ -1,6 +1,6 @@
 /*
- * test_symbols.c - symbols.h: every construct of Lua, what is found in it, and that names are resolved as the Lua compiler
- * resolves them: luac's listing of each script of the repository and of generated programs is the judge.
+ * test_symbols.c - symbols.h: every construct of Lua, what is found in it, and that names are resolved as the Lua
+ * compiler resolves them: luac's listing of each script of the repository and of generated programs is the judge.
  */
 #define _POSIX_C_SOURCE 200809L /* popen, mkdtemp */
 #include <setjmp.h>

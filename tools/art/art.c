@@ -1,6 +1,7 @@
 /*
  * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
- * OUTDIR bench` the bench's; `art OUTDIR glow` what the sandbox has of its own; and `art OUTDIR icon` the program's icons.
+ * OUTDIR bench` the bench's; `art OUTDIR glow` what the sandbox has of its own; and `art OUTDIR icon` the program's
+ * icons.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to

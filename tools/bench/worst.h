@@ -19,7 +19,7 @@ extern const int WORST_COUNT;
 
 enum {
     WORST_LUA_KIB = 16 << 10, /* of heap that the operations want; roms/bench has as many */
-    WORST_LIMIT = 5000000    /* of work, after which they are stopped */
+    WORST_LIMIT = 5000000     /* of work, after which they are stopped */
 };
 
 /* Runs one, counting, on a board that is of no use afterwards. How often it ran; *fault is what stopped it, NULL:

@@ -83,14 +83,14 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const kinds[MARKER_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
-                                                   "won",   "lost",  "start", "ship", "register", "listed" };
+                                                     "won",   "lost",  "start", "ship", "register", "listed" };
     const char *of = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
                *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 
     for (int k = 0; k < MARKER_KINDS; k++)
         if (!strcmp(kinds[k], lua_tostring(L, v[M_KIND].at)))
             return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[M_NAME].at), of, title,
-                              (int32_t)v[M_VALUE].i),
+                                    (int32_t)v[M_VALUE].i),
                    0;
     return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }

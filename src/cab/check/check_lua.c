@@ -2,7 +2,8 @@
  * check_lua.c - what is wrong with scripts, before they run.
  *
  * All scripts are read first, for what one of them adds to a table of the API is there for all. A name is only found
- * missing where no script can have put it: when a table of the API is handed around, or _G is, its names are let through.
+ * missing where no script can have put it: when a table of the API is handed around, or _G is, its names are let
+ * through.
  */
 #include "check_parts.h"
 

@@ -1,6 +1,6 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls, so
- * it fits every screen; names are cut before they reach the numbers' column.
+ * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls,
+ * so it fits every screen; names are cut before they reach the numbers' column.
  */
 #include "practice.h"
 
@@ -350,7 +350,7 @@ static enum canvas_colour colour_of(const struct record *r)
 
 /* A boss is shown by its title, with its name in the numbers' column; other sections by name and title. */
 static void draw_section(const struct practice_menu *m, const struct page *p, int y, const struct section *section,
-                       bool chosen)
+                         bool chosen)
 {
     const struct record *r = record_of(m, section);
     bool stage = section->kind == SECTION_STAGE;

@@ -6,9 +6,9 @@
  * change a setting (ten steps at a time while focus is held), fire starts a section, bomb goes back to the game.
  *
  * Counting. An attempt of a section is counted when a practice start of it begins: from the menu, by the retry key, or
- * when the game starts the section again by itself. A capture is counted when the section ends well without a death since
- * it began: a phase is beaten, or a stage, from its start or from a mark, reaches its end. Neither is counted with
- * invincible, nor after the run was rewound (until the next start).
+ * when the game starts the section again by itself. A capture is counted when the section ends well without a death
+ * since it began: a phase is beaten, or a stage, from its start or from a mark, reaches its end. Neither is counted
+ * with invincible, nor after the run was rewound (until the next start).
  */
 #ifndef CAB_PRACTICE_H
 #define CAB_PRACTICE_H
@@ -35,7 +35,7 @@ struct practice_menu {
     int difficulty, lives, slow;       /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
     int32_t value[PRACTICE_REGISTERS]; /* of sections.reg */
     bool invincible, hitbox;           /* hitbox: show hit shapes over the picture */
-    char section[64];                     /* of the section last started; "": none, or the game from its title */
+    char section[64];                  /* of the section last started; "": none, or the game from its title */
     int row, top;                      /* the chosen row, and the first that is shown */
     int shown;                         /* rows of the last drawing */
     uint16_t held;
