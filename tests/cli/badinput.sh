@@ -324,11 +324,11 @@ bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lis
 
 # ---- stages ----
 
-game s <<'LUA'
+game s <<LUA
 player.def("p", { sprite = "dot", hit = { circle = 1 }, registers = { bombs = 2, power = 0 } })
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
-boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20,
-  phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
+boss.def("queen", { title = "Q", kind = "e", x = 32, y = 20, \
+phases = { { id = "bloom", hp = 9, time = 60, run = function(e) wait(forever) end } } })
 stage.def("one", function() stage.at(10) stage.mark("guard") stage.at(60) end)
 stage.def("ever", function() while enemy.count() == 0 do wait(1) end end)
 boot.run { stages = { "one" }, players = { "p" } }

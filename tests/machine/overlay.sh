@@ -13,9 +13,7 @@ local seen = 0
 task.go(function()
   for i = 1, forever do
     seen = (seen * 31 + i + (pad.down 'fire' and 7 or 0) + rng.int(0, 99)) % 100000007
-    if i % 10 == 1 then
-      bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = 0.5, tag = 'rain' }
-    end
+    if i % 10 == 1 then bullet.fire { kind = 'dot', x = 40 + seen % 100, y = 60, dir = 90, speed = .5, tag = 'rain'} end
     if i == 30 or i == 150 then save.set('frame', i) end
     wait(1)
   end
