@@ -3,9 +3,9 @@
 #
 #     tests/builds.sh
 #
-# No warning is allowed. 32 bits are those of gcc -m32 with i386's libraries; or else of the cross compiler that make cross
-# has, whose program runs every demo instead. A machine with neither says so in one line. Needs what make test needs. The
-# last line is "N passed, N failed". Exit 1: something failed.
+# No warning is allowed. 32 bits are those of gcc -m32 with i386's libraries; or else of the cross compiler that make
+# cross has, whose program runs every demo instead. A machine with neither says so in one line. Needs what make test
+# needs. The last line is "N passed, N failed". Exit 1: something failed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 passed=0 failed=0
@@ -30,7 +30,8 @@ unit() { # NAME COMPILER: builds the unit tests in build/NAME and runs them
 links_32() {
     # shellcheck disable=SC2046
     echo 'int main(void) { return 0; }' |
-        $cc32 -x c - -o build/probe32 $(pkg-config --libs lua5.4) -lcmocka -lquadmath -lm -pthread >/dev/null 2>&1 && build/probe32
+        $cc32 -x c - -o build/probe32 $(pkg-config --libs lua5.4) -lcmocka -lquadmath -lm -pthread >/dev/null 2>&1 &&
+        build/probe32
 }
 
 cross_32() { # every demo, in the i386 build of make cross

@@ -61,7 +61,8 @@ cat <<END
 curtain, curtain\\-null \\- play, record and verify bullet\\-hell games
 .SH SYNOPSIS
 END
-$curtain help | commands | roff | awk -F '\t' '{ if (NR > 1) print ".br"; print $2 == "" ? ".B " $1 : ".BI \"" $1 " \" \"" $2 "\"" }'
+$curtain help | commands | roff |
+    awk -F '\t' '{ if (NR > 1) print ".br"; print $2 == "" ? ".B " $1 : ".BI \"" $1 " \" \"" $2 "\"" }'
 cat <<'END'
 .SH DESCRIPTION
 .B curtain

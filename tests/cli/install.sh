@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# install.sh - what make install puts where: the programs, the documents, the examples and games that README says to copy,
-# which the installed program checks and packs; the manual page and the desktop's entry, which their checkers pass; and
-# make uninstall takes all of it away. One file for a friend, with another game in it. What is missing is said by make and
-# make all, which install nothing, and installed by make play; make null asks for no SDL2.
+# install.sh - what make install puts where: the programs, the documents, the examples and games that README says to
+# copy, which the installed program checks and packs; the manual page and the desktop's entry, which their checkers
+# pass; and make uninstall takes all of it away. One file for a friend, with another game in it. What is missing is said
+# by make and make all, which install nothing, and installed by make play; make null asks for no SDL2.
 . "$(dirname "$0")/../tap.sh"
 repo=$PWD
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -61,7 +61,8 @@ check 'its icon is there, of each size' icons
 data=$usr/share/metainfo/org.curtain.Curtain.metainfo.xml
 check 'the data for software centres are valid' appstreamcli validate --no-net "$data"
 sed 's/<id>.*</<id></' "$data" >"$scratch/org.curtain.Curtain.metainfo.xml"
-refuse 'planted: without an id' 'Validation failed' appstreamcli validate --no-net "$scratch/org.curtain.Curtain.metainfo.xml"
+refuse 'planted: without an id' 'Validation failed' \
+    appstreamcli validate --no-net "$scratch/org.curtain.Curtain.metainfo.xml"
 sed '/^Type=/d' "$entry" >"$scratch/curtain.desktop"
 refuse 'planted: an entry of no type' 'Type' desktop-file-validate "$scratch/curtain.desktop"
 
@@ -127,9 +128,11 @@ asks() { # GOAL: of make there; what it says is in $scratch/says, what apt-get i
 says() { # GOAL PACKAGES: make fails with one line to paste; apt-get is not asked
     asks "$1" && { echo "make $1 does not fail"; return 1; }
     cat "$scratch/says"
-    grep -qE "^curtain: something is missing; this installs it: (sudo )?apt-get install $2\$" "$scratch/says" && [ ! -s "$scratch/asked" ]
+    grep -qE "^curtain: something is missing; this installs it: (sudo )?apt-get install $2\$" "$scratch/says" &&
+        [ ! -s "$scratch/asked" ]
 }
-check 'make says what is missing, and installs nothing' says all 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
+check 'make says what is missing, and installs nothing' \
+    says all 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
 check 'make null does, and asks for no SDL2' says null 'gcc libc6-dev pkg-config liblua5.4-dev libstb-dev'
 check 'make install does' says install 'gcc libc6-dev pkg-config liblua5.4-dev libsdl2-dev libstb-dev'
 installs() { # GOAL PACKAGE...: each of them asked of apt-get

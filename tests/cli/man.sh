@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# man.sh - the manual page, which tools/manpage.sh makes of what `curtain help` says: all of it is there, no checker finds
-# anything in it, and its examples run.
+# man.sh - the manual page, which tools/manpage.sh makes of what `curtain help` says: all of it is there, no checker
+# finds anything in it, and its examples run.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 page=$scratch/curtain.1
@@ -26,7 +26,8 @@ refuse "planted: an option is missing" "--rerecord is not on the page" has "$scr
 explains() { # PAGE: what stands behind an option, a key, a setting, an exit code
     local words text
     text=$(shown "$1")
-    for words in '--seed N seed of the random streams, 0 to 2^64 - 1' 'with --stage: nothing hits the player [play, render, hash]' \
+    for words in '--seed N seed of the random streams, 0 to 2^64 - 1' \
+        'with --stage: nothing hits the player [play, render, hash]' \
         'p1.fire z pad.south fire; yes in menus' 'p2.down s kp5 kp2 pad.down pad.ldown the second player' \
         'volume 100 (0 to 100) percent' '3 the host failed'; do
         case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
@@ -48,7 +49,8 @@ refuse "planted: an unknown macro, for mandoc" "unknown macro" quiet mandoc -T l
 if command -v man >/dev/null && man --version 2>/dev/null | grep -q 'man 2'; then
     check "man does not warn of it" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$page"
     printf '.TP\n.foo bar\n' >>"$scratch/bad.1"
-    refuse "planted: an unknown macro, for man" "warning" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$scratch/bad.1"
+    refuse "planted: an unknown macro, for man" "warning" \
+        quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$scratch/bad.1"
 else
     echo "# no man of man-db here: its warnings are not looked at"
 fi

@@ -6,7 +6,8 @@ curtain=$OUT/curtain-null
 
 release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
 core=$(sed -n 's/^ *CORE_VERSION = \([0-9]*\),.*/\1/p' src/board/board.h)
-lua=$(printf '#include <lua.h>\nLUA_RELEASE\n' | ${CC:-cc} -E -P $(pkg-config --cflags lua5.4) - | tail -1 | tr -d '"' | sed 's, *\. *,.,g; s,  *, ,g')
+lua=$(printf '#include <lua.h>\nLUA_RELEASE\n' | ${CC:-cc} -E -P $(pkg-config --cflags lua5.4) - |
+    tail -1 | tr -d '"' | sed 's, *\. *,.,g; s,  *, ,g')
 first() { "$curtain" "$@" | head -n 1; }
 says() { # WORDS WORD...: the first line
     [ "$(first "${@:2}")" = "$1" ] || { echo "expected $1, got $(first "${@:2}")"; return 1; }

@@ -61,7 +61,8 @@ unswept() {
     ! cmp -s src/board/hits/hit_parts.h "$tree/src/board/hits/hit_parts.h" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/lab" "$tree"/src/board/hits/hit*.c $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
+        -o "$scratch/lab" "$tree"/src/board/hits/hit*.c \
+        $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
         $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
         "$OUT"/gen/no_rom.o \
         "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# contributing.sh - what CONTRIBUTING.md shows works: files it names are there, its function of the API, its chip and its
-# tests compile without a warning and do what is said, and its commit message follows its own rule.
+# contributing.sh - what CONTRIBUTING.md shows works: files it names are there, its function of the API, its chip and
+# its tests compile without a warning and do what is said, and its commit message follows its own rule.
 . "$(dirname "$0")/../tap.sh"
 page=CONTRIBUTING.md
 
@@ -36,7 +36,8 @@ find_block() { # WORDS
 # The sample of style is a function as it is.
 sample() {
     find_block 'void pal_fade' >"$scratch/sample" &&
-        python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' "$scratch/sample" "$1"
+        python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' \
+            "$scratch/sample" "$1"
 }
 check "the sample of code is src/chips/pal.c's" sample src/chips/pal.c
 
@@ -48,7 +49,8 @@ cp -r tests/machine "$copy/tests/"
 lua=$(pkg-config --cflags lua5.4)
 compile() { # ARGUMENT...: by the Makefile's flags, without a warning
     # shellcheck disable=SC2046
-    gcc -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE $(sed -n 's/^WARN *:= //p' Makefile) -Werror ${lua//-I/-isystem } "$@"
+    gcc -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE \
+        $(sed -n 's/^WARN *:= //p' Makefile) -Werror ${lua//-I/-isystem } "$@"
 }
 # The program's objects, but for those named, which are the copy's.
 objects() { # NAME...
@@ -60,14 +62,18 @@ objects() { # NAME...
 libraries() { pkg-config --libs lua5.4; echo -lm -pthread; }
 
 chip() {
-    { echo '#ifndef R'; echo '#define R'; echo '#include "../base/fx.h"'; echo '#include "slots.h"'; find_block 'struct ripples {'; echo '#endif'; } \
-        >"$copy/src/chips/ripples.h" && { echo '#include "ripples.h"'; find_block 'COLUMN(ripples, x)'; } >"$copy/src/chips/ripples.c" &&
+    { echo '#ifndef R'; echo '#define R'; echo '#include "../base/fx.h"'; echo '#include "slots.h"'
+        find_block 'struct ripples {'; echo '#endif'; } >"$copy/src/chips/ripples.h" &&
+        { echo '#include "ripples.h"'; find_block 'COLUMN(ripples, x)'; } >"$copy/src/chips/ripples.c" &&
         compile -c "$copy/src/chips/ripples.c" -o "$scratch/ripples.o" &&
-        clang-format --style=file:.clang-format --dry-run -Werror "$copy/src/chips/ripples.c" "$copy/src/chips/ripples.h"
+        clang-format --style=file:.clang-format --dry-run -Werror \
+            "$copy/src/chips/ripples.c" "$copy/src/chips/ripples.h"
 }
 check "its chip compiles" chip
 
 # The function of the API, in a program that says what three calls give.
+signs='local n = 0 for i = 1, 1000 do local s = rng.sign() assert(s == 1 or s == -1) n = n + s end '
+signs+='assert(n > -200 and n < 200)'
 api() {
     find_block 'int rng_sign(' >"$scratch/sign.c" && find_block '"rng.sign"' >"$scratch/row" &&
         awk -v sign="$scratch/sign.c" -v row="$scratch/row" '
@@ -77,10 +83,10 @@ api() {
             src/board/api/api_rng.c >"$copy/src/board/api/api_rng.c" || return
     grep -q '^static int rng_sign' "$copy/src/board/api/api_rng.c" || return
     # shellcheck disable=SC2046
-    compile "$copy/src/board/api/api_rng.c" $(objects board/api/api_rng.o) "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
+    compile "$copy/src/board/api/api_rng.c" $(objects board/api/api_rng.o) \
+        "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
         mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
-        echo 'local n = 0 for i = 1, 1000 do local s = rng.sign() assert(s == 1 or s == -1) n = n + s end assert(n > -200 and n < 200)' \
-            >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&
+        echo "$signs" >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&
         "$scratch/curtain" help lua rng.sign | grep -q -- '-1 or 1'
 }
 check "its function of the API does what it says" api
@@ -88,19 +94,22 @@ check "its function of the API does what it says" api
 main_of() { sed 's/test_seed/test_leaves/' <<<"$(find_block 'cmocka_unit_test(test_seed)' | sed -n '/^int main/,$p')"; }
 headers='setjmp.h stdarg.h stddef.h stdint.h cmocka.h'
 unit() {
-    { printf '#include <%s>\n' $headers; echo '#include "../src/base/rng.h"'; find_block 'test_seed(void'; } >"$copy/tests/unit.c" &&
+    { printf '#include <%s>\n' $headers; echo '#include "../src/base/rng.h"'; find_block 'test_seed(void'; } \
+        >"$copy/tests/unit.c" &&
         compile "$copy/tests/unit.c" -lcmocka -o "$scratch/unit" && "$scratch/unit"
 }
 check "its unit test passes" unit
 machine() {
     { echo '#include "rig.h"'; find_block 'test_leaves(void'; main_of; } >"$copy/tests/machine/leaves.c" &&
         # shellcheck disable=SC2046
-        compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka -o "$scratch/machine" && "$scratch/machine"
+        compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka \
+            -o "$scratch/machine" && "$scratch/machine"
 }
 check "its test of a board passes" machine
 shell() {
     mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs"
-    cp tests/tap.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" && block sh 3 >"$scratch/shell/tests/house/first.sh" &&
+    cp tests/tap.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" &&
+        block sh 3 >"$scratch/shell/tests/house/first.sh" &&
         bash "$scratch/shell/tests/house/first.sh"
 }
 check "its shell test passes" shell

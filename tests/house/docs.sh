@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# docs.sh - the manual's API section is what the program says, and the program's help covers what it offers. README has the
-# figures of docs/proof.txt, says what is not there yet, and offers no key for it.
+# docs.sh - the manual's API section is what the program says, and the program's help covers what it offers. README has
+# the figures of docs/proof.txt, says what is not there yet, and offers no key for it.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
@@ -39,8 +39,10 @@ missing() { # README
     local word top
     top=$(sed '/^## /,$d' "$1")
     for word in sound lasers items; do
-        sed -n '/^## Not there yet/,$p' docs/design.md | grep -q "\`$word\`" || { echo "$word is there: say so"; return 1; }
-        grep -q "^\*\*What does not yet:.*\b$word\b" <<<"$top" || { echo "$1 does not say that $word is missing"; return 1; }
+        sed -n '/^## Not there yet/,$p' docs/design.md | grep -q "\`$word\`" ||
+            { echo "$word is there: say so"; return 1; }
+        grep -q "^\*\*What does not yet:.*\b$word\b" <<<"$top" ||
+            { echo "$1 does not say that $word is missing"; return 1; }
         ! grep -E '^\| ' "$1" | grep -v 'plat_' | grep -w "$word" || { echo "$1 offers $word"; return 1; }
     done
 }

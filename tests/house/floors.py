@@ -25,7 +25,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 def house(folder):
     """The folder of FLOORS that a room belongs to, or None."""
-    return next((f for f in FLOORS if folder == f or folder.startswith(f + "/") and f in ("src/board", "src/cab")), None)
+    with_rooms = ("src/board", "src/cab")
+    return next((f for f in FLOORS if folder == f or folder.startswith(f + "/") and f in with_rooms), None)
 
 
 def target_of(path, name):

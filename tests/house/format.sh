@@ -26,7 +26,8 @@ style() { sed -n "s/^$1: //p" .clang-format; }
 editor=.editorconfig
 agrees() {
     [ "$(setting '\*' indent_size)" = "$(style IndentWidth)" ] || { echo "indent_size is not IndentWidth"; return 1; }
-    [ "$(setting '\*' max_line_length)" = "$(style ColumnLimit)" ] || { echo "max_line_length is not ColumnLimit"; return 1; }
+    [ "$(setting '\*' max_line_length)" = "$(style ColumnLimit)" ] ||
+        { echo "max_line_length is not ColumnLimit"; return 1; }
     [ "$(setting '\*' indent_style)" = space ] && [ "$(setting Makefile indent_style)" = tab ]
 }
 check ".editorconfig agrees with .clang-format" agrees
@@ -38,7 +39,8 @@ ends() { # FILE...: each ends in a line end
     local f
     for f in "$@"; do [ -z "$(tail -c 1 "$f")" ] || { echo "$f does not end in a line end"; return 1; }; done
 }
-check "every text ends in a line end" ends $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .editorconfig '*.desktop' '*.xml' | grep -v /seeds/)
+check "every text ends in a line end" ends \
+    $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .editorconfig '*.desktop' '*.xml' | grep -v /seeds/)
 printf 'no end' >"$scratch/end.md"
 refuse "planted: a last line without its end" "end.md" ends "$scratch/end.md"
 # Scripts of games are left out: their bytes are in hashes that demos hold.

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# levels.sh - what must be fast at every level of optimisation: the stamps (fb/stamp.c), whose loops over sixteen bytes are
-# vector instructions with gcc and clang, at -O2 and at -O3. Reads the compilers' output for x86-64, and no clock.
+# levels.sh - what must be fast at every level of optimisation: the stamps (fb/stamp.c), whose loops over sixteen bytes
+# are vector instructions with gcc and clang, at -O2 and at -O3. Reads the compilers' output for x86-64, and no clock.
 . "$(dirname "$0")/../tap.sh"
 
 vectors() { # COMPILER LEVEL FILE: instructions that work on a single byte; 30 are the rest's, 300 a loop taken apart
     local asm=$scratch/stamp.s single
     "$1" -m64 -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE "$2" -I fb -S -o "$asm" "$3" || return
     single=$(grep -cE '[[:space:]](movb|andb|orb|movzbl)[[:space:]]' "$asm")
-    [ "$single" -lt 100 ] || { echo "$3: $1 $2 works on single bytes in $single instructions, expected fewer than 100"; return 1; }
+    [ "$single" -lt 100 ] ||
+        { echo "$3: $1 $2 works on single bytes in $single instructions, expected fewer than 100"; return 1; }
     grep -qE '[[:space:]](pand|andps)[[:space:]]' "$asm" || { echo "$3: $1 $2 makes no vectors"; return 1; }
 }
 if [ "$(uname -m)" = x86_64 ]; then

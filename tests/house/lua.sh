@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# lua.sh - no file of the cabinet or of a port sees Lua's headers or the board's insides, by way of other headers either.
+# lua.sh - no file of the cabinet or of a port sees Lua's headers or the board's insides, by way of other headers
+# either.
 . "$(dirname "$0")/../tap.sh"
 
-# seen FILE...: fails for each that the preprocessor finds to depend on them. -MG: headers that are not found are listed.
+# seen FILE...: fails for each that the preprocessor finds to depend on them. -MG: headers that are not found are
+# listed.
 seen() {
     local f found rc=0
     for f; do
@@ -29,7 +31,8 @@ planted() {
 }
 refuse "planted: Lua in the table that check reads" "check_lua.c sees lua.h" \
     planted src/board/api_table.h '<lua.h>' src/cab/check/check_lua.c
-refuse "planted: the same, by way of two headers" "machine.h" planted src/chips/slots.h '"../board/machine.h"' src/cab/cli.c
+refuse "planted: the same, by way of two headers" "machine.h" \
+    planted src/chips/slots.h '"../board/machine.h"' src/cab/cli.c
 refuse "planted: the board's insides in a port's header" "machine.h" \
     planted platform/platform.h '"../src/board/machine.h"' platform/null.c
 finish
