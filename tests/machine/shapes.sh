@@ -3,7 +3,7 @@
 # can be built, and no overflow without -fwrapv; and planted faults, which show as mismatches.
 . "$(dirname "$0")/../tap.sh"
 
-cp --parents src/base/fx.h src/base/geom.h src/base/geom.c tools/prove/shapes.c tools/prove/shapes_oracle.h "$scratch"
+cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/prove/shapes.c tools/prove/shapes_oracle.h "$scratch"
 # shapes FLAGS [ARGUMENT...]: built in the copy with the flags, and run
 shapes() {
     local flags=$1
