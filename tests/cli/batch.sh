@@ -80,7 +80,7 @@ pads() { # DEMO RECORD: the byte of player 1's first run in that second
 patch good3.demo "$(pads good3.demo 2)" bad17.demo && bad bad17.demo 'frame 1: input differs'
 patch good3.demo "$(pads good3.demo 4)" bad18.demo && bad bad18.demo 'frame 121: input differs'
 patch good3.demo "$(pads good3.demo 5)" bad19.demo && bad bad19.demo 'frame 181: input differs'
-core=$("$curtain" version | sed -n 's/^curtain core version //p')
+core=$("$curtain" version | sed -n "s,.*(core \([0-9]*\).*,\1,p")
 patch good3.demo 16 bad20.demo &&
     bad bad20.demo "holds, 200 frames (recorded on core version $((core ^ 1)), this is $core)"
 

@@ -74,7 +74,7 @@ assert d["end"] == 0
 END
 }
 core_of() { python3 tests/cli/demo_read.py "$1" | sed -n 's/^core //p'; }
-core=$("$program" version | sed -n 's/^curtain core version //p')
+core=$("$program" version | sed -n "s,.*(core \([0-9]*\).*,\1,p")
 for demo in roms/*/demos/*.demo; do check "the page's reader agrees about $demo" agrees "${demo%/demos/*}" "$demo"; done
 for demo in tests/demos/*.demo; do # those of this core version: what an older one recorded may differ
     [ "$(core_of "$demo")" != "$core" ] || check "the page's reader agrees about $demo" agrees "${demo%-*}.rom" "$demo"

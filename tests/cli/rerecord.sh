@@ -4,7 +4,7 @@
 # what is not this run any more, or cannot be written, is left alone.
 . "$(dirname "$0")/../tap.sh"
 sandbox
-core=$("$curtain" version | sed -n 's/^curtain core version //p')
+core=$("$curtain" version | sed -n "s,.*(core \([0-9]*\).*,\1,p")
 reader=$repo/tests/cli/demo_read.py
 
 # A run with points for frames, moments, and a death; sed changes its script.

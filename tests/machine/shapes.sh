@@ -3,7 +3,8 @@
 # can be built, and no overflow without -fwrapv; and planted faults, which show as mismatches.
 . "$(dirname "$0")/../tap.sh"
 
-cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/prove/shapes.c tools/prove/shapes_oracle.h "$scratch"
+cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/prove/shapes.c \
+    tools/prove/shapes_oracle.h "$scratch"
 # shapes FLAGS [ARGUMENT...]: built in the copy with the flags, and run
 shapes() {
     local flags=$1
@@ -35,7 +36,7 @@ fault() { # SHAPE, FILE below src/base, OLD, NEW
 fault circle-circle geom.h "dx * dx + dy * dy <= limit" "dx * dx + dy * dy < limit"
 fault circle-circle geom.h "& (dx <= limit) & (dy <= limit) &" "&"
 fault box-box geom.h "(dy <= h)" "(dy < h)"
-fault circle-box geom.c "magnitude(y) - hh;" "magnitude(y) - hh + 1;"
+fault circle-box geom.c "int64_abs(y) - hh;" "int64_abs(y) - hh + 1;"
 fault swept-circles geom.c "a * a <= b * c" "a * a < b * c"
 fault swept-circles geom.c "if (along >= ww)" "if (along >= ww + ww)"
 fault capsule-circle geom.h "(int64_t)r + cr" "(int64_t)r + cr + 1"

@@ -43,9 +43,7 @@ given() { # PROGRAM TARGET
 # planted NAME FILE OLD NEW TARGET: with a line changed it is found out
 planted() {
     local object=$msan/${2%.c}.o objects
-    sed \
-        "s|#include \"\\.\\./|#include \"$repo/src/|;s|#include \"\\([a-z_]*\\.h\\)\"|#include \"$repo/$(dirname \
-        "$2")/\\1\"|" "$2" >"$scratch/plain.c"
+    sed "s|#include \"|&$repo/$(dirname "$2")/|" "$2" >"$scratch/plain.c"
     python3 - "$scratch/plain.c" "$scratch/planted.c" "$3" "$4" <<'END' || { not_ok "$1" "cannot be planted"; return; }
 import sys
 text = open(sys.argv[1]).read()
