@@ -56,8 +56,8 @@ static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t a
         cover(d, words_load(s), add);
 }
 
-/* Whole words; words a row is a constant in the calls that matter. Here and below all of a job is copied first: for all
- * a compiler knows, what is drawn lies over it. */
+/* Whole words; words a row is a constant in the calls that matter. Here and below the job is copied into locals
+ * first: the pixels might alias it, and then the compiler would read it anew each time. */
 static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;
@@ -168,7 +168,7 @@ static uint64_t bytes_to(int to)
 }
 
 /* The part of an image inside the clip. */
-struct part {
+struct visible {
     int from, to; /* columns of the image */
     int rows;
     const uint8_t *s; /* the first of these rows, from its column 0 */
@@ -177,7 +177,7 @@ struct part {
 };
 
 /* False: nothing is inside. */
-static bool visible_part(struct part *p, const struct fb *fb, const struct image *image, int64_t x, int64_t y,
+static bool visible_part(struct visible *p, const struct fb *fb, const struct image *image, int64_t x, int64_t y,
                          unsigned flags)
 {
     int64_t left = fb->x0 > x ? fb->x0 - x : 0, top = fb->y0 > y ? fb->y0 - y : 0; /* columns, rows of the sprite */
@@ -199,7 +199,7 @@ static bool visible_part(struct part *p, const struct fb *fb, const struct image
 static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, int64_t y, uint8_t bank, unsigned flags)
 {
     bool flip = flags & BLIT_FLIP_X;
-    struct part p;
+    struct visible p;
 
     if (!visible_part(&p, fb, image, x, y, flags))
         return;
@@ -292,7 +292,7 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 {
     bool flip = flags & BLIT_FLIP_X;
     uint8_t add = (uint8_t)(bank * 16);
-    struct part p;
+    struct visible p;
 
     if (!visible_part(&p, fb, image, x, y, flags))
         return;

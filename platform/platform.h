@@ -3,9 +3,8 @@
  * functions. floor: platform    used by: src/cab/
  *
  * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
- * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): a port that defines one of them has its own, and says
- * so by doing nothing more. For a compiler without weak symbols stdio.c is built with -DPLAT_OWN_SOUND and the like, a
- * name an override.
+ * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
+ * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
  * and nothing else of ours. Everything is called from one thread.

@@ -123,7 +123,7 @@ static void open_speaker(int rate)
         failed("no sound");
 }
 
-/* Where there is no display SDL may find a driver that shows nothing; who wants that names it. */
+/* Where there is no display SDL may find a driver that shows nothing; SDL_VIDEODRIVER set to it asks for that. */
 static bool nobody_sees(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();

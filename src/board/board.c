@@ -337,7 +337,7 @@ void board_move(struct board *b)
     b->counts.moved = b->bullets.moved;
 }
 
-/* Steps 3 and 4 of a tick. For vm_call: a full event list is a fault. */
+/* Moves, then hits. For vm_call: a full event list is a fault. */
 static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);

@@ -1,6 +1,6 @@
 /*
- * events_run.h - step 5 of a tick: the effects of this frame's events and the scripts' handlers, in the order of the
- * events.
+ * events_run.h - after the hits of a tick: the effects of this frame's events and the scripts' handlers, in the order
+ * of the events.
  * floor: board
  */
 #ifndef BOARD_EVENTS_RUN_H
@@ -8,7 +8,8 @@
 
 #include "machine.h"
 
-/* The names of on.NAME, in the order of enum event_kind (EV_SHOT has no handlers); NULL at the end. */
+/* The names of on.NAME: the first eight in the order of enum event_kind, NULL for EV_SHOT, which has no handlers; then
+ * those that only scripts raise. */
 extern const char *const events_names[];
 
 /* Applies all events, those raised meanwhile too. For vm_call. */

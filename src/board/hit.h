@@ -1,5 +1,6 @@
 /*
- * hit.h - every collision of a frame, in one fixed order. Reads everything, writes only events.
+ * hit.h - every collision of a frame, in one fixed order. Reads everything; writes events and counts,
+ * and releases the shots that left and hit nothing.
  * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each

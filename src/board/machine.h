@@ -6,7 +6,8 @@
  *   chip  a struct of columns with the code that works on them, in src/chips (tasks: here). struct chip describes its
  *         columns (slots.h). A chip may be there twice: bullets and shots are both of struct bullets.
  *   slot  a numbered row of a chip: the i-th value of each column. A handle names a slot and its generation.
- *   part  what the board lists, hashes, saves and names: a chip, or a block of registers without slots (script, board).
+ *   part  what the board lists, hashes, saves and names: a chip. Two chips are registers alone, without slots:
+ *         script and core, which is named "board".
  *         machine_parts[] is all of them, PART_LIST in board.c their order.
  */
 #ifndef BOARD_MACHINE_H
@@ -31,7 +32,7 @@
 #include "tasks.h"
 #include "vm.h"
 
-/* The board's own registers. */
+/* The registers of the part that is named "board". */
 struct core {
     struct slots s;
     uint32_t frame; /* ticks since power-on */
@@ -118,11 +119,11 @@ struct part {
 enum { PARTS = 20 };
 extern const struct part machine_parts[PARTS];
 
-/* The pools as motion and aiming see them. shots: those that shots aim at. */
+/* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
-/* Step 3 of a tick: moves everything. What leaves the field is held or marked, for hit_run to ask. */
+/* Moves everything. What leaves the field is held or marked, so that hit_run still tests it. */
 void board_move(struct board *b);
 
 /* Raises an event, or the fault that there is no room for it. */
@@ -132,7 +133,7 @@ void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
                       int32_t value);
 
-/* Is this board there to tell the list of its sections? */
+/* Was this board powered only to list what can be practised (PRACTICE_LIST)? */
 bool board_lists(const struct board *b);
 
 /* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */

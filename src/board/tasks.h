@@ -86,8 +86,9 @@ int64_t tasks_owner(const struct board *b);
 /* The owner of an enemy or a sprite that the running script brings; false: it has ended, and nothing is to come. */
 bool tasks_brings(const struct board *b, bool stay, int64_t *owner);
 
-/* An enemy's own handler runs in the enemy's scene. An enemy without one: in no scene, owned as what caused it is, but
- * by nobody if that is of a scene. Returns what tasks_back puts back afterwards. */
+/* An enemy's own handler runs in the enemy's scene. That of an enemy without a scene runs in none, with the owner of
+ * what caused it; but with no owner if that runs in a scene, for what it brings must not end with that scene.
+ * Returns what tasks_back puts back afterwards. */
 struct tasks_now tasks_behalf(struct board *b, int64_t scene);
 void tasks_back(struct board *b, struct tasks_now was);
 

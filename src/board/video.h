@@ -9,7 +9,7 @@
 #include "machine.h"
 
 /* Where and onto what a part of the picture is drawn. */
-struct canvas {
+struct draw_target {
     const struct board *b;
     struct fb *fb;
     int x, y; /* of the field on the screen */
@@ -22,17 +22,17 @@ struct canvas {
 enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
 /* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
-struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
+struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
 
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
 
 /* One picture. blend: a blend's index + 1, 0: opaque. */
-void video_paint(struct canvas *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
+void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend);
 
 /* Bullets or shots. Kinds in the draw order, then slots. */
-void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k);
+void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);

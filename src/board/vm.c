@@ -23,8 +23,8 @@ const char *board_lua_release(void)
     return &LUA_RELEASE[sizeof "Lua"];
 }
 
-/* Level 0 is a C function, or in a hook the function that was interrupted. A task of the library's own stands where the
- * author's line stood that led to it. */
+/* Level 0 is a C function, or in a hook the function that was interrupted. The place of a task that the library
+ * started is the author's line that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
 {
     lua_Debug ar;

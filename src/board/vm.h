@@ -45,7 +45,7 @@ struct vm {
     uint64_t limit;              /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
     uint64_t looked;             /* heap_work at the last look */
     uint32_t step;               /* instructions before the next look */
-    uint32_t phase;              /* of the generator that step is drawn from */
+    uint32_t stream;             /* of the random numbers that step is drawn from */
     struct vm_weight heaviest;   /* of this tick */
     uint64_t swept;              /* heap_work when the collector last had its turn */
     size_t text_block, text_max; /* bytes of Lua's block for the last text, and for the longest that is allowed */

@@ -168,8 +168,8 @@ static void on_count(lua_State *L, lua_Debug *ar);
 /* Sets the hook for the next look, and says when that is. */
 static void look_later(struct vm *vm, lua_State *L)
 {
-    vm->phase = vm->phase * 1103515245 + 12345;
-    vm->step = STEP_LEAST + (vm->phase >> 16) % STEP_MORE;
+    vm->stream = vm->stream * 1103515245 + 12345;
+    vm->step = STEP_LEAST + (vm->stream >> 16) % STEP_MORE;
     lua_sethook(L, on_count, LUA_MASKCOUNT, (int)vm->step);
 }
 
@@ -246,7 +246,7 @@ void vm_begin(struct board *b, uint64_t limit)
     vm->limit = limit;
     vm->looked = heap_work(vm->heap);
     vm->heaviest = (struct vm_weight){ 0 };
-    vm->phase = 1;
+    vm->stream = 1;
     vm->interrupted = 0;
     b->output->long_text = 0;
 }

@@ -35,7 +35,7 @@ static const struct column columns[] = {
     COLUMN(bullets, pc),
     COLUMN(bullets, end),
     COLUMN(bullets, from),
-    COLUMN(bullets, mute),
+    COLUMN(bullets, mute), /* bits OVERRIDE_*, see bullets.h */
     COLUMN(bullets, pace),
     COLUMN(bullets, way),
     COLUMN(bullets, x_more),
@@ -194,8 +194,8 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
     }
 }
 
-/* The direction of the leading 31 bits of the parts; then the speed is what of them points there, right to its last
- * bit: what lies across is less than 2^-29 of it. */
+/* The direction comes from the leading 31 bits of (vx, vy), and the speed is their component along it. That is right to
+ * the last bit, for the component across it is less than 2^-29 of the speed. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
     int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
@@ -591,7 +591,7 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
     return any;
 }
 
-/* `near`, of a block's bullets, may be near player p: the narrow phase decides. */
+/* near: the bullets of a block, as bits, that may touch or graze player p. The narrow phase decides which do. */
 static void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
 {
     uint64_t grazes = 0;

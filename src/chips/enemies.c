@@ -187,7 +187,7 @@ void enemies_move(struct enemies *e, const struct box *keep)
     e->leaving = 0;
     EACH_LIVE (i, &e->s) {
         step(e, i);
-        if (e->flags[i] & (ENEMY_HELD | ENEMY_DYING)) /* a boss may come from further away */
+        if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING)) /* a boss may come from further away */
             continue;
         if (e->x[i] >= keep->x0 && e->x[i] <= keep->x1 && e->y[i] >= keep->y0 && e->y[i] <= keep->y1)
             continue;

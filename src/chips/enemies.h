@@ -15,7 +15,7 @@ enum {
     ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
 
-    ENEMY_HELD = 1 << 0,    /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
+    ENEMY_UNDYING = 1 << 0, /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */
     ENEMY_LEAVING = 1 << 2, /* it left in this frame's move, can still be hit, and goes as the dying do */
     ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either: not alive for scripts */

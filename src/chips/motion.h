@@ -13,7 +13,7 @@
 #include "slots.h"
 
 enum {
-    PARK = -(16384 << 16), /* one pixel past the end of the world */
+    PARK = -(16384 << 16), /* where dead slots stand: one pixel past the end of the world (bullets: see bullets.h) */
     WORLD = 16383,         /* positions reach from -WORLD to WORLD px */
     MAX_SPEED = 8191,      /* px/frame; radii too */
     PACE_BITS = 16         /* Q32 has so many fraction bits more than fx */

@@ -101,8 +101,8 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap);
  */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
 
-/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). A top that grew is the caller's
- * to park. */
+/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). If top grew, the caller
+ * must park the new slots: set their columns so that loops over the chip pass them without effect. */
 int32_t slots_take(struct slots *s);
 
 /* The next entry of a list, or NO_SLOT. */

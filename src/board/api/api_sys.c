@@ -242,7 +242,7 @@ static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
     (void)L;
     if (board_alive(b, v[HOLD_ENEMY].i))
         b->enemies.flags[i] =
-            (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_HELD : b->enemies.flags[i] & ~ENEMY_HELD);
+            (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_UNDYING : b->enemies.flags[i] & ~ENEMY_UNDYING);
     return 0;
 }
 

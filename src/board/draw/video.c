@@ -19,7 +19,8 @@ struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang d
     return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
 }
 
-void video_paint(struct canvas *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip, unsigned blend)
+void video_paint(struct draw_target *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip,
+                 unsigned blend)
 {
     if (blend)
         blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
@@ -27,7 +28,7 @@ void video_paint(struct canvas *c, const struct image *img, int x, int y, uint8_
         blit_sprite(c->fb, img, x, y, bank, flip);
 }
 
-static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                 unsigned blend)
 {
     const struct sprite *s = &c->b->pictures[sprite];
@@ -37,14 +38,14 @@ static void put(struct canvas *c, uint16_t sprite, uint32_t age, fx x, fx y, uin
     c->drawn++;
 }
 
-static void draw_sprites(struct canvas *c, int layer)
+static void draw_sprites(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
 
     EACH_LIVE (i, &s->s) {
         if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
             continue;
-        struct canvas at = *c;
+        struct draw_target at = *c;
         if (s->flags[i] & SPRITE_SCREEN) {
             fb_clip_all(c->fb);
             at.x = at.y = 0;
@@ -57,7 +58,7 @@ static void draw_sprites(struct canvas *c, int layer)
     }
 }
 
-static void draw_enemies(struct canvas *c)
+static void draw_enemies(struct draw_target *c)
 {
     const struct enemies *e = &c->b->enemies;
 
@@ -67,7 +68,7 @@ static void draw_enemies(struct canvas *c)
 }
 
 /* A player that cannot be hit blinks. */
-static void draw_players(struct canvas *c)
+static void draw_players(struct draw_target *c)
 {
     const struct player *p = &c->b->player;
 
@@ -76,7 +77,7 @@ static void draw_players(struct canvas *c)
             put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
 }
 
-static void draw_sparks(struct canvas *c)
+static void draw_sparks(struct draw_target *c)
 {
     const struct sparks *s = &c->b->sparks;
 
@@ -90,7 +91,7 @@ static void draw_sparks(struct canvas *c)
     }
 }
 
-static void draw_text(struct canvas *c)
+static void draw_text(struct draw_target *c)
 {
     const struct fix *f = &c->b->fix;
     const struct cart *cart = &c->b->cart;
@@ -105,10 +106,10 @@ static void draw_text(struct canvas *c)
                        f->bank[i]);
 }
 
-struct canvas video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
 {
     const struct manifest *m = &b->cart.m;
-    struct canvas c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
+    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     fb_clip_all(fb);

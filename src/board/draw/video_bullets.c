@@ -74,7 +74,7 @@ size_t video_bullets_scratch(const struct board *b)
            stamp_cells_size(b->cart.m.field_w, b->cart.m.field_h) + 64;
 }
 
-static struct lists *open_lists(const struct canvas *c)
+static struct lists *open_lists(const struct draw_target *c)
 {
     uint8_t *at = (uint8_t *)aligned((uintptr_t)c->scratch);
     struct lists *l = (struct lists *)at;
@@ -112,7 +112,7 @@ static void count_kinds(const struct bullets *s, uint32_t kinds, struct lists *l
     }
 }
 
-static void find_style(const struct canvas *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
+static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
 
@@ -137,7 +137,7 @@ static void put_in_order(struct lists *l, uint16_t kind)
     l->order[at] = kind;
 }
 
-static void find_kinds(const struct canvas *c, const struct bullet_kinds *k, struct lists *l)
+static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k, struct lists *l)
 {
     uint32_t list = 0;
 
@@ -165,7 +165,7 @@ static void corner(const struct view *t, const struct lists *l, const struct bul
     *y = fx_floor(s->y[i]) + t->y - pic->oy;
 }
 
-static struct image image_of(const struct canvas *c, const struct lists *l, const struct bullets *s, uint32_t i)
+static struct image image_of(const struct draw_target *c, const struct lists *l, const struct bullets *s, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
 
@@ -313,7 +313,7 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 
 /* ---- back to front ---- */
 
-static void draw_other(struct canvas *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
                        uint32_t i)
 {
     struct image image = image_of(c, l, s, i);
@@ -323,7 +323,7 @@ static void draw_other(struct canvas *c, const struct bullets *s, const struct l
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
-static void draw_dest(struct canvas *c, const struct style *style, uint32_t dest)
+static void draw_dest(struct draw_target *c, const struct style *style, uint32_t dest)
 {
     struct image image = video_image(style->pic, 0, false, 0);
     int at = (int)(dest & (STAMP_OTHER - 1)), pitch = c->fb->pitch;
@@ -332,7 +332,8 @@ static void draw_dest(struct canvas *c, const struct style *style, uint32_t dest
     blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
 }
 
-static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l, const struct view *t, uint16_t kind)
+static void draw_kind(struct draw_target *c, const struct bullets *s, struct lists *l, const struct view *t,
+                      uint16_t kind)
 {
     const struct style *style = &l->style[kind];
     const uint32_t *list = l->list + style->list;
@@ -351,7 +352,7 @@ static void draw_kind(struct canvas *c, const struct bullets *s, struct lists *l
     }
 }
 
-static void draw_over(struct canvas *c, const struct bullets *s, struct lists *l)
+static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
     struct view t = open_view(l, 0, l->kinds, c->fb, c->x, c->y);
 
@@ -364,7 +365,7 @@ static void draw_over(struct canvas *c, const struct bullets *s, struct lists *l
 
 /* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
  * as destinations. */
-static void layer_kind(const struct canvas *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
+static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
                        const struct view *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
@@ -390,8 +391,8 @@ static void layer_kind(const struct canvas *c, struct stamp_layer *layer, const 
 }
 
 /* The kinds of order[from .. to - 1], topmost first. Returns how many bullets were listed. */
-static uint32_t layer_kinds(const struct canvas *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
-                            const struct view *t, uint32_t from, uint32_t to)
+static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
+                            struct lists *l, const struct view *t, uint32_t from, uint32_t to)
 {
     uint32_t n = 0;
 
@@ -438,7 +439,7 @@ static void list_seen(struct lists *l, const struct bullets *s, const struct vie
     }
 }
 
-static void draw_layered(struct canvas *c, const struct bullets *s, struct lists *l)
+static void draw_layered(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
     const struct manifest *m = &c->b->cart.m;
     uint32_t top = l->kinds, drawn;
@@ -499,7 +500,7 @@ static bool is_layered(struct lists *l, uint64_t enough)
     return sum >= enough;
 }
 
-void video_bullets(struct canvas *c, const struct bullets *s, const struct bullet_kinds *k)
+void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k)
 {
     const struct manifest *m = &c->b->cart.m;
     uint64_t enough = (uint64_t)c->overdraw * (uint64_t)(m->field_w * m->field_h);

@@ -27,7 +27,8 @@ enum {
     NO_ENEMY = MAX_ENEMIES
 };
 
-/* Where an enemy was, seen from the grid's corner; the square of that, times 2^bits, with its slot in the low bits. */
+/* Where an enemy was, from the grid's corner on; and its squared distance from that corner, times 2^bits, with its slot
+ * in the low bits. */
 struct place {
     uint32_t x, y;
     int64_t square;
@@ -39,9 +40,9 @@ struct grid {
     int64_t left, top;        /* the grid's corner */
     int64_t wide, high;       /* of the grid */
     int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
-    int64_t core;             /* a point that was so near to an enemy touched it; negative: an enemy touches nothing */
-    int64_t scale;            /* from fx to 2^-32 of a cell */
-    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
+    int64_t inner; /* the least inner radius of the enemies: a point so near touched; negative: none has one */
+    int64_t scale; /* from fx to 2^-32 of a cell */
+    int64_t cell;  /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
     int64_t spread;    /* a row's list also holds so many rows above and below it: 1, or 0 */
     int bits;          /* of slots */
@@ -130,7 +131,7 @@ static void gather(struct grid *g, const struct board *b)
     g->high = (int64_t)bottom - top;
     g->reach_x = reach_x;
     g->reach_y = reach_y;
-    g->core = core;
+    g->inner = core;
 }
 
 /* Makes the cells as small as the number of them allows. */
@@ -382,8 +383,8 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
         int64_t core = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
-        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && g->core >= 0;
-        int64_t r = sure ? int64_min(core + g->core, FX_MAX) : 0;
+        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && g->inner >= 0;
+        int64_t r = sure ? int64_min(core + g->inner, FX_MAX) : 0;
         g->sure[i] = r * r;
     }
 }

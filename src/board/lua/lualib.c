@@ -98,7 +98,7 @@ static int note_fault(lua_State *L)
     return 1;
 }
 
-enum { IN_TASK = 1 }; /* context when Lua calls pcall_done: where one can wait, so in no enemy's handler */
+enum { IN_TASK = 1 }; /* what Lua hands pcall_done after a wait: only tasks can wait, so no handler runs then */
 
 /* The stack: the handler, true, then what the function returned or the error. */
 static int pcall_done(lua_State *L, int status, lua_KContext context)

@@ -20,7 +20,7 @@
 
 enum {
     DEMO_FORMAT = 3,
-    DEMO_OLDEST = 2,            /* format that is read; written is the newest */
+    DEMO_OLDEST = 2,            /* the oldest format that is read */
     DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* of a file */

@@ -218,7 +218,7 @@ static bool overlaps(const struct layout *l, int x, int y, int w, int h)
     return false;
 }
 
-/* Is (x, y, w, h) free? Then it is a place as far from the mouse as *best says. */
+/* If (x, y, w, h) is free and nearer to the mouse than *far, it becomes *best, and *far its distance. */
 static void try_position(const struct layout *l, int x, int y, int w, int h, int mouse_x, int mouse_y,
                          struct rect *best, int *far)
 {
