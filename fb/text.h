@@ -17,7 +17,7 @@ struct font {
 /* One character, its top left corner at (x, y); clipped; a code without a glyph draws nothing. Any x, y. */
 void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint8_t c, uint8_t bank);
 
-/* Bytes up to the NUL, TEXT_SIDE px apart; '\n' goes back to x, one line down. Any x, y. */
+/* Bytes up to the NUL, TEXT_SIDE px apart; '\n' goes back to x, one line down. Any x, y. For tests. */
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank);
 
 #endif

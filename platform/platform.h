@@ -1,6 +1,6 @@
 /*
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
- * functions. floor: platform    used by: src/cab/
+ * functions. floor: platform
  *
  * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a

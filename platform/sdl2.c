@@ -1,6 +1,6 @@
 /*
  * sdl2.c - the desktop port, on SDL 2.0.10 or later.
- * floor: platform    used by: linking
+ * floor: platform
  *
  * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest and by a whole
  * number. SDL's scancodes are USB HID usages, so keys need no table. Pictures are not held for the vertical blank

@@ -1,6 +1,6 @@
 /*
  * stdio.c - the defaults of the seam: ISO C files, and what POSIX adds where it is there.
- * floor: platform    used by: ports, by linking
+ * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
  * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and

@@ -25,12 +25,12 @@ local function throw(i)
                 motion = ways[left] }
 end
 
--- As many a frame as a script may fire before it is taken for an endless loop.
+-- So many a frame that a script that fires them is not taken for an endless loop.
 return function(n)
   return function()
     for i = 1, n do
       throw(i)
-      if i % 262144 == 0 then wait(1) end
+      if i % 65536 == 0 then wait(1) end
     end
   end
 end

@@ -122,7 +122,7 @@ double api_default(const struct api_param *p);
  * function `of` ("bullet.fire"); ':': as a property or a verb of the thing `of` ("bullet"). */
 bool api_reserved(const char *of, char how, const char *name);
 
-/* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. */
+/* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. For tests. */
 const char *api_reserved_row(int i, const char **of, char *how);
 
 /* The names scripts see of a library of Lua's ("math"; "": the globals), with blanks between; NULL: there is no such

@@ -361,8 +361,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     b->counts = (struct board_counts){ 0 };
     input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
-        player_count(&b->player);
-        enemies_count(&b->enemies);
+        player_count_down(&b->player);
+        enemies_count_down(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);
     phase_done(b, PHASE_SCRIPTS);

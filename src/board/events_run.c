@@ -160,10 +160,10 @@ static void enemy_sparks(struct board *b, uint32_t i)
 /* Calls an enemy's own handler with the n values on top of the stack (popped). */
 static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
 {
-    struct tasks_now was = tasks_behalf(b, b->enemies.owner[i]);
+    struct tasks_now was = tasks_act_for_scene(b, b->enemies.owner[i]);
 
     lua_call(L, n, 0);
-    tasks_back(b, was);
+    tasks_act_for(b, was);
 }
 
 void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
@@ -264,7 +264,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (b->start.practice.invincible) /* the one place that asks; `safe` stays the script's */
+    if (b->start.practice.invincible) /* tested only here; `safe`, which scripts read and write, stays as it is */
         return;
     if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
         return;

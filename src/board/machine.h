@@ -104,7 +104,7 @@ struct board {
     struct motions motions;
     struct steps steps;
     struct sprites sprites;
-    struct fix fix;
+    struct fix fix; /* the text layer: a grid of characters */
     struct pal pal;
     struct nvram nvram;
     struct sparks sparks;
@@ -161,7 +161,7 @@ static inline void script_fold(struct board *b, uint64_t v)
 /* The handle of a live slot of that kind, or a dead one for NO_SLOT. */
 int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot);
 
-/* Is what the handle names alive? Groups and motions always are. */
+/* Is what the handle names alive? A group (of all bullets with a tag) and a motion program always are. */
 bool board_alive(const struct board *b, int64_t h);
 
 /* Can it still be read? An enemy that died or left, and a bullet or shot that left and touched something on the way,

@@ -236,41 +236,41 @@ int64_t tasks_owner(const struct board *b)
     return b->tasks.now_owner;
 }
 
-bool tasks_brings(const struct board *b, bool stay, int64_t *owner)
+bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner)
 {
     *owner = stay ? 0 : b->tasks.now_scene;
     return tasks_owner_alive(b, *owner);
 }
 
-struct tasks_now tasks_behalf(struct board *b, int64_t scene)
+struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
 {
     struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
 
-    /* what an enemy without a scene brings must not end with the scene of what killed it */
-    tasks_back(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
+    /* what an enemy without a scene makes must not end with the scene of what killed it */
+    tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }
 
-void tasks_back(struct board *b, struct tasks_now was)
+void tasks_act_for(struct board *b, struct tasks_now was)
 {
     b->tasks.now_owner = was.owner;
     b->tasks.now_scene = was.scene;
 }
 
 /* What the scripts of this task do is on behalf of its owner, its end included. */
-static void behalf_of(struct board *b, uint32_t i)
+static void act_for_task(struct board *b, uint32_t i)
 {
-    tasks_back(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
+    tasks_act_for(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
 }
 
 static const struct tasks_now of_board = { 0, 0 };
 
-void tasks_back_to_turn(struct board *b)
+void tasks_act_for_turn(struct board *b)
 {
     if (b->tasks.current == NO_SLOT)
-        tasks_back(b, of_board);
+        tasks_act_for(b, of_board);
     else
-        behalf_of(b, (uint32_t)b->tasks.current);
+        act_for_task(b, (uint32_t)b->tasks.current);
 }
 
 uint32_t tasks_serial(const struct board *b)
@@ -313,11 +313,11 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
     b->vm.running = co;
-    behalf_of(b, i);
+    act_for_task(b, i);
     vm_set_hook(b, co);
     int status = lua_resetthread(co);
     b->vm.running = L;
-    tasks_back(b, of_board);
+    tasks_act_for(b, of_board);
     if (status != LUA_OK)
         fail(b, L, co, status);
 }
@@ -332,12 +332,12 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
     t->skipped = 0;
-    behalf_of(b, i);
+    act_for_task(b, i);
     b->vm.running = co;
     vm_set_hook(b, co);
     int status = lua_resume(co, L, n, &results);
     b->vm.running = L;
-    tasks_back(b, of_board);
+    tasks_act_for(b, of_board);
     if (status != LUA_OK && status != LUA_YIELD)
         fail(b, L, co, status); /* reads tasks.current */
     t->current = NO_SLOT;

@@ -431,9 +431,9 @@ int vm_boot(lua_State *L)
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
-    if (board_lists(b) && !b->vm.asked)
+    if (board_lists(b) && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "practice: nothing can be chosen: %s.lua does not call boot.run", b->cart.m.entry);
-    if (b->start.practice.section[0] && !b->vm.asked)
+    if (b->start.practice.section[0] && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
                  b->start.practice.section, b->cart.m.entry);
     return 0;

@@ -52,7 +52,7 @@ struct vm {
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
-    bool asked;                 /* a script read the practice start (sys.practice) */
+    bool practice_read;         /* a script read the practice start (sys.practice) */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
 };
 

@@ -241,13 +241,13 @@ enum result headless_render(const struct args *a)
 
 struct hashing {
     uint64_t hashes[MAX_PARTS];
-    void *copies;   /* of board_hashes_cached */
-    uint32_t trace; /* parts to print instead, 1 << part */
+    void *hash_cache; /* of board_hashes_cached */
+    uint32_t trace;   /* parts to print instead, 1 << part */
 };
 
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
 {
-    board_hashes_cached(b, h->copies, h->hashes);
+    board_hashes_cached(b, h->hash_cache, h->hashes);
     printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash_of(h->hashes));
     for (int i = 0; parts && i < board_parts(b); i++)
         printf(" %s=%016llx", board_part(b, i), (unsigned long long)h->hashes[i]);
@@ -309,9 +309,9 @@ static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
 
 static enum result hash_frames(struct run *r, uint32_t frames)
 {
-    struct hashing h = { .copies = calloc(1, board_hash_cache_size(r->guard.board)) };
+    struct hashing h = { .hash_cache = calloc(1, board_hash_cache_size(r->guard.board)) };
     enum result result =
-        h.copies ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST, "out of memory");
+        h.hash_cache ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST, "out of memory");
 
     for (uint32_t f = 0; result == RESULT_DONE; f++) {
         print_frame(&h, r, f);
@@ -319,7 +319,7 @@ static enum result hash_frames(struct run *r, uint32_t frames)
             break;
         result = run_tick(r);
     }
-    free(h.copies);
+    free(h.hash_cache);
     return result;
 }
 

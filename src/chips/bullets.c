@@ -35,7 +35,7 @@ static const struct column columns[] = {
     COLUMN(bullets, pc),
     COLUMN(bullets, end),
     COLUMN(bullets, from),
-    COLUMN(bullets, mute), /* bits OVERRIDE_*, see bullets.h */
+    COLUMN(bullets, mute), /* flags of the step at pc, see bullets.h */
     COLUMN(bullets, pace),
     COLUMN(bullets, way),
     COLUMN(bullets, x_more),
@@ -64,8 +64,9 @@ static uint64_t bit(uint32_t i)
     return 1ull << (i % SLOTS_BLOCK);
 }
 
-/* Bullet i's program runs in the next frame; or, not busy, it has none that runs or waits. */
-static void wake(struct bullets *b, uint32_t i, bool busy)
+/* Busy: the program or the fine move of bullet i runs in the next frame. Not busy: it has neither. In both cases its
+ * program no longer waits. */
+static void set_busy(struct bullets *b, uint32_t i, bool busy)
 {
     uint32_t block = i / SLOTS_BLOCK;
 
@@ -80,7 +81,7 @@ static void park(struct bullets *b, uint32_t i)
     b->vx[i] = b->vy[i] = 0;
     b->motion[i] = 0;
     b->flags[i] = 0;
-    wake(b, i, false);
+    set_busy(b, i, false);
 }
 
 /* The block from slot `first` on comes into use. */
@@ -263,7 +264,7 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     b->end[i] = 0;
     b->from[i] = 0;
     b->mute[i] = 0;
-    wake(b, i, motion || fine);
+    set_busy(b, i, motion || fine);
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
 }
 
@@ -363,7 +364,8 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
     if (does & (DOES_SPEED | DOES_ACCEL) && !(mute & OVERRIDE_SPEED)) {
-        int shift = b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* steps are rounded to units of the bullet's own */
+        int shift =
+            b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
         int64_t v = bullets_speed(b, i) >> shift;
 
         if (does & DOES_SPEED)

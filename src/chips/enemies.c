@@ -175,7 +175,7 @@ static void step(struct enemies *e, uint32_t i)
     e->was_y[i] = jump ? e->y[i] : y;
 }
 
-void enemies_count(struct enemies *e)
+void enemies_count_down(struct enemies *e)
 {
     EACH_LIVE (i, &e->s)
         if (e->safe[i] > 0)

@@ -74,7 +74,7 @@ void enemies_drop_of(struct enemies *e, int64_t owner);
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
-void enemies_count(struct enemies *e);
+void enemies_count_down(struct enemies *e);
 
 /* Goes on with the moves, and marks those that are outside keep as leaving. */
 void enemies_move(struct enemies *e, const struct box *keep);

@@ -80,7 +80,7 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     p->y[i] = fx_clamp(p->was_y[i] + dy * speed, area->y0, area->y1);
 }
 
-void player_count(struct player *p)
+void player_count_down(struct player *p)
 {
     for (uint32_t i = 0; i < PADS; i++)
         if (p->safe[i])

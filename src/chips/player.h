@@ -52,7 +52,7 @@ void player_leave(struct player *p, uint32_t i);
 void player_place(struct player *p, uint32_t i, fx x, fx y);
 
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
-void player_count(struct player *p);
+void player_count_down(struct player *p);
 
 /* Moves both by their held buttons (PAD_ bits), inside area. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);

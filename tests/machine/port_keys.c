@@ -5,7 +5,7 @@
  * shown, a line: a hash of it without its first 8 rows, where the cabinet writes its words, and its last 16, where it
  * draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
  * picture.ppm.
- * floor: tests    used by: tests/machine/rewind.sh
+ * floor: tests
  */
 #include <inttypes.h>
 #include <stdbool.h>

@@ -320,7 +320,7 @@ static uint32_t some_digit(const struct lump *script, struct rng *rng)
 
 static enum verdict_kind changed(int script, uint32_t at, uint8_t c)
 {
-    struct replay r = { .copies = NULL };
+    struct replay r = { .hash_cache = NULL };
     struct verdict got, want;
     struct rig_game other;
     struct runner a, b;

@@ -83,7 +83,7 @@ static void get_there(struct session *s)
 {
     if (!session_work(s, UINT64_MAX))
         fail_msg("%s", s->err);
-    assert_int_equal(s->state, SESSION_IDLE);
+    assert_int_equal(s->state, SESSION_PLAYING);
 }
 
 /* ---- to and fro ---- */
@@ -134,7 +134,7 @@ static void seeks(void **state)
     open_session(&s, true, NULL);
     session_goto(&s, FRAMES);
     assert_int_equal(s.state, SESSION_SEEKING);
-    for (; s.state != SESSION_IDLE; pieces++) {
+    for (; s.state != SESSION_PLAYING; pieces++) {
         assert_true(session_work(&s, 0));
         assert_in_range(session_progress(&s), before, 1000);
         before = session_progress(&s);
@@ -144,12 +144,12 @@ static void seeks(void **state)
     session_goto(&s, 10);
     at(&s, 10);
     session_goto(&s, FRAMES); /* it was there: at once */
-    assert_int_equal(s.state, SESSION_IDLE);
+    assert_int_equal(s.state, SESSION_PLAYING);
     at(&s, FRAMES);
     session_goto(&s, UINT32_MAX);
     assert_int_equal(s.to, demo.frames);
     session_stop(&s);
-    assert_int_equal(s.state, SESSION_IDLE);
+    assert_int_equal(s.state, SESSION_PLAYING);
     assert_true(session_close(&s));
 }
 
@@ -270,7 +270,7 @@ static void touched(void **state)
     assert_true(s.now->writer.demo.frames == 1300 && s.now->writer.demo.flags & DEMO_TOUCHED);
     assert_true(session_first(&s) == 1300 && session_last(&s) == 1300);
     session_goto(&s, 100);
-    assert_true(s.state == SESSION_IDLE && board_hash(session_board(&s)) == changed);
+    assert_true(s.state == SESSION_PLAYING && board_hash(session_board(&s)) == changed);
     play_to(&s, 1600);
     later = board_hash(session_board(&s));
     session_goto(&s, 100);
@@ -388,14 +388,14 @@ static void reloads(void **state)
     play_to(&s, 1500);
     uint64_t shown = picture(&s);
     assert_true(session_reload(&s, dir, false)); /* the same ROM */
-    assert_int_equal(s.state, SESSION_IDLE);
+    assert_int_equal(s.state, SESSION_PLAYING);
     edit("stages/habits.lua", habit, faster);
     lands(&s, 1500, &demo.start);
     assert_true(picture(&s) != shown); /* the stage being played has changed */
     session_goto(&s, 900);             /* its past is of the new script */
     uint64_t unused, hash = fresh(&demo.start, 900, &unused);
     assert_true(board_hash(session_board(&s)) == hash);
-    assert_true(session_reload(&s, dir, false) && s.state == SESSION_IDLE);
+    assert_true(session_reload(&s, dir, false) && s.state == SESSION_PLAYING);
     play_to(&s, 1600);
     edit("stages/habits.lua", faster, habit);
     lands(&s, 1600, &demo.start);
@@ -417,7 +417,7 @@ static void keeps(struct session *s, const char *why)
     assert_false(good);
     if (!strstr(s->err, why))
         fail_msg("\"%s\" does not say \"%s\"", s->err, why);
-    assert_int_equal(s->state, SESSION_IDLE);
+    assert_int_equal(s->state, SESSION_PLAYING);
     assert_null(s->next);
     assert_true(board_hash(session_board(s)) == hash);
 }

@@ -1,6 +1,6 @@
 /*
  * crowd.h - the crowd of roms/bench on a board, as the references want to be told of it, and what must be equal.
- * floor: tools    used by: tools/bench tests/machine/test_bench.c
+ * floor: tools
  */
 #ifndef BENCH_CROWD_H
 #define BENCH_CROWD_H

@@ -1,7 +1,7 @@
 /*
  * reference.h - the crowd of roms/bench in plain C, twice, with nothing of the engine: what it is measured and checked
  * against.
- * floor: tools    used by: tools/bench tests/machine/test_bench.c
+ * floor: tools
  *
  *     array      an array of structs of doubles; every bullet is looked at, every pixel asked whether it is opaque
  *     columns    columns of int32; blocks of 64 go through one loop without branches; rows of 8 pixels are masked words

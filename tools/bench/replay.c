@@ -68,7 +68,7 @@ static double reload(const struct cart *cart, const struct board_start *start, c
     uint64_t hash = board_hash(session_board(&s));
     double from = bench_now();
     bool good = session_reload(&s, changed, false) && s.state == SESSION_RELOADING;
-    while (good && s.state != SESSION_IDLE)
+    while (good && s.state != SESSION_PLAYING)
         good = session_work(&s, plat_usec() + SLICE_USEC);
     double took = bench_since(from) / 1e9;
     bench_claim(good && board_hash(session_board(&s)) == hash ? NULL : "it does not land on the same frame",

@@ -780,10 +780,10 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, DEF, "a motion has at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
         api_error(L, DEF, "too many steps to run at once");
-    uint32_t long_ones = b->steps.s.refused; /* programs with a slot in motions but no room in steps */
+    uint32_t refused_before = b->steps.s.refused; /* tells which of the two pools was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
-        board_full(b, b->steps.s.refused > long_ones ? &b->steps.s : &b->motions.s);
+        board_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);
     if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
         api_names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);

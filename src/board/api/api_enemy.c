@@ -135,7 +135,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         path_start(L, v, &x, &y);
     else if (!api_place(L, b, "enemy.spawn", v + S_PLACE, &x, &y))
         return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
-    if (!tasks_brings(b, v[S_STAY].i, &owner))
+    if (!tasks_owner_of_new(b, v[S_STAY].i, &owner))
         return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
     int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
     int64_t h = board_handle(b, H_ENEMY, i);

@@ -36,7 +36,7 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool comes = tasks_brings(b, v[PUT_STAY].i, &owner);
+    bool comes = tasks_owner_of_new(b, v[PUT_STAY].i, &owner);
     int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && comes)

@@ -111,7 +111,7 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     const struct practice *p = &b->start.practice;
 
     (void)v;
-    b->vm.asked = true;
+    b->vm.practice_read = true;
     lua_pushstring(L, p->section);
     lua_createtable(L, 0, 2);
     lua_pushinteger(L, p->lives);

@@ -7,11 +7,12 @@
  * the shot's path, grown by its extent and by the largest extent and move of an enemy.
  *
  * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as several enemies.
- * So a row's list also holds the rows above and below: the nine cells around a shot are one run.
+ * So each enemy is listed in its own cell and in the cells above and below it: three cells of one row, which lie one
+ * after another, hold the enemies of the nine cells around a shot.
  *
  * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There the nearest is found first, among nine cells in whole runs of places, and only that one is tested.
- * Invariant: the ring search decides all shots that this leaves open, and would find the same for the others.
+ * one of them. There the nearest is found first, among nine cells in batches of eight places, and only that one is
+ * tested. Invariant: the ring search decides all shots that this leaves open, and would find the same for the others.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -21,7 +22,7 @@
 enum {
     GRID_MIN = 4,                     /* with fewer shots, the grid is one cell */
     SPREAD_MAX = 4,                   /* most enemies a shot for which lists of three rows pay */
-    RUN = 8,                          /* places of a list compared in one go: nearly always more than nine cells hold */
+    BATCH = 8,                        /* places of a list compared in one go: nearly always more than nine cells hold */
     MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
     MAX_CELLS = 4 * (MAX_FILLED + 3),
     NO_ENEMY = MAX_ENEMIES
@@ -40,17 +41,17 @@ struct grid {
     int64_t left, top;        /* the grid's corner */
     int64_t wide, high;       /* of the grid */
     int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
-    int64_t inner; /* the least inner radius of the enemies: a point so near touched; negative: none has one */
-    int64_t scale; /* from fx to 2^-32 of a cell */
-    int64_t cell;  /* 2^32 / scale, rounded down: the width and height of a cell */
+    int64_t inner;            /* a point nearer than this to any enemy's place lies inside that enemy */
+    int64_t scale;            /* from fx to 2^-32 of a cell */
+    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;    /* a row's list also holds so many rows above and below it: 1, or 0 */
+    int64_t spread;    /* an enemy is also listed in so many cells above and below its own: 1, or 0 */
     int bits;          /* of slots */
     uint32_t mask;     /* of those bits */
     int64_t minus_two; /* times 2^bits */
     bool dense;
     uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
-    struct place place[MAX_ENEMIES + RUN];
+    struct place place[MAX_ENEMIES + BATCH];
     uint16_t begin[MAX_CELLS + 1]; /* of each cell; the last: n */
     int64_t sure[MAX_KINDS];       /* sure hit: a shot of that kind touches any enemy that was less far, squared */
 };
@@ -103,7 +104,7 @@ static void gather(struct grid *g, const struct board *b)
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
     fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
-    int64_t reach_x = 0, reach_y = 0, core = FX_MAX;
+    int64_t reach_x = 0, reach_y = 0, inner = FX_MAX;
     uint32_t n = 0;
 
     assert(e->s.top <= MAX_ENEMIES);
@@ -120,7 +121,7 @@ static void gather(struct grid *g, const struct board *b)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            core = int64_min(core, a < h ? a : h);
+            inner = int64_min(inner, a < h ? a : h);
             reach_x = int64_max(reach_x, a + int64_abs((int64_t)e->x[i] - x));
             reach_y = int64_max(reach_y, h + int64_abs((int64_t)e->y[i] - y));
         }
@@ -131,7 +132,7 @@ static void gather(struct grid *g, const struct board *b)
     g->high = (int64_t)bottom - top;
     g->reach_x = reach_x;
     g->reach_y = reach_y;
-    g->inner = core;
+    g->inner = inner;
 }
 
 /* Makes the cells as small as the number of them allows. */
@@ -197,7 +198,7 @@ static void sort(struct grid *g, const struct enemies *e)
         }
     }
     /* a run may read on behind the last place */
-    for (size_t i = sum; i < sum + RUN; i++)
+    for (size_t i = sum; i < sum + BATCH; i++)
         g->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
@@ -307,8 +308,8 @@ static inline int64_t key(const struct place *p, int64_t x, int64_t y)
     return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits, parts may not */
 }
 
-/* The lowest key of RUN places. Two chains of choices, as each has to wait for the last. */
-static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
+/* The lowest key of BATCH places. Two chains of choices, as each has to wait for the last. */
+static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
 {
     int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
 
@@ -325,12 +326,13 @@ static inline int64_t lowest_run(const struct place *p, int64_t x, int64_t y)
  */
 static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
-    for (; i < end; i += RUN)
-        best = int64_min(best, lowest_run(&g->place[i], x, y));
+    for (; i < end; i += BATCH)
+        best = int64_min(best, lowest_of_batch(&g->place[i], x, y));
     return best;
 }
 
-/* Places of a block of shots before their moves, in a dense crowd's grid; far outside of it they are so modulo 2^32. */
+/* Places of a block of shots before their moves, from a dense crowd's grid's corner on, modulo 2^32: those far
+ * outside wrap. */
 struct starts {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
@@ -358,7 +360,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     const int64_t kx = x * g->minus_two, ky = y * g->minus_two;
     const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
     const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
-    int64_t best = lowest(g, from + RUN, to, kx, ky, lowest_run(&g->place[from], kx, ky));
+    int64_t best = lowest(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
     const int64_t here = x * x + y * y;
     int64_t d = (best >> g->bits) + here; /* its square */
     if (d >= edge * edge) {
@@ -382,9 +384,9 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t core = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
-        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT && core >= 0 && g->inner >= 0;
-        int64_t r = sure ? int64_min(core + g->inner, FX_MAX) : 0;
+        int64_t inner = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
+        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
+        int64_t r = sure ? int64_min(inner + g->inner, FX_MAX) : 0;
         g->sure[i] = r * r;
     }
 }

@@ -106,7 +106,7 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;
     if (context == IN_TASK)
-        tasks_back_to_turn(vm_board(L));
+        tasks_act_for_turn(vm_board(L));
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
         return lua_error(L);
     lua_pop(L, 1);
@@ -126,7 +126,7 @@ static int base_pcall(lua_State *L)
     lua_insert(L, 2);
     struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
     int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
-    tasks_back(vm_board(L), was); /* an error may have left an enemy's handler */
+    tasks_act_for(vm_board(L), was); /* an error may have left an enemy's handler */
     return pcall_done(L, status, 0);
 }
 

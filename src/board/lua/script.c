@@ -9,6 +9,7 @@
 #include <lua.h>
 #include <stdio.h>
 #include <string.h>
+#include "../cursor.h"
 #include "../../base/heap.h"
 #include "../../base/host.h"
 
@@ -18,48 +19,10 @@ static const char no_gc[] = "the name __gc is not available (when it would run d
 static const char no_mode[] = "the name __mode is not available (what it keeps differs between machines)";
 
 struct scan {
-    const char *p, *end;
-    int line;
+    struct cursor at;
     char word[8]; /* the first bytes of the last name or string */
     size_t size;  /* all its bytes */
 };
-
-static bool letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-static bool digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-static int hex(char c)
-{
-    if (digit(c))
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/* The character k after this one; 0 past the end. */
-static char peek(const struct scan *s, size_t k)
-{
-    return k < (size_t)(s->end - s->p) ? s->p[k] : '\0';
-}
-
-/* Goes on by one character; \r\n and \n\r are one line's end. */
-static void step(struct scan *s)
-{
-    char c = *s->p++;
-
-    if (c != '\n' && c != '\r')
-        return;
-    s->line++;
-    if ((peek(s, 0) == '\n' || peek(s, 0) == '\r') && peek(s, 0) != c)
-        s->p++;
-}
 
 static void keep(struct scan *s, unsigned c)
 {
@@ -75,50 +38,32 @@ static const char *refused(const struct scan *s)
     return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? no_mode : NULL;
 }
 
-/* The = signs of a long bracket that opens here, or -1. */
-static int long_level(const struct scan *s)
-{
-    size_t n = 1;
-
-    while (peek(s, n) == '=')
-        n++;
-    return peek(s, n) == '[' ? (int)n - 1 : -1;
-}
-
-static bool closes(const struct scan *s, int level)
-{
-    for (int i = 1; i <= level; i++)
-        if (peek(s, (size_t)i) != '=')
-            return false;
-    return peek(s, 0) == ']' && peek(s, (size_t)level + 1) == ']';
-}
-
 /* A long bracket to its end. Its first line end is not part of the string. */
 static void long_string(struct scan *s, int level)
 {
-    s->p += level + 2;
+    s->at.p += level + 2;
     s->size = 0;
-    if (peek(s, 0) == '\n' || peek(s, 0) == '\r')
-        step(s);
-    while (s->p < s->end && !closes(s, level)) {
-        keep(s, (unsigned char)*s->p);
-        step(s);
+    if (cursor_peek(&s->at, 0) == '\n' || cursor_peek(&s->at, 0) == '\r')
+        cursor_step(&s->at);
+    while (s->at.p < s->at.end && !cursor_closes(&s->at, level)) {
+        keep(s, (unsigned char)*s->at.p);
+        cursor_step(&s->at);
     }
-    if (s->p < s->end)
-        s->p += level + 2;
+    if (s->at.p < s->at.end)
+        s->at.p += level + 2;
 }
 
 static void comment(struct scan *s)
 {
-    s->p += 2;
-    int level = peek(s, 0) == '[' ? long_level(s) : -1;
+    s->at.p += 2;
+    int level = cursor_peek(&s->at, 0) == '[' ? cursor_long_level(&s->at) : -1;
 
     if (level >= 0) {
         long_string(s, level);
         return;
     }
-    while (s->p < s->end && *s->p != '\n' && *s->p != '\r')
-        s->p++;
+    while (s->at.p < s->at.end && *s->at.p != '\n' && *s->at.p != '\r')
+        s->at.p++;
 }
 
 /* \u{XXX}: the names are ASCII, so what is above counts as one odd byte. */
@@ -126,13 +71,13 @@ static void escape_unicode(struct scan *s)
 {
     unsigned v = 0;
 
-    s->p++;
-    if (peek(s, 0) == '{')
-        s->p++;
-    for (; hex(peek(s, 0)) >= 0; s->p++)
-        v = v > 255 ? v : v * 16 + (unsigned)hex(*s->p);
-    if (peek(s, 0) == '}')
-        s->p++;
+    s->at.p++;
+    if (cursor_peek(&s->at, 0) == '{')
+        s->at.p++;
+    for (; cursor_hex(cursor_peek(&s->at, 0)) >= 0; s->at.p++)
+        v = v > 255 ? v : v * 16 + (unsigned)cursor_hex(*s->at.p);
+    if (cursor_peek(&s->at, 0) == '}')
+        s->at.p++;
     keep(s, v > 127 ? 255 : v);
 }
 
@@ -140,8 +85,8 @@ static void escape_decimal(struct scan *s)
 {
     unsigned v = 0;
 
-    for (int i = 0; i < 3 && digit(peek(s, 0)); i++)
-        v = v * 10 + (unsigned)(*s->p++ - '0');
+    for (int i = 0; i < 3 && cursor_digit(cursor_peek(&s->at, 0)); i++)
+        v = v * 10 + (unsigned)(*s->at.p++ - '0');
     keep(s, v);
 }
 
@@ -149,77 +94,77 @@ static void escape_hex(struct scan *s)
 {
     unsigned v = 0;
 
-    s->p++;
-    for (int i = 0; i < 2 && hex(peek(s, 0)) >= 0; i++)
-        v = v * 16 + (unsigned)hex(*s->p++);
+    s->at.p++;
+    for (int i = 0; i < 2 && cursor_hex(cursor_peek(&s->at, 0)) >= 0; i++)
+        v = v * 16 + (unsigned)cursor_hex(*s->at.p++);
     keep(s, v);
 }
 
 /* What follows a backslash inside quotes. */
 static void escape(struct scan *s)
 {
-    char c = peek(s, 0);
+    char c = cursor_peek(&s->at, 0);
 
-    if (digit(c)) {
+    if (cursor_digit(c)) {
         escape_decimal(s);
     } else if (c == 'x') {
         escape_hex(s);
     } else if (c == 'u') {
         escape_unicode(s);
     } else if (c == 'z') {
-        for (s->p++; s->p < s->end && strchr(" \t\n\v\f\r", *s->p) != NULL && *s->p != '\0';)
-            step(s);
-    } else if (s->p < s->end) {
+        for (s->at.p++; s->at.p < s->at.end && strchr(" \t\n\v\f\r", *s->at.p) != NULL && *s->at.p != '\0';)
+            cursor_step(&s->at);
+    } else if (s->at.p < s->at.end) {
         keep(s, '\n'); /* a letter or a line's end: some character that is in neither name */
-        step(s);
+        cursor_step(&s->at);
     }
 }
 
 static void quoted(struct scan *s)
 {
-    char quote = *s->p++;
+    char quote = *s->at.p++;
 
     s->size = 0;
-    while (s->p < s->end && *s->p != quote && *s->p != '\n' && *s->p != '\r') {
-        if (*s->p == '\\') {
-            s->p++;
+    while (s->at.p < s->at.end && *s->at.p != quote && *s->at.p != '\n' && *s->at.p != '\r') {
+        if (*s->at.p == '\\') {
+            s->at.p++;
             escape(s);
         } else {
-            keep(s, (unsigned char)*s->p++);
+            keep(s, (unsigned char)*s->at.p++);
         }
     }
-    if (s->p < s->end && *s->p == quote)
-        s->p++;
+    if (s->at.p < s->at.end && *s->at.p == quote)
+        s->at.p++;
 }
 
 static void name(struct scan *s)
 {
     s->size = 0;
-    while (letter(peek(s, 0)) || digit(peek(s, 0)))
-        keep(s, (unsigned char)*s->p++);
+    while (cursor_letter(cursor_peek(&s->at, 0)) || cursor_digit(cursor_peek(&s->at, 0)))
+        keep(s, (unsigned char)*s->at.p++);
 }
 
 /* One token; returns what is wrong with it. */
 static const char *token(struct scan *s)
 {
-    char c = *s->p;
+    char c = *s->at.p;
 
-    if (c == '-' && peek(s, 1) == '-') {
+    if (c == '-' && cursor_peek(&s->at, 1) == '-') {
         comment(s);
         return NULL;
     }
     if (c == '^') {
-        s->p++;
+        s->at.p++;
         return no_power;
     }
-    if (letter(c))
+    if (cursor_letter(c))
         name(s);
     else if (c == '"' || c == '\'')
         quoted(s);
-    else if (c == '[' && long_level(s) >= 0)
-        long_string(s, long_level(s));
+    else if (c == '[' && cursor_long_level(&s->at) >= 0)
+        long_string(s, cursor_long_level(&s->at));
     else {
-        step(s);
+        cursor_step(&s->at);
         return NULL;
     }
     return refused(s);
@@ -227,14 +172,14 @@ static const char *token(struct scan *s)
 
 bool script_scan_on(const char *text, size_t n, struct script_place *place, int *line, const char **what)
 {
-    struct scan s = { text + place->at, text + n, place->line, { 0 }, 0 };
+    struct scan s = { .at = { text + place->at, text + n, place->line } };
 
-    while (s.p < s.end) {
-        *line = s.line;
+    while (s.at.p < s.at.end) {
+        *line = s.at.line;
         *what = token(&s);
         if (*what == NULL)
             continue;
-        *place = (struct script_place){ (size_t)(s.p - text), s.line };
+        *place = (struct script_place){ (size_t)(s.at.p - text), s.at.line };
         return false;
     }
     return true;

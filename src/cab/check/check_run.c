@@ -34,7 +34,7 @@ struct run {
     struct guard guard;
     struct demo demo;
     uint64_t hashes[MAX_PARTS];
-    void *copies;            /* of board_hashes_cached */
+    void *hash_cache;        /* of board_hashes_cached */
     size_t most;             /* bytes of Lua RAM, of all runs so far */
     char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
@@ -192,7 +192,7 @@ static bool agrees(struct run *r, uint32_t frame)
 {
     uint64_t hashes[MAX_PARTS];
 
-    board_hashes_cached(r->guard.board, r->copies, r->hashes);
+    board_hashes_cached(r->guard.board, r->hash_cache, r->hashes);
     return demo_order(&r->demo, r->guard.board, r->hashes, hashes) == 0 && demo_differs(&r->demo, frame, hashes) == 0;
 }
 
@@ -230,14 +230,14 @@ static void run_loaded(struct run *r)
 
     if (!power(r, &r->demo.start))
         return;
-    r->copies = calloc(1, board_hash_cache_size(r->guard.board));
-    if (r->copies == NULL) {
+    r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
+    if (r->hash_cache == NULL) {
         r->c->found.failed = true;
         guard_close(&r->guard);
         return;
     }
     uint32_t wrong = play(r);
-    free(r->copies);
+    free(r->hash_cache);
     if (wrong != ALL && !doubted)
         diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
                         wrong, r->c->dir, r->c->dir, r->what);

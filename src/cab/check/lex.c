@@ -53,50 +53,6 @@ void arena_close(struct arena *a)
     a->left = 0;
 }
 
-/* ---- characters ---- */
-
-static bool digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-static bool letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-static int hex(char c)
-{
-    if (digit(c))
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-static bool blank(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-/* The character k after this one; 0 past the end. */
-static char peek(const struct lex *l, size_t k)
-{
-    return k < (size_t)(l->end - l->p) ? l->p[k] : '\0';
-}
-
-/* Goes on by one character; \r\n and \n\r are one line's end. */
-static void step(struct lex *l)
-{
-    char c = *l->p++;
-
-    if (c != '\n' && c != '\r')
-        return;
-    l->line++;
-    if ((peek(l, 0) == '\n' || peek(l, 0) == '\r') && peek(l, 0) != c)
-        l->p++;
-}
-
 /* ---- strings ---- */
 
 static void keep(struct lex *l, unsigned c)
@@ -113,38 +69,20 @@ static void keep(struct lex *l, unsigned c)
     l->value[l->n++] = (char)c;
 }
 
-/* The = signs of a long bracket that opens here, or -1. */
-static int long_level(const struct lex *l)
-{
-    size_t n = 1;
-
-    while (peek(l, n) == '=')
-        n++;
-    return peek(l, n) == '[' ? (int)n - 1 : -1;
-}
-
-static bool closes(const struct lex *l, int level)
-{
-    for (int i = 1; i <= level; i++)
-        if (peek(l, (size_t)i) != '=')
-            return false;
-    return peek(l, 0) == ']' && peek(l, (size_t)level + 1) == ']';
-}
-
 /* A long bracket to its end; false: it has none. A line's end in it is \n, and none right at its start. */
 static bool long_string(struct lex *l, int level)
 {
-    l->p += level + 2;
+    l->at.p += level + 2;
     l->n = 0;
-    if (peek(l, 0) == '\n' || peek(l, 0) == '\r')
-        step(l);
-    while (l->p < l->end && !closes(l, level)) {
-        keep(l, *l->p == '\r' ? '\n' : (unsigned char)*l->p);
-        step(l);
+    if (cursor_peek(&l->at, 0) == '\n' || cursor_peek(&l->at, 0) == '\r')
+        cursor_step(&l->at);
+    while (l->at.p < l->at.end && !cursor_closes(&l->at, level)) {
+        keep(l, *l->at.p == '\r' ? '\n' : (unsigned char)*l->at.p);
+        cursor_step(&l->at);
     }
-    if (l->p == l->end)
+    if (l->at.p == l->at.end)
         return false;
-    l->p += level + 2;
+    l->at.p += level + 2;
     return true;
 }
 
@@ -164,32 +102,32 @@ static bool escape_unicode(struct lex *l)
 {
     uint32_t v = 0;
 
-    l->p++;
-    if (peek(l, 0) != '{' || hex(peek(l, 1)) < 0)
+    l->at.p++;
+    if (cursor_peek(&l->at, 0) != '{' || cursor_hex(cursor_peek(&l->at, 1)) < 0)
         return false;
-    for (l->p++; hex(peek(l, 0)) >= 0; l->p++)
-        v = v >> 27 ? v : v * 16 + (uint32_t)hex(*l->p);
+    for (l->at.p++; cursor_hex(cursor_peek(&l->at, 0)) >= 0; l->at.p++)
+        v = v >> 27 ? v : v * 16 + (uint32_t)cursor_hex(*l->at.p);
     keep_utf8(l, v);
-    return peek(l, 0) == '}' ? l->p++, true : false;
+    return cursor_peek(&l->at, 0) == '}' ? l->at.p++, true : false;
 }
 
 static bool escape_decimal(struct lex *l)
 {
     unsigned v = 0;
 
-    for (int i = 0; i < 3 && digit(peek(l, 0)); i++)
-        v = v * 10 + (unsigned)(*l->p++ - '0');
+    for (int i = 0; i < 3 && cursor_digit(cursor_peek(&l->at, 0)); i++)
+        v = v * 10 + (unsigned)(*l->at.p++ - '0');
     keep(l, v);
     return v < 256;
 }
 
 static bool escape_hex(struct lex *l)
 {
-    int high = hex(peek(l, 1)), low = hex(peek(l, 2));
+    int high = cursor_hex(cursor_peek(&l->at, 1)), low = cursor_hex(cursor_peek(&l->at, 2));
 
     if (high < 0 || low < 0)
         return false;
-    l->p += 3;
+    l->at.p += 3;
     keep(l, (unsigned)(high * 16 + low));
     return true;
 }
@@ -197,23 +135,23 @@ static bool escape_hex(struct lex *l)
 static bool escape_letter(struct lex *l)
 {
     static const char letters[] = "abfnrtv\\\"'", means[] = "\a\b\f\n\r\t\v\\\"'";
-    const char *at = *l->p != '\0' ? strchr(letters, *l->p) : NULL;
+    const char *at = *l->at.p != '\0' ? strchr(letters, *l->at.p) : NULL;
 
     if (at == NULL)
         return false;
     keep(l, (unsigned char)means[at - letters]);
-    l->p++;
+    l->at.p++;
     return true;
 }
 
 /* What follows a backslash. */
 static bool escape(struct lex *l)
 {
-    char c = peek(l, 0);
+    char c = cursor_peek(&l->at, 0);
 
-    if (l->p == l->end)
+    if (l->at.p == l->at.end)
         return false;
-    if (digit(c))
+    if (cursor_digit(c))
         return escape_decimal(l);
     if (c == 'x')
         return escape_hex(l);
@@ -221,30 +159,30 @@ static bool escape(struct lex *l)
         return escape_unicode(l);
     if (c == '\n' || c == '\r') {
         keep(l, '\n');
-        step(l);
+        cursor_step(&l->at);
         return true;
     }
     if (c != 'z')
         return escape_letter(l);
-    for (l->p++; l->p < l->end && blank(*l->p);)
-        step(l);
+    for (l->at.p++; l->at.p < l->at.end && cursor_blank(*l->at.p);)
+        cursor_step(&l->at);
     return true;
 }
 
 static bool quoted(struct lex *l)
 {
-    char quote = *l->p++;
+    char quote = *l->at.p++;
 
     l->n = 0;
-    while (l->p < l->end && *l->p != quote) {
-        if (*l->p == '\n' || *l->p == '\r')
+    while (l->at.p < l->at.end && *l->at.p != quote) {
+        if (*l->at.p == '\n' || *l->at.p == '\r')
             return false;
-        if (*l->p != '\\')
-            keep(l, (unsigned char)*l->p++);
-        else if (l->p++, !escape(l))
+        if (*l->at.p != '\\')
+            keep(l, (unsigned char)*l->at.p++);
+        else if (l->at.p++, !escape(l))
             return false;
     }
-    return l->p < l->end ? l->p++, true : false;
+    return l->at.p < l->at.end ? l->at.p++, true : false;
 }
 
 static int string(struct lex *l, struct token *t, bool good)
@@ -269,21 +207,21 @@ static bool is_zero(const char *s, size_t n)
 
 static int number(struct lex *l, struct token *t)
 {
-    const char *from = l->p;
-    bool is_hex = *from == '0' && (peek(l, 1) == 'x' || peek(l, 1) == 'X');
+    const char *from = l->at.p;
+    bool is_hex = *from == '0' && (cursor_peek(&l->at, 1) == 'x' || cursor_peek(&l->at, 1) == 'X');
 
     if (is_hex)
-        l->p += 2;
-    for (;; l->p++) {
-        char c = peek(l, 0);
+        l->at.p += 2;
+    for (;; l->at.p++) {
+        char c = cursor_peek(&l->at, 0);
         bool exponent = is_hex ? c == 'p' || c == 'P' : c == 'e' || c == 'E';
-        if (exponent && (peek(l, 1) == '+' || peek(l, 1) == '-'))
-            l->p++;
-        else if (!exponent && hex(c) < 0 && c != '.')
+        if (exponent && (cursor_peek(&l->at, 1) == '+' || cursor_peek(&l->at, 1) == '-'))
+            l->at.p++;
+        else if (!exponent && cursor_hex(c) < 0 && c != '.')
             break;
     }
-    t->zero = is_zero(from, (size_t)(l->p - from));
-    return letter(peek(l, 0)) ? T_BAD : T_NUMBER;
+    t->zero = is_zero(from, (size_t)(l->at.p - from));
+    return cursor_letter(cursor_peek(&l->at, 0)) ? T_BAD : T_NUMBER;
 }
 
 static int name(struct lex *l, struct token *t)
@@ -292,10 +230,10 @@ static int name(struct lex *l, struct token *t)
                                             "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
                                             "repeat",   "return", "then", "true", "until",  "while" };
 
-    t->s = l->p;
-    while (letter(peek(l, 0)) || digit(peek(l, 0)))
-        l->p++;
-    t->n = (size_t)(l->p - t->s);
+    t->s = l->at.p;
+    while (cursor_letter(cursor_peek(&l->at, 0)) || cursor_digit(cursor_peek(&l->at, 0)))
+        l->at.p++;
+    t->n = (size_t)(l->at.p - t->s);
     for (size_t i = 0; i < sizeof reserved / sizeof reserved[0]; i++)
         if (strlen(reserved[i]) == t->n && memcmp(reserved[i], t->s, t->n) == 0)
             return T_AND + (int)i;
@@ -312,28 +250,28 @@ static int sign(struct lex *l)
 
     for (size_t i = 0; i < sizeof signs / sizeof signs[0]; i++) {
         size_t n = strlen(signs[i].s);
-        if (n <= (size_t)(l->end - l->p) && memcmp(l->p, signs[i].s, n) == 0) {
-            l->p += n;
+        if (n <= (size_t)(l->at.end - l->at.p) && memcmp(l->at.p, signs[i].s, n) == 0) {
+            l->at.p += n;
             return signs[i].type;
         }
     }
-    char c = *l->p++;
+    char c = *l->at.p++;
     return c != '\0' && strchr("+-*/%^#&~|<>=(){}[];:,.", c) != NULL ? c : T_BAD;
 }
 
 /* Past blanks and comments; false: a comment has no end. */
 static bool skip(struct lex *l)
 {
-    while (l->p < l->end) {
-        if (blank(*l->p)) {
-            step(l);
-        } else if (*l->p == '-' && peek(l, 1) == '-') {
-            l->p += 2;
-            int level = peek(l, 0) == '[' ? long_level(l) : -1;
+    while (l->at.p < l->at.end) {
+        if (cursor_blank(*l->at.p)) {
+            cursor_step(&l->at);
+        } else if (*l->at.p == '-' && cursor_peek(&l->at, 1) == '-') {
+            l->at.p += 2;
+            int level = cursor_peek(&l->at, 0) == '[' ? cursor_long_level(&l->at) : -1;
             if (level >= 0 && !long_string(l, level))
                 return false;
-            while (level < 0 && l->p < l->end && *l->p != '\n' && *l->p != '\r')
-                l->p++;
+            while (level < 0 && l->at.p < l->at.end && *l->at.p != '\n' && *l->at.p != '\r')
+                l->at.p++;
         } else {
             break;
         }
@@ -344,21 +282,21 @@ static bool skip(struct lex *l)
 static void read_token(struct lex *l, struct token *t)
 {
     bool good = skip(l);
-    char c = peek(l, 0);
+    char c = cursor_peek(&l->at, 0);
 
-    *t = (struct token){ .line = l->line };
+    *t = (struct token){ .line = l->at.line };
     if (!good)
         t->type = T_BAD;
-    else if (l->p == l->end)
+    else if (l->at.p == l->at.end)
         t->type = T_END;
-    else if (letter(c))
+    else if (cursor_letter(c))
         t->type = name(l, t);
-    else if (digit(c) || (c == '.' && digit(peek(l, 1))))
+    else if (cursor_digit(c) || (c == '.' && cursor_digit(cursor_peek(&l->at, 1))))
         t->type = number(l, t);
     else if (c == '"' || c == '\'')
         t->type = string(l, t, quoted(l));
-    else if (c == '[' && long_level(l) >= 0)
-        t->type = string(l, t, long_string(l, long_level(l)));
+    else if (c == '[' && cursor_long_level(&l->at) >= 0)
+        t->type = string(l, t, long_string(l, cursor_long_level(&l->at)));
     else
         t->type = sign(l);
 }
@@ -386,7 +324,7 @@ int lex_peek(struct lex *l)
 
 void lex_open(struct lex *l, const char *text, size_t n, struct arena *arena)
 {
-    *l = (struct lex){ .p = text, .end = text + n, .line = 1, .arena = arena };
+    *l = (struct lex){ .at = { text, text + n, 1 }, .arena = arena };
     lex_step(l);
 }
 

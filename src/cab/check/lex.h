@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../../board/cursor.h"
 
 /* Texts that live until the arena is closed. */
 struct arena {
@@ -76,8 +77,7 @@ struct lex {
     struct token now, next; /* next: only good after lex_peek */
     bool peeked;
     /* the rest is lex.c's */
-    const char *p, *end;
-    int line;
+    struct cursor at;
     struct arena *arena;
     char *value; /* of the string being read; malloc */
     size_t n, room;

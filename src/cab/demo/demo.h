@@ -28,7 +28,7 @@ enum {
 };
 
 enum {
-    DEMO_BRANCHED = 1 << 0, /* went on from a frame gone back to */
+    DEMO_BRANCHED = 1 << 0, /* the player went back to an earlier frame and played on from there */
     DEMO_TOUCHED = 1 << 1,  /* the board was changed from outside (console, reload) */
     DEMO_ASSISTED = 1 << 2, /* slow motion or steps were used */
     DEMO_FLAGS = (1 << 3) - 1
@@ -122,7 +122,7 @@ struct demo_writer {
     uint32_t told;    /* markers in the file */
     uint32_t crc;     /* of the last record written */
     uint64_t hashes[MAX_PARTS];
-    void *copies; /* of board_hashes_cached */
+    void *hash_cache; /* of board_hashes_cached */
     bool on;
 };
 

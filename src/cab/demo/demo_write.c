@@ -275,8 +275,8 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
 static void stop(struct demo_writer *w)
 {
     w->on = false;
-    free(w->copies);
-    w->copies = NULL;
+    free(w->hash_cache);
+    w->hash_cache = NULL;
 }
 
 static bool out_of_memory(struct demo_writer *w)
@@ -385,11 +385,11 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     take_given_start(d, start);
     take_parts(d, b);
     d->flags = flags;
-    w->copies = calloc(1, board_hash_cache_size(b));
-    if (!w->copies)
+    w->hash_cache = calloc(1, board_hash_cache_size(b));
+    if (!w->hash_cache)
         return out_of_memory(w);
     if (!board_last(b)->fault) {
-        board_hashes_cached(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->hash_cache, w->hashes);
         if (!add_row(w) || !take_markers(d, b))
             return out_of_memory(w);
     }
@@ -418,7 +418,7 @@ static void add_checksums(struct demo_writer *w, const struct board *b)
 
     if (board_last(b)->fault)
         return;
-    board_hashes_cached(b, w->copies, w->hashes);
+    board_hashes_cached(b, w->hash_cache, w->hashes);
     for (int i = 0; i < d->parts; i++)
         checksums[i] = (uint16_t)w->hashes[i];
     d->checksum_frames = d->frames;
@@ -497,7 +497,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     if (!w->on)
         return true;
     if (!fault)
-        board_hashes_cached(b, w->copies, w->hashes);
+        board_hashes_cached(b, w->hash_cache, w->hashes);
     stop(w);
     if (!take_points(d, b))
         return out_of_memory(w);

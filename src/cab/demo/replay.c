@@ -20,10 +20,10 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
     if (r->guard.board ? !guard_again(&r->guard, &d->start, err, err_size)
                        : !guard_power(&r->guard, cart->rom, &d->start, err, err_size))
         return RESULT_REFUSED;
-    size_t copies = board_hash_cache_size(r->guard.board);
-    if (!r->copies && (r->copies = malloc(copies)) == NULL)
+    size_t size = board_hash_cache_size(r->guard.board);
+    if (!r->hash_cache && (r->hash_cache = malloc(size)) == NULL)
         return out_of_memory(err, err_size);
-    memset(r->copies, 0, copies);
+    memset(r->hash_cache, 0, size);
     memset(r->board, 0, sizeof r->board);
     return RESULT_DONE;
 }
@@ -40,7 +40,7 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 /* Compares the board with checksums and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
-    board_hashes_cached(r->guard.board, r->copies, r->board);
+    board_hashes_cached(r->guard.board, r->hash_cache, r->board);
     uint32_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
     uint32_t parts = demo_differs(d, frame, r->hashes) | missing;
     if (!parts)
@@ -182,7 +182,7 @@ const struct board_fault *replay_fault(const struct replay *r)
 
 void replay_close(struct replay *r)
 {
-    free(r->copies);
+    free(r->hash_cache);
     guard_close(&r->guard);
     memset(r, 0, sizeof *r);
 }

@@ -27,7 +27,7 @@ struct verdict {
 
 struct replay {
     struct guard guard;         /* the board as it was at the verdict; its RAM is kept from one replay to the next */
-    void *copies;               /* of board_hashes_cached */
+    void *hash_cache;           /* of board_hashes_cached */
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
 };

@@ -187,8 +187,8 @@ static bool frame(void)
     overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
     if (cab.practice.open)
         cab_menu(&k);
-    else if (cab.session.state != SESSION_IDLE)
-        cab_work(now);
+    else if (cab.session.state != SESSION_PLAYING)
+        cab_seek_or_reload(now);
     else if (cab.console.open)
         memset(cab.pads, 0, sizeof cab.pads);
     else

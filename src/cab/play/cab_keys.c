@@ -71,7 +71,7 @@ static void mouse(const struct plat_input *in)
         !timebar_at(&cab.session, cab.picture.fb.w, cab.picture.fb.h, in->mouse_x, in->mouse_y, &frame))
         return;
     cab.timebar_left = cab.timebar_left ? cab.timebar_left : 1;
-    if (pressed || (held && cab.session.state == SESSION_IDLE && frame != board_frame(cab_live())))
+    if (pressed || (held && cab.session.state == SESSION_PLAYING && frame != board_frame(cab_live())))
         cab_goto(frame);
 }
 
@@ -101,7 +101,7 @@ static void take_pads(const struct keys_read *k)
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
-    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.state == SESSION_IDLE;
+    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.state == SESSION_PLAYING;
     if (k->pressed & 1 << CAB_CONSOLE)
         cab_save_nvram();
     console_poll(&cab.console, in, k, stands ? cab_live() : NULL, !cab.session.demo);

@@ -136,10 +136,11 @@ void cab_rewind(uint32_t frames);
 /* Ends a playback: from here the player plays. */
 void cab_take_over(void);
 
-/* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload. */
+/* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload
+ * that is under way, until now + a slice of a frame. */
 void cab_reload(void);
 void cab_check_folder(void);
-void cab_work(uint64_t now);
+void cab_seek_or_reload(uint64_t now);
 
 /* ---- cab_practice.c ---- */
 

@@ -329,7 +329,7 @@ static void finish_reload(void)
     cab_notice(CAB_NOTICE_FRAMES / 3, "reloaded");
 }
 
-void cab_work(uint64_t now)
+void cab_seek_or_reload(uint64_t now)
 {
     bool reloads = cab.session.state == SESSION_RELOADING;
 
@@ -338,7 +338,7 @@ void cab_work(uint64_t now)
             report_reload_failure();
         else
             cab_check_recording(false);
-    } else if (reloads && cab.session.state == SESSION_IDLE) {
+    } else if (reloads && cab.session.state == SESSION_PLAYING) {
         finish_reload();
     }
     report_difference();

@@ -71,7 +71,7 @@ static void message_text(char *text, size_t size)
     uint32_t at = board_frame(cab_live());
 
     text[0] = 0;
-    if (cab.session.state != SESSION_IDLE)
+    if (cab.session.state != SESSION_PLAYING)
         snprintf(text, size, "%s %d%%", cab.session.state == SESSION_SEEKING ? "seeking" : "reloading",
                  session_progress(&cab.session) / 10);
     else if (cab.prompt.open)
@@ -121,7 +121,7 @@ void cab_picture_show(struct picture *p)
     int y0 = text[0] ? message_draw(&canvas, 0, text) : 0, y1 = console_draw(&cab.console, &canvas);
     overlay_draw(&cab.overlay, &canvas, y0, cab_timebar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
                  cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
-    if (cab.session.state != SESSION_IDLE)
+    if (cab.session.state != SESSION_PLAYING)
         draw_progress(&canvas);
     if (cab_timebar_shown() && !cab.console.open)
         timebar_draw(&canvas, &cab.session);

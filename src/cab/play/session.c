@@ -202,14 +202,14 @@ void session_goto(struct session *s, uint32_t frame)
     s->from = board_frame(session_board(s));
     s->to = frame;
     guard_back(&s->now->guard, frame < end ? frame : end);
-    s->state = board_frame(session_board(s)) == frame ? SESSION_IDLE : SESSION_SEEKING;
+    s->state = board_frame(session_board(s)) == frame ? SESSION_PLAYING : SESSION_SEEKING;
 }
 
 void session_stop(struct session *s)
 {
     run_free(s->next);
     s->next = NULL;
-    s->state = SESSION_IDLE;
+    s->state = SESSION_PLAYING;
 }
 
 int session_progress(const struct session *s)
@@ -217,7 +217,7 @@ int session_progress(const struct session *s)
     const struct session_run *r = s->next ? s->next : s->now;
     uint32_t at = board_frame(r->guard.board);
 
-    if (s->state == SESSION_IDLE || at >= s->to)
+    if (s->state == SESSION_PLAYING || at >= s->to)
         return 1000;
     return at < s->from ? 0 : (int)((uint64_t)(at - s->from) * 1000 / (s->to - s->from));
 }
@@ -331,7 +331,7 @@ static bool finish_reload(struct session *s)
 
     s->now = s->next;
     s->next = NULL;
-    s->state = SESSION_IDLE;
+    s->state = SESSION_PLAYING;
     s->differs = 0;
     run_free(old);
     demo_flag(&s->now->writer, flags);
@@ -362,12 +362,12 @@ bool session_work(struct session *s, uint64_t until)
 {
     bool good = true;
 
-    for (int i = 1; s->state != SESSION_IDLE && !arrived(s) && good; i++) {
+    for (int i = 1; s->state != SESSION_PLAYING && !arrived(s) && good; i++) {
         good = s->next ? reload_tick(s) : session_replay_tick(s);
         if (i % LOOK_EVERY == 0 && plat_usec() >= until)
             return good;
     }
-    if (!good || s->state == SESSION_IDLE)
+    if (!good || s->state == SESSION_PLAYING)
         return good;
     if (s->state == SESSION_RELOADING)
         return finish_reload(s);

@@ -31,7 +31,7 @@ struct session_run {
 };
 
 enum session_state {
-    SESSION_IDLE,
+    SESSION_PLAYING,  /* no seek and no reload is under way */
     SESSION_SEEKING,  /* ticks to a frame ahead */
     SESSION_RELOADING /* repeats the run on a changed ROM */
 };
@@ -109,8 +109,8 @@ const struct demo_marker *session_markers(const struct session *s, uint32_t *n);
 
 /* Packs a folder, or loads a file, again. If the ROM has changed, a new board is powered with it; session_work gives it
  * the pads of the old one, and at the same frame it replaces the old one. False and s->err: the ROM cannot run, a
- * script has an error or the run ends early, and all is as it was. True: nothing has changed (SESSION_IDLE), or it has
- * begun. */
+ * script has an error or the run ends early, and all is as it was. True: nothing has changed
+ * (SESSION_PLAYING), or it has begun. */
 bool session_reload(struct session *s, const char *path, bool nearest);
 
 #endif

@@ -1,0 +1,79 @@
+/*
+ * cursor.h - a place in a Lua text, and what its scanners have in common: the kinds of characters, line ends, long
+ * brackets. The rules are those of the reference manual of Lua 5.4, section 3.1, in the C locale.
+ * floor: board
+ */
+#ifndef BOARD_CURSOR_H
+#define BOARD_CURSOR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct cursor {
+    const char *p, *end;
+    int line; /* from 1 on */
+};
+
+static inline bool cursor_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static inline bool cursor_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static inline bool cursor_blank(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/* The value of a hexadecimal digit, or -1. */
+static inline int cursor_hex(char c)
+{
+    if (cursor_digit(c))
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/* The character k after this one; 0 past the end. */
+static inline char cursor_peek(const struct cursor *c, size_t k)
+{
+    return k < (size_t)(c->end - c->p) ? c->p[k] : '\0';
+}
+
+/* Goes on by one character, p < end; \r\n and \n\r are one line's end. */
+static inline void cursor_step(struct cursor *c)
+{
+    char was = *c->p++;
+
+    if (was != '\n' && was != '\r')
+        return;
+    c->line++;
+    if ((cursor_peek(c, 0) == '\n' || cursor_peek(c, 0) == '\r') && cursor_peek(c, 0) != was)
+        c->p++;
+}
+
+/* The = signs of a long bracket that opens here, or -1. */
+static inline int cursor_long_level(const struct cursor *c)
+{
+    size_t n = 1;
+
+    while (cursor_peek(c, n) == '=')
+        n++;
+    return cursor_peek(c, n) == '[' ? (int)n - 1 : -1;
+}
+
+/* Does a long bracket of that level close here? */
+static inline bool cursor_closes(const struct cursor *c, int level)
+{
+    for (int i = 1; i <= level; i++)
+        if (cursor_peek(c, (size_t)i) != '=')
+            return false;
+    return cursor_peek(c, 0) == ']' && cursor_peek(c, (size_t)level + 1) == ']';
+}
+
+#endif
