@@ -30,33 +30,58 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
 
 enum { MAX_PLAYER_KINDS = 64 };
 
-/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
- * board, and the number of slots by manifest m. */
-#define PART_LIST(PART)                                                                                                \
-    PART(script_chip, script, 0)                                                                                       \
-    PART(core_chip, core, 0)                                                                                           \
-    PART(input_chip, input, PADS)                                                                                      \
-    PART(tasks_chip, tasks, m->tasks)                                                                                  \
-    PART(bullets_chip, bullets, m->bullets)                                                                            \
-    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0)                                                  \
-    PART(shots_chip, shots, m->shots)                                                                                  \
-    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0)                                                        \
-    PART(enemies_chip, enemies, m->enemies)                                                                            \
-    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0)                                                    \
-    PART(player_chip, player, PADS)                                                                                    \
-    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS)                                                            \
-    PART(motions_chip, motions, m->motions)                                                                            \
-    PART(steps_chip, steps, MOTION_STEPS * m->motions)                                                                 \
-    PART(sprites_chip, sprites, m->sprites)                                                                            \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL))                                             \
-    PART(pal_chip, pal, COLOURS)                                                                                       \
-    PART(nvram_chip, nvram, NV_BYTES)                                                                                  \
-    PART(sparks_chip, sparks, m->sparks)                                                                               \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0)
+/* The first n groups of values. */
+static uint32_t value_groups(int32_t n)
+{
+    return SLOTS_GROUP(GROUP_VALUE + n) - SLOTS_GROUP(GROUP_VALUE);
+}
 
-#define AS_PART(chip, name, slots)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
-#define AS_CAPACITY(chip, name, slots) (uint32_t)(slots),
-#define AS_ONE(chip, name, slots)      +1
+/* The groups of columns that manifest m asks for. */
+static uint32_t bullet_groups(const struct manifest *m)
+{
+    return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
+           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
+static uint32_t shot_groups(const struct manifest *m)
+{
+    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) |
+           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
+static uint32_t enemy_groups(const struct manifest *m)
+{
+    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
+/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
+ * board, the number of slots, and the groups of columns, by manifest m. */
+#define PART_LIST(PART)                                                                                                \
+    PART(script_chip, script, 0, 0)                                                                                    \
+    PART(core_chip, core, 0, 0)                                                                                        \
+    PART(input_chip, input, PADS, 0)                                                                                   \
+    PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
+    PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
+    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, 0)                                               \
+    PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
+    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, 0)                                                     \
+    PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
+    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, 0)                                                 \
+    PART(player_chip, player, PADS, 0)                                                                                 \
+    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, 0)                                                         \
+    PART(motions_chip, motions, m->motions, 0)                                                                         \
+    PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
+    PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), 0)                                          \
+    PART(pal_chip, pal, COLOURS, 0)                                                                                    \
+    PART(nvram_chip, nvram, NV_BYTES, 0)                                                                               \
+    PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)
+
+#define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
+#define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
+#define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
+#define AS_ONE(chip, name, slots, groups)      +1
 const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
 _Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST has PARTS lines");
 
@@ -75,12 +100,14 @@ static uint64_t aligned(uint64_t n)
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
 }
 
-/* Slots each part has room for. */
-static void capacities(const struct manifest *m, uint32_t cap[PARTS])
-{
-    const uint32_t all[PARTS] = { PART_LIST(AS_CAPACITY) };
+/* What each part has room for. */
+struct layout {
+    uint32_t cap[PARTS], groups[PARTS];
+};
 
-    memcpy(cap, all, sizeof all);
+static struct layout layout_of(const struct manifest *m)
+{
+    return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
 /* Two players may graze and be hit by every bullet, every shot may hit, every enemy may touch, die and leave. */
@@ -91,12 +118,11 @@ static uint64_t event_room(const struct manifest *m)
 
 static uint64_t ram_needed(const struct cart *cart)
 {
-    uint32_t cap[PARTS];
+    const struct layout l = layout_of(&cart->m);
     uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
 
-    capacities(&cart->m, cap);
     for (int i = 0; i < PARTS; i++)
-        sum += slots_size(machine_parts[i].chip, cap[i]);
+        sum += slots_size(machine_parts[i].chip, l.cap[i], l.groups[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
     sum += aligned(event_room(&cart->m) * sizeof(struct event));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
@@ -169,14 +195,13 @@ static void set_up(struct board *b)
 static void lay_out(struct board *b)
 {
     uint8_t *next = b->ram + aligned(sizeof *b);
-    uint32_t cap[PARTS];
+    const struct layout l = layout_of(&b->cart.m);
 
     b->output = (struct output *)next;
     next += aligned(sizeof *b->output);
-    capacities(&b->cart.m, cap);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
-        slots_layout(machine_parts[i].chip, chip_at(b, i), cap[i], &next);
+        slots_layout(machine_parts[i].chip, chip_at(b, i), l.cap[i], l.groups[i], &next);
         if (machine_parts[i].chip->list)
             memset(first, 0, (size_t)(next - first));
     }

@@ -41,6 +41,10 @@ static const struct column columns[] = {
     COLUMN(bullets, x_more),
     COLUMN(bullets, y_more),
     COLUMNS(bullets, rounds, MOTION_DEPTH),
+    GROUP_COLUMN(bullets, value1, GROUP_VALUE + 0),
+    GROUP_COLUMN(bullets, value2, GROUP_VALUE + 1),
+    GROUP_COLUMN(bullets, value3, GROUP_VALUE + 2),
+    GROUP_COLUMN(bullets, value4, GROUP_VALUE + 3),
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
@@ -115,6 +119,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->player[i] = shape->player;
     b->pace[i] = b->way[i] = 0;
     b->x_more[i] = b->y_more[i] = 0;
+    for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++)
+        bullets_value(b, k)[i] = 0;
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     bullets_steer(b, (uint32_t)i);
     return i;

@@ -70,6 +70,7 @@ struct bullets {
     int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
+    fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -119,6 +120,14 @@ struct bullet_shape {
     bool fine; /* the motion is */
     uint32_t by;
 };
+
+/* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
+static inline fx *bullets_value(const struct bullets *b, int k)
+{
+    fx *const value[MAX_VALUES] = { b->value1, b->value2, b->value3, b->value4 };
+
+    return value[k];
+}
 
 extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip;
 

@@ -31,6 +31,10 @@ static const struct column columns[] = {
     COLUMN(enemies, made),
     COLUMN(enemies, over),
     COLUMN(enemies, ease),
+    GROUP_COLUMN(enemies, value1, GROUP_VALUE + 0),
+    GROUP_COLUMN(enemies, value2, GROUP_VALUE + 1),
+    GROUP_COLUMN(enemies, value3, GROUP_VALUE + 2),
+    GROUP_COLUMN(enemies, value4, GROUP_VALUE + 3),
     DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hits read it"),
 };
 
@@ -67,6 +71,8 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->made[i] = 0;
     e->over[i] = 0;
     e->ease[i] = EASE_LINEAR;
+    for (int k = 0; k < MAX_VALUES && enemies_value(e, k); k++)
+        enemies_value(e, k)[i] = 0;
     return i;
 }
 

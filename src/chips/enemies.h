@@ -56,8 +56,17 @@ struct enemies {
     fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */
     uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
     uint8_t *ease;
-    uint32_t leaving; /* how many this frame's move took outside of keep */
+    fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
+    uint32_t leaving;                      /* how many this frame's move took outside of keep */
 };
+
+/* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
+static inline fx *enemies_value(const struct enemies *e, int k)
+{
+    fx *const value[MAX_VALUES] = { e->value1, e->value2, e->value3, e->value4 };
+
+    return value[k];
+}
 
 extern const struct chip enemies_chip, enemy_kinds_chip;
 

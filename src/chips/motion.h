@@ -26,6 +26,15 @@ enum {
     SHAPE_BOX     /* a, b: half width and half height */
 };
 
+/* Groups of columns (slots.h) that a manifest switches on for bullets, shots and enemies. */
+enum {
+    GROUP_VALUE = 1, /* and the next: a number each that the game declares */
+    MAX_VALUES = 4,
+    GROUP_HP = GROUP_VALUE + MAX_VALUES,
+    GROUP_AROUND,
+    GROUP_FROZEN
+};
+
 /* A rectangle of field positions, ends included. */
 struct box {
     fx x0, y0, x1, y1;

@@ -27,14 +27,14 @@ static uint64_t values(const struct column *c, uint64_t slots)
     return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
-uint64_t slots_size(const struct chip *chip, uint32_t cap)
+uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
 {
     uint64_t room = blocks(cap), size = 0;
 
     if (!chip->list)
         size = aligned(room / 8) + aligned(room * 4);
     for (int i = 0; i < chip->count; i++)
-        if (!chip->columns[i].reg)
+        if (!chip->columns[i].reg && slots_column_there(&chip->columns[i], groups))
             size += aligned(values(&chip->columns[i], room) * chip->columns[i].width);
     return size;
 }
@@ -47,12 +47,12 @@ static void *carve(uint8_t **next, uint64_t bytes)
     return at;
 }
 
-void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next)
+void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next)
 {
     struct slots *s = self;
     uint64_t room = blocks(cap);
 
-    *s = (struct slots){ .cap = cap };
+    *s = (struct slots){ .cap = cap, .groups = groups };
     if (!chip->list) {
         s->used = carve(next, room / 8);
         s->gen = carve(next, room * 4);
@@ -64,7 +64,7 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **n
         if (c->reg)
             memset(at, 0, (size_t)c->width * c->n);
         else {
-            void *column = carve(next, values(c, room) * c->width);
+            void *column = slots_column_there(c, groups) ? carve(next, values(c, room) * c->width) : NULL;
             memcpy(at, &column, sizeof column);
         }
     }
@@ -244,7 +244,7 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
             h = hash_fold(h, (uint64_t)s->gen[i] << 32 | i);
         for (int c = 0; c < chip->count; c++) {
             const struct column *col = &chip->columns[c];
-            if (!col->reg && col->kind == COL_GAME)
+            if (!col->reg && col->kind == COL_GAME && slots_column_there(col, s->groups))
                 h = fold_values(h, col, column_at(col, self) + (size_t)i * col->width * col->n);
         }
     }
@@ -290,7 +290,7 @@ void slots_values(const struct chip *chip, const void *self, slots_visit *visit,
         struct slots_value v = { .slot = i, .gen = s->used ? s->gen[i] : 0 };
         for (int c = 0; c < chip->count; c++) {
             const struct column *col = &chip->columns[c];
-            if (!col->reg && col->kind == COL_GAME)
+            if (!col->reg && col->kind == COL_GAME && slots_column_there(col, s->groups))
                 visit_values(col, column_at(col, self) + (size_t)i * col->width * col->n, v, visit, context);
         }
     }
@@ -312,7 +312,7 @@ static size_t walk(const struct chip *chip, const void *self, uint8_t *save, con
             piece.p = (uint8_t *)s->used, piece.n = s->high / 8;
         else if (i == -1)
             piece.p = (uint8_t *)s->gen, piece.n = (size_t)s->high * 4;
-        else if (chip->columns[i].reg)
+        else if (chip->columns[i].reg || !slots_column_there(&chip->columns[i], s->groups))
             continue;
         else {
             const struct column *c = &chip->columns[i];

@@ -42,12 +42,17 @@ struct column {
     bool block;    /* n values a block of SLOTS_BLOCK slots, not a slot */
     enum column_kind kind;
     const char *why; /* of a derived column */
+    uint8_t group;   /* 0: always there; g: in chips laid out with SLOTS_GROUP(g) alone */
 };
+
+/* Some columns are there only where a game's manifest asks for their group; else their pointer is NULL, and they take no
+ * bytes, no hash and no snapshot. */
+#define SLOTS_GROUP(g) (1u << ((g)-1))
 
 /* Entries of a column table, named as the fields of the chip's struct. */
 /* clang-format off */
 #define COLUMN_ENTRY(chip, name, width, n, reg, block, kind, why)                                                      \
-    { #name, offsetof(struct chip, name), width, n, reg, block, kind, why }
+    { #name, offsetof(struct chip, name), width, n, reg, block, kind, why, 0 }
 #define COLUMN_FIELD(chip, name) (((struct chip *)0)->name)
 
 /* A column, with one value a slot or n. */
@@ -59,6 +64,10 @@ struct column {
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why)
 #define DERIVED_BLOCKS(chip, name, n, why)                                                                             \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, true, COL_DERIVED, why)
+
+/* A column of a group: there if the manifest asks for the group. */
+#define GROUP_COLUMN(chip, name, group)                                                                                \
+    { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_GAME, NULL, group }
 
 /* A register: one value, or an array. */
 #define REGISTER(chip, name)                                                                                           \
@@ -81,6 +90,7 @@ struct slots {
     uint32_t *gen;              /* 1 .. GENERATIONS; GENERATIONS: retired */
     uint64_t *held;             /* a bit a slot below held_top */
     uint32_t held_top, holding; /* 0, 0 when nothing is held */
+    uint32_t groups;            /* SLOTS_GROUP bits: the groups of columns that are there */
 };
 
 /* What a chip is: its name in hashes and reports, and its columns. */
@@ -94,12 +104,18 @@ struct chip {
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
 
-/* Bytes of RAM a chip of this capacity takes. */
-uint64_t slots_size(const struct chip *chip, uint32_t cap);
+/* Bytes of RAM a chip of this capacity, with these groups of columns, takes. */
+uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
 
 /* Points the chip's columns into RAM from *next on and empties it; *next moves past them. `self` is the chip's struct.
  */
-void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint8_t **next);
+void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
+
+/* Is this column in RAM? A register always is. */
+static inline bool slots_column_there(const struct column *c, uint32_t groups)
+{
+    return c->group == 0 || groups & SLOTS_GROUP(c->group);
+}
 
 /* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). If top grew, the caller
  * must park the new slots: set their columns so that loops over the chip pass them without effect. */

@@ -12,7 +12,7 @@ static fx px(double v)
 
 /* ---- slots ---- */
 
-static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, false, COL_GAME, NULL } };
+static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, false, COL_GAME, NULL, 0 } };
 static const struct chip thing_chip = { "things", thing_columns, 1, false, false };
 struct thing {
     struct slots s;
@@ -33,9 +33,9 @@ static void test_slots(void **state)
     struct rng rng;
 
     (void)state;
-    assert_true(slots_size(&thing_chip, CAP) <= sizeof room);
-    slots_layout(&thing_chip, &t, CAP, &next);
-    assert_int_equal(next - room, slots_size(&thing_chip, CAP));
+    assert_true(slots_size(&thing_chip, CAP, 0) <= sizeof room);
+    slots_layout(&thing_chip, &t, CAP, 0, &next);
+    assert_int_equal(next - room, slots_size(&thing_chip, CAP, 0));
     for (int i = 0; i < 256; i++)
         gen[i] = 1;
     rng_seed(&rng, 1);
@@ -113,7 +113,7 @@ static void test_retired_slots(void **state)
     struct rng rng;
 
     (void)state;
-    slots_layout(&thing_chip, &t, CAP, &next);
+    slots_layout(&thing_chip, &t, CAP, 0, &next);
     for (int i = 0; i < CAP; i++)
         assert_int_equal(slots_take(&t.s), i);
     rng_seed(&rng, 2);

@@ -363,6 +363,8 @@ static void test_flips(void **state)
     m.tasks = 128;
     m.sprites = 128;
     m.shots = m.enemies = 128;
+    m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
+    m.hp = m.around = m.frozen = 1;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
@@ -374,7 +376,8 @@ static void test_flips(void **state)
         if (!check_slots(r.b, &was, &rng, i))
             fail_msg("part %s has no live slot", chip->name);
         for (int k = 0; k < chip->count; k++)
-            if (!check_column(r.b, &was, &rng, i, &chip->columns[k]))
+            if (slots_column_there(&chip->columns[k], slots_at(r.b, i)->groups) &&
+                !check_column(r.b, &was, &rng, i, &chip->columns[k]))
                 fail_msg("part %s has no live slot", chip->name);
         if (slots_at(r.b, i)->used)
             assert_true(dead_slot(r.b, i) != NO_SLOT);
@@ -382,6 +385,45 @@ static void test_flips(void **state)
     assert_true(was.all == board_hash(r.b));
     rig_free(&r);
     rig_game_free(&g);
+}
+
+/* Columns of a group that the manifest does not ask for take no RAM. */
+static void test_groups(void **state)
+{
+    struct manifest m = rig_manifest(), all = m;
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
+    struct rig_game few, many;
+    struct rig a, b;
+    int there = 0;
+
+    (void)state;
+    all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
+    all.hp = all.around = all.frozen = 1;
+    rig_script(&few, &m, scene);
+    rig_script(&many, &all, scene);
+    rig_power(&a, &few, &start);
+    rig_power(&b, &many, &start);
+    for (int i = 0; i < PARTS; i++) {
+        const struct chip *chip = machine_parts[i].chip;
+        const struct slots *s = slots_at(a.b, i), *t = slots_at(b.b, i);
+        for (int k = 0; k < chip->count; k++) {
+            const struct column *c = &chip->columns[k];
+            if (c->group == 0)
+                continue;
+            assert_false(slots_column_there(c, s->groups));
+            assert_null(bytes_at(a.b, i, c));
+            if (slots_column_there(c, t->groups))
+                assert_non_null(bytes_at(b.b, i, c)), there++;
+        }
+        if (chip == &bullets_chip)
+            assert_true(slots_size(chip, s->cap, s->groups) + 16 * (uint64_t)s->cap <=
+                        slots_size(chip, t->cap, t->groups));
+    }
+    assert_true(there >= 3 * MAX_VALUES);
+    rig_free(&a);
+    rig_free(&b);
+    rig_game_free(&few);
+    rig_game_free(&many);
 }
 
 /* Derived columns are what they say: spoiling those that a frame rewrites changes no frame after. */
@@ -444,8 +486,9 @@ static void test_links(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tables), cmocka_unit_test(test_parts),   cmocka_unit_test(test_reasons),
-        cmocka_unit_test(test_flips),  cmocka_unit_test(test_derived), cmocka_unit_test(test_links),
+        cmocka_unit_test(test_tables), cmocka_unit_test(test_parts),  cmocka_unit_test(test_reasons),
+        cmocka_unit_test(test_flips),  cmocka_unit_test(test_groups), cmocka_unit_test(test_derived),
+        cmocka_unit_test(test_links),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

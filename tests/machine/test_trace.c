@@ -229,7 +229,8 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
         int64_t slot = c->reg ? NO_SLOT : some_slot((struct slots *)self, rng);
         int i = (int)rng_below(rng, c->n);
         uint8_t *column = self + c->at;
-        if (c->kind != COL_GAME || (!c->reg && slot < 0) || column == (uint8_t *)&r->b->core.frame)
+        if (!slots_column_there(c, ((struct slots *)self)->groups) || c->kind != COL_GAME || (!c->reg && slot < 0) ||
+            column == (uint8_t *)&r->b->core.frame)
             continue; /* the frame is what lines are compared by */
         if (!c->reg)
             memcpy(&column, self + c->at, sizeof column);

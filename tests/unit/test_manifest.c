@@ -240,20 +240,36 @@ static void test_unknown_names(void **state)
     entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
 }
 
+/* "a.b.c" as "a = { b = { c = v } }". */
+static void spell_out(char *text, size_t size, const char *name, long long v)
+{
+    int depth = 0;
+    size_t n = 0;
+
+    for (; *name != '\0'; name++)
+        if (*name == '.')
+            n += (size_t)snprintf(text + n, size - n, " = { "), depth++;
+        else
+            text[n++] = *name;
+    n += (size_t)snprintf(text + n, size - n, " = %lld", v);
+    while (depth-- > 0)
+        n += (size_t)snprintf(text + n, size - n, " }");
+}
+
 static void test_numbers(void **state)
 {
     (void)state;
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
         const struct manifest_number *f = &manifest_numbers[i];
-        const char *dot = strchr(f->name, '.');
-        int skip = dot != NULL ? (int)(dot - f->name) : 0;
         char text[128], want[128];
         for (int k = 0; k < 2; k++) {
             long long v = k == 0 ? f->lo - 1LL : f->hi + 1LL;
-            snprintf(text, sizeof text, "%.*s%s%s = %lld%s", skip, f->name, dot != NULL ? " = { " : "",
-                     f->name + (dot != NULL ? skip + 1 : 0), v, dot != NULL ? " }" : "");
-            snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo, f->hi,
-                     v);
+            spell_out(text, sizeof text, f->name, v);
+            if (f->flag)
+                snprintf(want, sizeof want, "%s: expected true or false, got %lld", f->name, v);
+            else
+                snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo,
+                         f->hi, v);
             entry_refused(text, want);
         }
     }
@@ -442,6 +458,29 @@ static void test_pack(void **state)
     free(r);
 }
 
+/* A lump of format 1 is shorter by the numbers that came later, which then have their defaults. */
+static void test_unpack_old(void **state)
+{
+    struct result *r = read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true } }");
+    uint8_t bytes[MANIFEST_BYTES];
+    struct manifest m;
+    char err[256] = "";
+
+    (void)state;
+    assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.around && r->m.frozen);
+    manifest_pack(&r->m, bytes);
+    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_memory_equal(&m, &r->m, sizeof m);
+    bytes[0] = 1;
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_true(manifest_unpack(bytes, MANIFEST_BYTES - 24, &m, err, sizeof err));
+    r->m.bullet_values = r->m.hp = r->m.frozen = 0;
+    assert_memory_equal(&m, &r->m, sizeof m);
+    bytes[0] = 2;
+    assert_false(manifest_unpack(bytes, MANIFEST_BYTES - 24, &m, err, sizeof err));
+    free(r);
+}
+
 static void test_unpack_refuses(void **state)
 {
     struct result *r = read_good(lanterns);
@@ -452,8 +491,8 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5175 bytes long, expected 5176");
-    bytes[0] = 2;
+    assert_string_equal(err, "5199 bytes long, expected 5200");
+    bytes[0] = 3;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_string_equal(err, "its format is not known");
     free(r);
@@ -570,15 +609,25 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),   cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),       cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),    cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),      cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors), cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),      cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),       cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_check),      cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),
+        cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),
+        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors),
+        cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_unpack_mutations),
         cmocka_unit_test(test_paths),
     };
 

@@ -46,11 +46,11 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
     uint64_t size = 0;
 
     for (int i = 0; i < COUNT; i++)
-        size += slots_size(places[i].chip, places[i].cap);
+        size += slots_size(places[i].chip, places[i].cap, 0);
     b->ram = room_for(size);
     uint8_t *next = b->ram;
     for (int i = 0; i < COUNT; i++)
-        slots_layout(places[i].chip, places[i].self, places[i].cap, &next);
+        slots_layout(places[i].chip, places[i].self, places[i].cap, 0, &next);
     b->events.cap = 2 * bullets + shots + 16;
     b->events.list = room_for(b->events.cap * sizeof *b->events.list);
     return b;

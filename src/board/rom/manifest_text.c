@@ -328,36 +328,68 @@ static void read_texts(const struct at *root, struct manifest *m)
     get_text(root, "entry", "a script's path", m->entry, sizeof m->entry);
 }
 
-/* The numbers of one group ("board", or "" for those of the whole manifest), and no other names in it. */
-static void read_numbers(const struct at *root, const char *group, struct manifest *m)
+/* a[key] as a number or a flag of the manifest into *v, which stays when it is nil. */
+static void get_number(const struct at *a, const char *key, const struct manifest_number *f, int32_t *v)
 {
-    const char *names[MANIFEST_NUMBERS + 1] = { NULL };
-    size_t skip = strlen(group) + (group[0] != '\0');
-    struct at a = *root;
-    int n = 0, top = lua_gettop(root->lua);
+    char path[MAX_PATH];
 
-    if (group[0] != '\0' && !get_table(root, group, &a))
+    if (!f->flag) {
+        get_whole(a, key, f->lo, f->hi, v);
         return;
+    }
+    path_of(a, key, path);
+    if (!get(a, key))
+        return;
+    if (!lua_isboolean(a->lua, -1))
+        bad(a->lua, path, "expected true or false, got %s", got(a->lua));
+    *v = lua_toboolean(a->lua, -1);
+    lua_pop(a->lua, 1);
+}
+
+/* The numbers of one group ("board", "board.values", or "" for those of the whole manifest), and no other names in it
+ * but `more` (may be NULL). parent: the table that the group's last word is a name of. */
+static void read_numbers(const struct at *parent, const char *group, const char *more, struct manifest *m)
+{
+    const char *names[MANIFEST_NUMBERS + 2] = { NULL }, *last = strrchr(group, '.');
+    size_t skip = strlen(group) + (group[0] != '\0');
+    struct at a = *parent;
+    int n = 0, top = lua_gettop(parent->lua);
+
+    if (group[0] != '\0' && !get_table(parent, last != NULL ? last + 1 : group, &a))
+        return;
+    if (more != NULL)
+        names[n++] = more;
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
         const struct manifest_number *f = &manifest_numbers[i];
-        const char *dot = strchr(f->name, '.');
+        const char *dot = strrchr(f->name, '.');
         if ((dot != NULL ? (size_t)(dot - f->name) + 1 : 0) != skip || strncmp(f->name, group, strlen(group)) != 0)
             continue;
         names[n++] = f->name + skip;
-        get_whole(&a, f->name + skip, f->lo, f->hi, (int32_t *)(void *)((char *)m + f->offset));
+        get_number(&a, f->name + skip, f, (int32_t *)(void *)((char *)m + f->offset));
     }
     if (group[0] != '\0')
         only(&a, names);
-    lua_settop(root->lua, top);
+    lua_settop(parent->lua, top);
+}
+
+static void read_values(const struct at *root, struct manifest *m)
+{
+    struct at board;
+
+    if (!get_table(root, "board", &board))
+        return;
+    read_numbers(&board, "board.values", NULL, m);
+    lua_pop(root->lua, 1);
 }
 
 static void read_sizes(const struct at *root, struct manifest *m)
 {
-    read_numbers(root, "", m);
-    read_numbers(root, "board", m);
-    read_numbers(root, "screen", m);
+    read_numbers(root, "", NULL, m);
+    read_numbers(root, "board", "values", m);
+    read_values(root, m);
+    read_numbers(root, "screen", NULL, m);
     m->field_w = m->field_h = 0; /* left out: to the screen's edge */
-    read_numbers(root, "field", m);
+    read_numbers(root, "field", NULL, m);
     if (m->field_w == 0)
         m->field_w = m->screen_w - m->field_x;
     if (m->field_h == 0)
