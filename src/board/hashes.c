@@ -53,7 +53,9 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return machine_parts[i].chip->list ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups) : 0;
+    return machine_parts[i].chip->list
+               ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
+               : 0;
 }
 
 size_t board_hash_cache_size(const struct board *b)

@@ -45,8 +45,8 @@ struct column {
     uint8_t group;   /* 0: always there; g: in chips laid out with SLOTS_GROUP(g) alone */
 };
 
-/* Some columns are there only where a game's manifest asks for their group; else their pointer is NULL, and they take no
- * bytes, no hash and no snapshot. */
+/* Some columns are there only where a game's manifest asks for their group; else their pointer is NULL, and they take
+ * no bytes, no hash and no snapshot. */
 #define SLOTS_GROUP(g) (1u << ((g)-1))
 
 /* Entries of a column table, named as the fields of the chip's struct. */

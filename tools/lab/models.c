@@ -227,11 +227,11 @@ static void print_rooms(void)
     report_table("Of the board, in rom.lua: a chip takes so much RAM, and none when its capacity is 0",
                  "chip | bytes a place> | capacity unless said> | KiB in all>");
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
-        report_row(
-            false, ROOMS[i].name,
-            report_count((int64_t)(slots_size(ROOMS[i].chip, 1 << 16, 0) - slots_size(ROOMS[i].chip, 1 << 15, 0)) >> 15),
-            report_count(ROOMS[i].usual), report_count((int64_t)slots_size(ROOMS[i].chip, ROOMS[i].usual, 0) / 1024),
-            NULL);
+        report_row(false, ROOMS[i].name,
+                   report_count(
+                       (int64_t)(slots_size(ROOMS[i].chip, 1 << 16, 0) - slots_size(ROOMS[i].chip, 1 << 15, 0)) >> 15),
+                   report_count(ROOMS[i].usual),
+                   report_count((int64_t)slots_size(ROOMS[i].chip, ROOMS[i].usual, 0) / 1024), NULL);
     report_table_end();
 }
 
