@@ -13,6 +13,11 @@ shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns 
 shot.def("ball", { sprite = "steps", hit = { circle = 4 }, bank = 5, swept = false })
 shot.def("flash", { sprite = "letter", hit = "none" })
 
+value.def("heat", { start = 1.5 })
+value.def("goal")
+value.def("heat", { of = "shot", start = -2 })
+value.def("mood", { of = "enemy" })
+
 motion.def { name = "all",
   { wait = 3 },
   { kind = "needle", bank = 7 }, { dir = 100 }, { aim = true }, { turn = 30 }, { speed = 1 }, { accel = 0.25 },

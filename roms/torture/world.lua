@@ -50,8 +50,11 @@ local function bullets()
       board.note(b.kind .. b.bank .. (b.tag or "none"))
       if n % 7 == 0 then b.x, b.y = b.x + 1, b.y - 1 end
       if n % 5 == 0 then b.dir = 80 end
+      b.heat = b.heat + b.goal / 4
       if n % 11 == 0 then b.vx, b.vy = 0.5, 0.75 end
     end
+    c.heat, b.goal = n, -n
+    bullet.group("late").goal = n
     c.speed, c.kind, c.bank, c.tag, c.motion = 1, "dot", 5, "late", b.motion
     c:aim(15)
     c:turn(-5)

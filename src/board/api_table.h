@@ -43,7 +43,19 @@ enum api_type {
 };
 
 /* What is declared under a name. */
-enum api_names { N_BULLET, N_SHOT, N_ENEMY, N_PLAYER, N_SPARK, N_MOTION, N_TAG, NAME_LISTS };
+enum api_names {
+    N_BULLET,
+    N_SHOT,
+    N_ENEMY,
+    N_PLAYER,
+    N_SPARK,
+    N_MOTION,
+    N_TAG,
+    N_BULLET_VALUE, /* value.def: by the number of the column */
+    N_SHOT_VALUE,
+    N_ENEMY_VALUE,
+    NAME_LISTS
+};
 
 enum { REQ = 0, OPT = 1 }; /* must it be given? */
 
@@ -65,6 +77,7 @@ enum {
     API_MORE = 1 << 5,    /* any further arguments are passed on */
     API_FIRE = 1 << 6,    /* takes every argument of bullet.fire besides its own */
     API_GLOBAL = 1 << 7,  /* stands among the globals */
+    API_VALUES = 1 << 8,  /* takes the values declared for what its name begins with, as API_FIRE those of bullets */
 };
 
 struct api_entry {

@@ -7,7 +7,7 @@
  */
 #include <string.h>
 #include "../base/hash.h"
-#include "machine.h"
+#include "api.h"
 
 static const uint8_t *chip_at(const struct board *b, int i)
 {
@@ -43,9 +43,38 @@ uint64_t board_hash(const struct board *b)
     return board_hash_of(hashes);
 }
 
+/* Columns of values have the names that the game declared. */
+struct renamed {
+    const struct board *b;
+    enum api_names names;
+    slots_visit *visit;
+    void *context;
+};
+
+static void visit_renamed(void *context, const struct slots_value *v)
+{
+    const struct renamed *r = context;
+    struct slots_value own = *v;
+    const char *name = NULL;
+
+    if (!strncmp(v->column, "value", 5) && v->column[5] >= '1' && v->column[5] < '1' + MAX_VALUES)
+        name = api_names_at(r->b, r->names, v->column[5] - '1');
+    own.column = name ? name : v->column;
+    r->visit(r->context, &own);
+}
+
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context)
 {
-    slots_values(machine_parts[i].chip, chip_at(b, i), visit, context);
+    const struct chip *chip = machine_parts[i].chip;
+    const enum api_names names = chip == &bullets_chip ? N_BULLET_VALUE
+                                 : chip == &shots_chip ? N_SHOT_VALUE
+                                                       : N_ENEMY_VALUE;
+    struct renamed r = { b, names, visit, context };
+
+    if (chip == &bullets_chip || chip == &shots_chip || chip == &enemies_chip)
+        slots_values(chip, chip_at(b, i), visit_renamed, &r);
+    else
+        slots_values(chip, chip_at(b, i), visit, context);
 }
 
 /* Bytes of a list's copy: its struct, and its columns when it is full. */

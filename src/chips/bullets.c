@@ -51,6 +51,7 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "nothing is held between frames"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
+    DERIVED_REGISTERS(bullets, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
@@ -120,7 +121,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->pace[i] = b->way[i] = 0;
     b->x_more[i] = b->y_more[i] = 0;
     for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++)
-        bullets_value(b, k)[i] = 0;
+        bullets_value(b, k)[i] = b->value_start[k];
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     bullets_steer(b, (uint32_t)i);
     return i;

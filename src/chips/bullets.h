@@ -71,6 +71,7 @@ struct bullets {
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
+    fx value_start[MAX_VALUES];            /* what they are in a new bullet */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */

@@ -35,6 +35,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(enemies, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(enemies, value4, GROUP_VALUE + 3),
+    DERIVED_REGISTERS(enemies, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hits read it"),
 };
 
@@ -72,7 +73,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->over[i] = 0;
     e->ease[i] = EASE_LINEAR;
     for (int k = 0; k < MAX_VALUES && enemies_value(e, k); k++)
-        enemies_value(e, k)[i] = 0;
+        enemies_value(e, k)[i] = e->value_start[k];
     return i;
 }
 

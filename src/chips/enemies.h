@@ -57,6 +57,7 @@ struct enemies {
     uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
     uint8_t *ease;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
+    fx value_start[MAX_VALUES];            /* what they are in a new enemy */
     uint32_t leaving;                      /* how many this frame's move took outside of keep */
 };
 

@@ -75,6 +75,9 @@ struct column {
 #define REGISTERS(chip, name)                                                                                          \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name),                                                         \
                  sizeof COLUMN_FIELD(chip, name) / sizeof *COLUMN_FIELD(chip, name), true, false, COL_GAME, NULL)
+#define DERIVED_REGISTERS(chip, name, why)                                                                             \
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name),                                                         \
+                 sizeof COLUMN_FIELD(chip, name) / sizeof *COLUMN_FIELD(chip, name), true, false, COL_DERIVED, why)
 #define DERIVED_REGISTER(chip, name, why)                                                                              \
     COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_DERIVED, why)
 /* clang-format on */

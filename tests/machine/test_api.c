@@ -18,6 +18,7 @@ static const char world[] =
     "e:remove() end })\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 }, run = function(p) "
     "wait(9) end })\n"
+    "value.def('heat', { start = 2 }) value.def('goal') value.def('mood', { of = 'enemy' })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
     "local sys = string.sys\n"
     "string.route = path.def { { x = 1, y = 2 }, { x = 100, y = 90, over = 2, ease = 'both' } }\n"
@@ -306,7 +307,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                              *const layers[] = { "back", "middle", "front" },
                              *const aligns[] = { "left", "center", "right" },
                              *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
-                             *const sprites[] = { "dot", "arrow", "wink" };
+                             *const sprites[] = { "dot", "arrow", "wink" },
+                             *const pools[] = { "bullet", "shot", "enemy" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -332,6 +334,8 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_STR:
         if (entry && !strcmp(entry->name, "rom.text") && one_in(4)) /* of all words, only one is a file's name */
             lua_pushliteral(L, "words.txt");
+        else if (!strcmp(p->name, "of") && !one_in(4))
+            push_from(L, pools, 3);
         else
             push_word(L);
         break;
@@ -502,6 +506,11 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
             push_value(L, p);
             lua_setfield(L, -2, p->name);
         }
+    }
+    if (e->flags & (API_FIRE | API_VALUES) && one_in(6)) {
+        static const struct api_param heat = { "heat", A_FX, OPT, -32768, 32767, NULL, NULL };
+        push_value(L, &heat);
+        lua_setfield(L, -2, one_in(6) ? "mood" : one_in(2) ? "heat" : "goal");
     }
     if (one_in(30)) {
         push_word(L);
@@ -819,6 +828,8 @@ static void test_start(void **state)
 static int setup(void **state)
 {
     struct manifest m = rig_manifest();
+
+    m.bullet_values = m.shot_values = m.enemy_values = 4;
 
     (void)state;
     m.n_dips = 1;

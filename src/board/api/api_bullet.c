@@ -135,7 +135,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
     }
 
-enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + PLACE_PARAMS, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY };
+enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + PLACE_PARAMS, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY, F_VALUES };
 
 static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
@@ -170,6 +170,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         board_full(b, &pool->s);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
+    if (i != NO_SLOT)
+        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + (shot ? F_VALUES : F_BY));
     lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
@@ -803,7 +805,7 @@ static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0,
 
 static const struct api_entry entries[] = {
     { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
-    { "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES, "bullet",
+    { "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",
       "fires a bullet from x, y or from a thing" },
     { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
       "every live bullet with that tag (without one: all) as one thing to write to" },
@@ -824,7 +826,7 @@ static const struct api_entry entries[] = {
       "name and fine = true keeps places and speeds to 32 fraction bits" },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
-    { "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES, "shot",
+    { "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",
       "fires a shot; with aim, dir counts from the nearest enemy" },
     { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
     { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },

@@ -356,6 +356,8 @@ static int param_named(const struct api_entry *e, const char *name)
 
 static void unknown(lua_State *L, const struct api_entry *e, const char *name)
 {
+    const struct board *b = vm_board(L);
+    enum api_names values = api_value_names(e);
     const char *found = NULL;
     int best = EDIT_FAR;
 
@@ -363,6 +365,8 @@ static void unknown(lua_State *L, const struct api_entry *e, const char *name)
         api_error(L, e->name, "%s %s", name, NOT_YET);
     for (int i = e->plain; i < api_param_count(e); i++)
         api_suggest_nearer(name, api_param_at(e, i)->name, &best, &found);
+    for (int k = 0; k < api_values(b, values); k++)
+        api_suggest_nearer(name, api_names_at(b, values, k), &best, &found);
     if (found)
         api_error(L, e->name, "unknown argument \"%s\" (did you mean \"%s\"?)", name, found);
     api_error(L, e->name, "unknown argument \"%s\"", name);
@@ -371,6 +375,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const char *name)
 /* Spreads the table of named arguments at `at` over the stack from `first` on, a slot a parameter. */
 static void spread(lua_State *L, const struct api_entry *e, int at, int first)
 {
+    const enum api_names values = api_value_names(e);
     const char *wrong = NULL;
 
     lua_pushnil(L);
@@ -380,6 +385,10 @@ static void spread(lua_State *L, const struct api_entry *e, int at, int first)
             api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", got);
         }
         int i = param_named(e, lua_tostring(L, -2));
+        if (i < 0 && api_values(vm_board(L), values) > 0) {
+            int k = api_names_find(L, values, lua_tostring(L, -2));
+            i = k == NO_SLOT ? -1 : api_param_count(e) + k;
+        }
         if (i >= 0)
             lua_replace(L, first + i - e->plain);
         else {
@@ -393,9 +402,21 @@ static void spread(lua_State *L, const struct api_entry *e, int at, int first)
         unknown(L, e, wrong);
 }
 
-void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
+/* Checks the declared values among the arguments, which stand from stack index `at` on. */
+static void check_values(lua_State *L, const struct api_entry *e, int n, int at, struct api_value *v)
 {
-    int n = api_param_count(e), top = lua_gettop(L), named = n - e->plain;
+    for (int k = 0; k < n; k++) {
+        struct api_param p = api_value_param(api_names_at(vm_board(L), api_value_names(e), k));
+        p.optional = OPT;
+        v[k] = (struct api_value){ 0 };
+        api_check(L, e->name, &p, at + k, &v[k]);
+    }
+}
+
+int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
+{
+    int n = api_param_count(e), top = lua_gettop(L), values = api_values(vm_board(L), api_value_names(e));
+    int named = n - e->plain;
 
     if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
         const char *usual = e->plain + (named > 0) == 1 ? "" : "s";
@@ -404,7 +425,7 @@ void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
     luaL_checkstack(L, n + 16, NULL);
     if (named > 0) {
         int at = e->plain + 1;
-        lua_settop(L, at + named);
+        lua_settop(L, at + named + values);
         if (lua_type(L, at) == LUA_TTABLE)
             spread(L, e, at, at + 1);
         else if (!lua_isnil(L, at)) {
@@ -425,4 +446,6 @@ void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
         fill_default(p, &v[i]);
         api_check(L, e->name, p, i < e->plain ? i + 1 : i + 2, &v[i]);
     }
+    check_values(L, e, values, n + 2, v + n);
+    return n + values;
 }

@@ -69,7 +69,19 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { S_KIND, S_PLACE, S_PATH = S_PLACE + PLACE_PARAMS, S_MIRROR, S_HP, S_BANK, S_TAG, S_RUN, S_ON_DEATH, S_STAY };
+enum {
+    S_KIND,
+    S_PLACE,
+    S_PATH = S_PLACE + PLACE_PARAMS,
+    S_MIRROR,
+    S_HP,
+    S_BANK,
+    S_TAG,
+    S_RUN,
+    S_ON_DEATH,
+    S_STAY,
+    S_VALUES
+};
 
 static const struct api_param spawn[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PLACE,
@@ -150,6 +162,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
             b->enemies.bank[i] = (uint8_t)v[S_BANK].i;
         if (v[S_TAG].given)
             b->enemies.tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
+        api_value_set(b, N_ENEMY_VALUE, (uint32_t)i, v + S_VALUES);
         lua_pushvalue(L, v[S_ON_DEATH].at);
         events_set_death(L, (uint32_t)i);
         if (v[S_RUN].given)
@@ -327,7 +340,7 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of enemy" },
-    { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES, "enemy",
+    { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
       "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
       "boss's phase "
       "it came from does not take it along" },

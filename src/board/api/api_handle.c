@@ -46,6 +46,9 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
         api_suggest_nearer(name, t->props[i].value.name, &best, &found);
     if (may_die((enum handle_kind)kind))
         api_suggest_nearer(name, "alive", &best, &found);
+    enum api_names values = api_value_names_of((enum handle_kind)kind);
+    for (int k = 0; k < api_values(vm_board(L), values); k++)
+        api_suggest_nearer(name, api_names_at(vm_board(L), values, k), &best, &found);
     api_push_methods(L, kind);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
@@ -69,6 +72,50 @@ static int read_only(lua_State *L, const struct api_thing *t, int kind, const ch
     if (api_property(t, name) || (may_die((enum handle_kind)kind) && !strcmp(name, "alive")))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
     return no_property(L, t, kind, name);
+}
+
+/* The number of a declared value of that kind of thing, or NO_SLOT. */
+static int value_named(lua_State *L, const struct board *b, enum handle_kind kind, const char *name)
+{
+    enum api_names names = api_value_names_of(kind);
+
+    return api_values(b, names) ? api_names_find(L, names, name) : NO_SLOT;
+}
+
+static int get_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
+{
+    enum handle_kind kind = handle_kind(h);
+    int k = value_named(L, b, kind, name);
+
+    if (k == NO_SLOT)
+        return no_property(L, t, (int)kind, name);
+    if (kind == H_GROUP)
+        return vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", name);
+    if (board_there(b, h))
+        lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
+    else
+        lua_pushnil(L);
+    return 1;
+}
+
+static int set_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int k, const char *name)
+{
+    enum handle_kind kind = handle_kind(h);
+    struct api_param p = api_value_param(name);
+    fx *column = api_value_column(b, api_value_names_of(kind), k);
+    struct api_value v = { 0 };
+
+    api_check(L, t->name, &p, 3, &v);
+    if (kind != H_GROUP) {
+        if (board_alive(b, h))
+            column[handle_slot(h)] = v.f;
+        return 0;
+    }
+    vm_charge(L, b->bullets.s.live);
+    EACH_LIVE (i, &b->bullets.s)
+        if (!handle_slot(h) || b->bullets.tag[i] == handle_slot(h))
+            column[i] = v.f;
+    return 0;
 }
 
 static int get_property(lua_State *L)
@@ -100,7 +147,7 @@ static int get_property(lua_State *L)
         }
     }
     if (!prop)
-        return no_property(L, t, (int)handle_kind(h), name);
+        return get_value(L, b, t, h, name);
     if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
         return lua_pushnil(L), 1;
     t->get(L, b, handle_slot(h), p);
@@ -142,6 +189,9 @@ static int set_property(lua_State *L)
         if (reg >= 0)
             return alive ? set_register(L, b, handle_slot(h), reg, name) : 0;
     }
+    int value = prop ? NO_SLOT : value_named(L, b, handle_kind(h), name);
+    if (value != NO_SLOT)
+        return set_value(L, b, t, h, value, name);
     if (!prop || prop->write != PROP_WRITE)
         return read_only(L, t, (int)handle_kind(h), name);
     api_check(L, t->name, &prop->value, 3, &v);

@@ -42,7 +42,8 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
 
 void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
-    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "motion", "tag" };
+    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark",
+                                                   "motion", "tag",  "value", "value",  "value" };
 
     if (api_names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);

@@ -26,8 +26,9 @@ void api_suggest_nearer(const char *word, const char *candidate, int *best, cons
 int api_param_count(const struct api_entry *e);
 const struct api_param *api_param_at(const struct api_entry *e, int i);
 
-/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one a parameter. */
-void api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v);
+/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one a parameter; behind them
+ * stand the declared values that the entry takes. Returns how many there are in all. */
+int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v);
 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
@@ -43,6 +44,23 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
  * that come during the calls are not visited. */
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
              uint32_t tag, int f);
+
+/* The values declared for what the entry makes (API_VALUES, API_FIRE), or for that kind of thing; NAME_LISTS: it has
+ * none. */
+enum api_names api_value_names(const struct api_entry *e);
+enum api_names api_value_names_of(enum handle_kind kind);
+
+/* How many are declared; `names` may be NAME_LISTS. */
+int api_values(const struct board *b, enum api_names names);
+
+/* What a value of that name may be. */
+struct api_param api_value_param(const char *name);
+
+/* Value k of a list: its column, one a slot. */
+fx *api_value_column(struct board *b, enum api_names names, int k);
+
+/* Sets the new thing in slot i to the values that api_arguments put at v. */
+void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v);
 
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);

@@ -1,0 +1,148 @@
+/*
+ * api_value.c - value: numbers that a game declares for each bullet, shot or enemy. The columns are a group of the chip
+ * (slots.h), which rom.lua asks for; here they get their names. A value is kept and read as an fx.
+ */
+#include <string.h>
+#include "api_parts.h"
+
+/* What can have values, in the order of N_BULLET_VALUE and the next. */
+enum { KINDS = 3 };
+static const char *const words[KINDS] = { "bullet", "shot", "enemy" };
+static const char *const makers[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
+static const enum handle_kind things[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
+
+enum api_names api_value_names_of(enum handle_kind kind)
+{
+    switch (kind) {
+    case H_BULLET:
+    case H_GROUP:
+        return N_BULLET_VALUE;
+    case H_SHOT:
+        return N_SHOT_VALUE;
+    case H_ENEMY:
+        return N_ENEMY_VALUE;
+    default:
+        return NAME_LISTS;
+    }
+}
+
+enum api_names api_value_names(const struct api_entry *e)
+{
+    if (e->flags & API_FIRE)
+        return N_BULLET_VALUE;
+    for (int k = 0; e->flags & API_VALUES && k < KINDS; k++)
+        if (e->name[0] == words[k][0])
+            return (enum api_names)(N_BULLET_VALUE + k);
+    return NAME_LISTS;
+}
+
+int api_values(const struct board *b, enum api_names names)
+{
+    return names == NAME_LISTS ? 0 : (int)b->names[names].n;
+}
+
+struct api_param api_value_param(const char *name)
+{
+    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL };
+}
+
+fx *api_value_column(struct board *b, enum api_names names, int k)
+{
+    if (names == N_ENEMY_VALUE)
+        return enemies_value(&b->enemies, k);
+    return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
+}
+
+void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v)
+{
+    for (int k = 0; k < api_values(b, names); k++)
+        if (v[k].given)
+            api_value_column(b, names, k)[i] = v[k].f;
+}
+
+static bool is_word(const char *name)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+
+    return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, letters);
+}
+
+/* What has the name already: a property, a verb, a reserved name of the thing, or an argument of what makes it. */
+static bool taken(lua_State *L, int kind, const char *name)
+{
+    const struct api_entry *maker = api_find(makers[kind]);
+    const enum handle_kind also = kind == 0 ? H_GROUP : things[kind];
+    bool is = !strcmp(name, "alive") || api_reserved(words[kind], ':', name) || api_reserved(maker->name, '{', name);
+
+    is |= api_property(api_things[things[kind]], name) || api_property(api_things[also], name);
+    for (int i = 0; i < maker->count; i++)
+        is |= !strcmp(maker->params[i].name, name);
+    for (int i = 0; kind == 0 && i < api_count(); i++) /* patterns hand on what they do not know */
+        for (int k = 0; api_entry(i)->flags & API_FIRE && k < api_entry(i)->count; k++)
+            is |= !strcmp(api_entry(i)->params[k].name, name);
+    api_push_methods(L, (int)things[kind]);
+    is |= lua_getfield(L, -1, name) != LUA_TNIL;
+    lua_pop(L, 2);
+    return is;
+}
+
+enum { D_NAME, D_OF, D_START };
+
+static const struct api_param def[] = { { "name", A_STR, REQ, 1, 31, NULL, NULL },
+                                        { "of", A_STR, OPT, 0, 0, NULL, NULL },
+                                        { "start", A_FX, OPT, -32768, 32767, NULL, "0" } };
+
+static const char DEF[] = "value.def";
+
+static int read_kind(lua_State *L, const struct api_value *of)
+{
+    const char *word = of->given ? lua_tostring(L, of->at) : words[0];
+
+    for (int k = 0; k < KINDS; k++)
+        if (!strcmp(word, words[k]))
+            return k;
+    return api_error(L, DEF, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", word);
+}
+
+/* The columns rom.lua asks for; raises when they are all taken. */
+static void check_room(lua_State *L, const struct board *b, int kind, const char *name)
+{
+    const int32_t room[KINDS] = { b->cart.m.bullet_values, b->cart.m.shot_values, b->cart.m.enemy_values };
+    const int n = api_values(b, (enum api_names)(N_BULLET_VALUE + kind));
+
+    if (n < room[kind])
+        return;
+    if (n == MAX_VALUES)
+        api_error(L, DEF, "\"%s\" is one too many: there are at most %d of %s", name, MAX_VALUES,
+                  api_thing_names[things[kind]]);
+    api_error(L, DEF, "\"%s\" needs room in rom.lua: board = { values = { %s = %d } }", name, words[kind], n + 1);
+}
+
+static int value_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[D_NAME].at);
+    const int kind = read_kind(L, &v[D_OF]);
+    const enum api_names names = (enum api_names)(N_BULLET_VALUE + kind);
+    const int k = api_values(b, names);
+
+    if (!is_word(name))
+        api_error(L, DEF, "name: expected a word of letters, digits and _, got \"%s\"", name);
+    if (taken(L, kind, name))
+        api_error(L, DEF, "\"%s\" is taken: %s and %s use it", name, api_thing_names[things[kind]], makers[kind]);
+    if (api_names_find(L, names, name) != NO_SLOT)
+        api_error(L, DEF, "\"%s\" is declared already", name);
+    check_room(L, b, kind, name);
+    api_names_declare(L, names, DEF, name, k);
+    if (kind == 2)
+        b->enemies.value_start[k] = v[D_START].f;
+    else
+        (kind == 1 ? &b->shots : &b->bullets)->value_start[k] = v[D_START].f;
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      "declares a number that each bullet (of: shot, enemy) has of its own: thing.name, bullet.fire { name = 3 }; "
+      "rom.lua gives the room" },
+};
+const struct api_module api_value = { entries, sizeof entries / sizeof *entries };
