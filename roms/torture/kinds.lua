@@ -7,6 +7,7 @@ bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
 bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
 
+bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
 bullet.def("late", { sprite = "steps", hit = { circle = 2.5 }, bank = 6, swept = false })
 
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })

@@ -43,6 +43,9 @@ local function bullets()
     bullet.fire { kind = "late", x = 190, y = 90, aim = true, dir = n % 9, speed = 1.3, motion = n % 3 == 0 and "drift" or nil }
     pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
       each = function(a, i) a.n, a.speed_to = 2, 1 + i / 4 pattern.stack(a) end }
+    local d = bullet.fire { kind = "seed", from = b, dy = 9, dir = 11 * n, speed = 1, delay = 1 + n % 40, motion = n % 2 == 0 and "all" or "drift" }
+    if n % 6 == 0 then d.vx, d.kind = 0.5, n % 4 == 0 and "late" or "seed" end
+    board.note(d.alive and d.delay + d.age + d.vy or 0)
     pattern.line { from = b, kind = "crate", n = 3, width = 40, dir = 90, speed = 1 }
     wait(3)
     if b.alive then

@@ -41,7 +41,7 @@ static void set_shape(struct inspect_body *body, uint8_t shape, fx a, fx b)
 
 static bool can_be_grazed(const struct board *b, uint32_t i)
 {
-    if (!(b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_GRAZE))
+    if (!(b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_GRAZE) || b->bullets.flags[i] & BULLET_DELAYED)
         return false;
     for (uint32_t p = 0; p < PADS; p++)
         if (b->player.in[p] && !(b->bullets.flags[i] >> p & BULLET_GRAZED))
@@ -55,7 +55,8 @@ static struct inspect_body flying_body(const struct board *b, enum inspect_kind 
     const struct bullet_kinds *k = kind == INSPECT_BULLET ? &b->bullet_kinds : &b->shot_kinds;
     struct inspect_body body = body_at(b, kind, i, s->x[i], s->y[i]);
 
-    set_shape(&body, k->shape[s->kind[i]], k->a[s->kind[i]], k->b[s->kind[i]]);
+    set_shape(&body, s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]], k->a[s->kind[i]],
+              k->b[s->kind[i]]);
     body.spent = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
@@ -271,11 +272,12 @@ static void describe_flying(const struct board *b, struct inspect_thing *out)
 {
     bool bullet = out->body.kind == INSPECT_BULLET;
     const struct bullets *s = bullet ? &b->bullets : &b->shots;
+    const struct bullet_kinds *k = bullet ? &b->bullet_kinds : &b->shot_kinds;
     uint32_t i = out->body.slot;
 
-    out->name = api_names_at(b, bullet ? N_BULLET : N_SHOT, s->kind[i]);
+    out->name = api_names_at(b, bullet ? N_BULLET : N_SHOT, bullets_kind(s, k, i));
     out->tag = s->tag[i] ? api_names_at(b, N_TAG, s->tag[i]) : NULL;
-    out->age = b->core.clock - s->born[i];
+    out->age = bullets_age(s, i, b->core.clock);
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
     out->by = s->by[i];

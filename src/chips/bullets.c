@@ -97,6 +97,14 @@ static void open_block(struct bullets *b, uint32_t first)
         park(b, i);
 }
 
+/* Bullet i does nothing until the clock is `end`. */
+static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
+{
+    b->end[i] = end;
+    b->due[i] = (uint8_t)end;
+    b->idle[i / SLOTS_BLOCK] |= bit(i);
+}
+
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
 {
     uint32_t top = b->s.top;
@@ -111,10 +119,10 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = shape->kind;
+    b->kind[i] = (uint16_t)(shape->kind + shape->clouded);
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
-    b->flags[i] = 0;
+    b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
     b->born[i] = clock;
     b->by[i] = shape->by;
     b->player[i] = shape->player;
@@ -123,6 +131,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++)
         bullets_value(b, k)[i] = b->value_start[k];
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
+    if (shape->delay)
+        wait_until(b, (uint32_t)i, clock + shape->delay);
     bullets_steer(b, (uint32_t)i);
     return i;
 }
@@ -160,7 +170,7 @@ void bullets_steer(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
-    if (b->flags[i] & BULLET_FINE) /* `fly` steers those */
+    if (b->flags[i] & (BULLET_FINE | BULLET_DELAYED)) /* `fly` and `is_over` steer those */
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     set_velocity(b, i, vx, vy);
@@ -194,12 +204,16 @@ void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
 
 void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
 {
+    fx x = b->vx[i], y = b->vy[i];
+
     if (b->flags[i] & BULLET_FINE) {
         trig_stride(0, b->pace[i], b->dir[i], vx, vy);
-    } else {
-        *vx = (int64_t)b->vx[i] * (1 << PACE_BITS);
-        *vy = (int64_t)b->vy[i] * (1 << PACE_BITS);
+        return;
     }
+    if (b->flags[i] & BULLET_DELAYED) /* as it will fly */
+        trig_polar(b->speed[i], b->dir[i], &x, &y);
+    *vx = (int64_t)x * (1 << PACE_BITS);
+    *vy = (int64_t)y * (1 << PACE_BITS);
 }
 
 /* The direction comes from the leading 31 bits of (vx, vy), and the speed is their component along it. That is right to
@@ -232,7 +246,7 @@ void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
     if (b->speed[i] > most) {
         b->speed[i] = most;
         bullets_steer(b, i);
-    } else
+    } else if (!(b->flags[i] & BULLET_DELAYED))
         set_velocity(b, i, x, y);
 }
 
@@ -255,6 +269,14 @@ void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y)
     b->y[i] = split(y, &b->y_more[i]);
 }
 
+void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind)
+{
+    bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
+
+    b->kind[i] = (uint16_t)(kind + cloud);
+    b->bank[i] = kinds->bank[kind];
+}
+
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
 {
     if (fine && !(b->flags[i] & BULLET_FINE)) {
@@ -268,10 +290,12 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     }
     b->motion[i] = motion;
     b->pc[i] = 0;
-    b->end[i] = 0;
     b->from[i] = 0;
     b->mute[i] = 0;
-    set_busy(b, i, motion || fine);
+    if (!(b->flags[i] & BULLET_DELAYED)) { /* else it begins when that is over */
+        b->end[i] = 0;
+        set_busy(b, i, motion || fine);
+    }
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
 }
 
@@ -510,19 +534,43 @@ static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
     return found;
 }
 
+/* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
+static bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    if (b->end[i] != w->clock)
+        return false;
+    if (b->flags[i] & BULLET_DELAYED) {
+        b->flags[i] &= (uint8_t)~BULLET_DELAYED;
+        if (w->kinds)
+            b->kind[i] = bullets_kind(b, w->kinds, i);
+        b->born[i] = w->clock;
+        b->end[i] = 0;
+        bullets_steer(b, i);
+    }
+    return true;
+}
+
+/* Runs a program, and moves what is fine. */
+static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
+
+    if (b->motion[i])
+        state = run_program(b, w, i);
+    if (b->flags[i] & BULLET_FINE)
+        fly(b, i);
+    return state;
+}
+
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
 
     for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        enum program_state state = PROGRAM_RUNS;
-        if (woken & bit(i) && b->end[i] != w->clock)
-            state = PROGRAM_WAITS;
-        else if (b->motion[i])
-            state = run_program(b, w, i);
-        if (b->flags[i] & BULLET_FINE)
-            fly(b, i);
+        enum program_state state = PROGRAM_WAITS;
+        if (!(woken & bit(i)) || is_over(b, w, i))
+            state = go_on(b, w, i);
         busy |= state == PROGRAM_RUNS ? bit(i) : 0;
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
     }

@@ -26,9 +26,12 @@ enum {
     KIND_SWEPT = 1 << 2, /* hits look at the whole path of a frame, not at its end alone */
     KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
     KIND_BLEND_ONE = 1 << 3,
+    KIND_CLOUDED = 1 << 5, /* the next kind is its cloud */
+    KIND_CLOUD = 1 << 6,   /* what a delayed bullet of the kind before looks like; no name, no shape */
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
+    BULLET_DELAYED = 1 << 3, /* still and harmless until the clock is `end`; its program begins then */
 
     /* in the column `mute` */
     OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
@@ -44,7 +47,7 @@ struct bullet_kinds {
     uint16_t *sprite;
     uint8_t *shape;
     fx *a, *b;
-    uint8_t *flags;
+    uint16_t *flags;
     uint8_t *bank;
     int32_t *damage; /* of a shot */
 };
@@ -58,12 +61,12 @@ struct bullets {
     uint8_t *bank;
     uint16_t *tag; /* 0: none */
     uint8_t *flags;
-    uint32_t *born;   /* clock */
+    uint32_t *born;   /* clock; of a delayed one, at which it was fired */
     uint32_t *by;     /* serial of the task that fired it, 0: none */
     uint8_t *player;  /* of a shot: 1 or 2, 0: none */
     uint16_t *motion; /* program + 1, 0: none */
     uint16_t *pc;     /* the step it is at */
-    uint32_t *end;    /* clock at which a timed step is over */
+    uint32_t *end;    /* clock at which a timed step, or the delay, is over */
     int64_t *from;    /* speed when the step began, as pace */
     uint8_t *mute;    /* of the step at pc: OVERRIDE_, STEP_BEGUN */
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
@@ -118,7 +121,9 @@ struct bullet_shape {
     ang dir;
     uint16_t kind, tag, motion;
     uint8_t bank, player;
-    bool fine; /* the motion is */
+    bool fine;      /* the motion is */
+    bool clouded;   /* its kind has a cloud, and there is a delay */
+    uint32_t delay; /* frames */
     uint32_t by;
 };
 
@@ -131,6 +136,18 @@ static inline fx *bullets_value(const struct bullets *b, int k)
 }
 
 extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip;
+
+/* The kind that bullet i was declared to have: not its cloud, which `kind` names while a delay lasts. */
+static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
+{
+    return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? 1 : 0));
+}
+
+/* Frames since it was fired, or since its delay was over; 0 while that lasts. */
+static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t clock)
+{
+    return b->flags[i] & BULLET_DELAYED ? 0 : clock - b->born[i];
+}
 
 /* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);
@@ -153,6 +170,9 @@ void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]
 
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);
+
+/* Gives bullet i another kind; its cloud, if it is delayed and that kind has one. */
+void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
 
 /* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);

@@ -12,6 +12,7 @@ shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns 
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
+bullet.def("spore", { sprite = "dart", hit = { circle = 3 }, cloud = "dot" })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
   { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 },
@@ -36,6 +37,7 @@ boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
   { id = "b", spell = "Second", hp = 90, time = 150, rest = 10, bonus = 3000, run = function(e)
       while true do
         pattern.ring { from = e, kind = "orb", n = 7, dir = rng.dir(), speed = 0.9, motion = "bloom", tag = "petal" }
+        pattern.fan { from = e, kind = "spore", n = 3, spread = 50, speed = 1.3, motion = "spin", delay = rng.int(1, 30) }
         e:move { x = rng.int(10, 50), y = rng.int(5, 30), over = 17, ease = "in" }
         wait(18)
       end

@@ -39,6 +39,20 @@ static void paint(const struct board *b, uint8_t *out, const struct image *image
         }
 }
 
+/* The picture of bullet i. A cloud's frames share the delay, the first of which is drawn a frame after it was fired. */
+static struct image image_of(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    const uint16_t flags = k->flags[s->kind[i]];
+    const struct sprite *pic = &b->pictures[k->sprite[s->kind[i]]];
+    int64_t age = (int64_t)b->core.clock - s->born[i], delay = (int64_t)s->end[i] - s->born[i];
+
+    if (s->flags[i] & BULLET_DELAYED) {
+        int64_t at = age < 1 ? 0 : age > delay ? delay - 1 : age - 1;
+        age = flags & KIND_CLOUD ? at * pic->frames * pic->every / delay : 0;
+    }
+    return video_image(pic, (uint32_t)age, flags & KIND_TURNS, s->dir[i]);
+}
+
 static void paint_kind(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t kind,
                        uint8_t *out)
 {
@@ -47,7 +61,7 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
 
     for (uint32_t i = 0; i < s->s.top; i++)
         if (is_used(&s->s, i) && s->kind[i] == kind) {
-            struct image image = video_image(pic, b->core.clock - s->born[i], k->flags[kind] & KIND_TURNS, s->dir[i]);
+            struct image image = image_of(b, s, k, i);
             paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
                   blend ? b->cart.blend[blend - 1] : NULL);
         }
@@ -136,7 +150,8 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
     k->s.live = (uint32_t)(1 + below(below(4) ? 20 : MAX_KINDS));
     for (uint32_t i = 0; i < k->s.live; i++) {
         k->sprite[i] = (uint16_t)below(b->cart.sprites);
-        k->flags[i] = (uint8_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0));
+        k->flags[i] = (uint16_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0) |
+                                 (below(4) ? 0 : KIND_CLOUD));
     }
     EACH_LIVE (i, &s->s)
         bullets_drop(s, i);
@@ -156,6 +171,8 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
             shape.x = (below(2 * WORLD + 1) - WORLD) * 65536;
         if (far && below(9) == 0)
             shape.y = (below(2 * WORLD + 1) - WORLD) * 65536;
+        if (k->flags[shape.kind] & KIND_CLOUD || below(5) == 0)
+            shape.delay = (uint32_t)(1 + below(150));
         bullets_fire(s, &shape, b->core.clock - (uint32_t)below(100));
     }
     EACH_LIVE (i, &s->s)

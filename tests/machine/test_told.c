@@ -83,7 +83,7 @@ static void test_read_only(void **state)
             seen++;
         }
     }
-    assert_int_equal(seen, 6 + 12);
+    assert_int_equal(seen, 6 + 13);
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
          "main.lua:2: bullet: alive is read only");
     SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");

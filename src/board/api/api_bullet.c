@@ -72,13 +72,14 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 /* ---- kinds ---- */
 
 /* Places of bullet_def and of shot_def. */
-enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND };
+enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_CLOUD };
 
 static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "graze", A_BOOL, OPT, 0, 0, NULL, "true" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
@@ -88,15 +89,34 @@ static const struct api_param shot_def[] = {
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
+static int32_t new_kind(lua_State *L, struct bullet_kinds *k, const char *entry)
+{
+    int32_t i = slots_append(&k->s);
+
+    if (i == NO_SLOT)
+        api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
+    return i;
+}
+
+/* The cloud of kind i: a kind without a name, that is declared after it. */
+static void define_cloud(lua_State *L, struct bullet_kinds *k, int32_t i, uint16_t sprite)
+{
+    int32_t cloud = new_kind(L, k, "bullet.def");
+
+    k->sprite[cloud] = sprite;
+    k->shape[cloud] = SHAPE_NONE;
+    k->bank[cloud] = k->bank[i];
+    k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
+    k->flags[i] |= KIND_CLOUDED;
+}
+
 /* Declares a kind of bullets or shots but for graze and damage; returns its index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
     fx a, b;
     uint8_t shape = api_hit(L, entry, v[D_HIT].at, &a, &b);
-    int32_t i = slots_append(&k->s);
+    int32_t i = new_kind(L, k, entry);
 
-    if (i == NO_SLOT)
-        return api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
     api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->shape[i] = shape;
@@ -104,7 +124,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     k->b[i] = b;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->flags[i] =
-        (uint8_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
+        (uint16_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
     return i;
 }
 
@@ -114,6 +134,8 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[D_GRAZE].i)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
+    if (v[D_CLOUD].given)
+        define_cloud(L, &b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
     return 0;
 }
 
@@ -135,9 +157,22 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
     }
 
-enum { F_KIND, F_SPEED, F_PLACE, F_DIR = F_PLACE + PLACE_PARAMS, F_AIM, F_BANK, F_TAG, F_MOTION, F_BY, F_VALUES };
+enum {
+    F_KIND,
+    F_SPEED,
+    F_PLACE,
+    F_DIR = F_PLACE + PLACE_PARAMS,
+    F_AIM,
+    F_BANK,
+    F_TAG,
+    F_MOTION,
+    F_BY,           /* of a shot */
+    F_DELAY = F_BY, /* of a bullet */
+    F_VALUES        /* of both */
+};
 
-static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
+static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"),
+                                                { "delay", A_INT, OPT, 0, 1e9, "frames", "0" } };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
                                               { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL } };
 
@@ -153,6 +188,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
                               .motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0,
                               .fine = v[F_MOTION].given && motion_fine(b, (uint16_t)v[F_MOTION].i),
                               .player = player,
+                              .delay = shot ? 0 : (uint32_t)v[F_DELAY].i,
                               .by = tasks_serial(b) };
 
     if (!api_place(L, b, entry, v + F_PLACE, &s.x, &s.y)) {
@@ -165,13 +201,14 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
     }
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
+    s.clouded = s.delay && kinds->flags[s.kind] & KIND_CLOUDED;
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i == NO_SLOT)
         board_full(b, &pool->s);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
     if (i != NO_SLOT)
-        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + (shot ? F_VALUES : F_BY));
+        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + F_VALUES);
     lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
@@ -292,7 +329,7 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST };
+enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST, P_DELAY = P_LAST };
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
@@ -312,10 +349,13 @@ enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_
           PROP_WRITE,                                                                                                  \
           "the motion it runs, or nil; a write starts it anew" },                                                      \
     {                                                                                                                  \
-        { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired"                                \
+        { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired, or since its delay was over"   \
     }
 
-static const struct api_prop bullet_props[] = { FLIGHT_PROPS(A_BULLET_KIND) };
+static const struct api_prop bullet_props[] = {
+    FLIGHT_PROPS(A_BULLET_KIND),
+    { { "delay", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames until it flies; 0 when it does" },
+};
 static const struct api_prop shot_props[] = {
     FLIGHT_PROPS(A_SHOT_KIND),
     { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
@@ -329,6 +369,7 @@ static void push_q32(lua_State *L, int64_t v)
 
 static void get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
 {
+    const struct bullet_kinds *kinds = names == N_SHOT ? &b->shot_kinds : &b->bullet_kinds;
     int64_t x, y;
 
     switch (p) {
@@ -349,7 +390,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         push_q32(L, p == P_VX ? x : y);
         break;
     case P_KIND:
-        api_names_push(L, names, s->kind[i]);
+        api_names_push(L, names, bullets_kind(s, kinds, i));
         break;
     case P_BANK:
         lua_pushinteger(L, s->bank[i]);
@@ -364,7 +405,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
             lua_pushnil(L);
         break;
     case P_AGE:
-        lua_pushinteger(L, b->core.clock - s->born[i]);
+        lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
     default:
         if (s->player[i])
@@ -420,8 +461,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         set_part(s, i, p, units(fine, v));
         break;
     case P_KIND:
-        s->kind[i] = (uint16_t)v->i;
-        s->bank[i] = kinds->bank[v->i];
+        bullets_set_kind(s, kinds, i, (uint16_t)v->i);
         break;
     case P_BANK:
         s->bank[i] = (uint8_t)v->i;
@@ -439,7 +479,12 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
 
 static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 {
-    get_flight(L, b, &b->bullets, N_BULLET, i, p);
+    const struct bullets *s = &b->bullets;
+
+    if (p == P_DELAY)
+        lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
+    else
+        get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
 
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -484,7 +529,7 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
             set_bullet(L, b, i, p, v);
 }
 
-const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST, get_bullet, set_bullet };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST + 1, get_bullet, set_bullet };
 const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
 const struct api_thing api_group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
 

@@ -22,8 +22,9 @@ enum {
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns, alike; /* alike: all show one picture, opaque */
-    unsigned blend;    /* index + 1, 0: opaque */
+    bool turns, cloud;
+    bool alike;     /* all show one picture, opaque */
+    unsigned blend; /* index + 1, 0: opaque */
     uint32_t n;
     size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
@@ -119,6 +120,7 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->pic = pic;
     style->turns = k->flags[kind] & KIND_TURNS && pic->rotations > 1;
     style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+    style->cloud = k->flags[kind] & KIND_CLOUD;
     style->alike = !style->turns && pic->frames == 1 && !style->blend;
 }
 
@@ -165,11 +167,23 @@ static void corner(const struct view *t, const struct lists *l, const struct bul
     *y = fx_floor(s->y[i]) + t->y - pic->oy;
 }
 
+/* For how long the picture of bullet i has stood. A cloud's is stretched, so that it is over with the delay. */
+static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
+{
+    const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
+    uint32_t stood = clock - s->born[i], delay = s->end[i] - s->born[i];
+
+    if (!style->cloud)
+        return bullets_age(s, i, clock);
+    stood -= stood > 0; /* it is drawn after the frame in which it was fired */
+    return (uint32_t)((uint64_t)(stood < delay ? stood : delay - 1) * all / delay);
+}
+
 static struct image image_of(const struct draw_target *c, const struct lists *l, const struct bullets *s, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
 
-    return video_image(style->pic, c->b->core.clock - s->born[i], style->turns, s->dir[i]);
+    return video_image(style->pic, picture_age(style, s, i, c->b->core.clock), style->turns, s->dir[i]);
 }
 
 /* Opens the lists of order[from .. to - 1]. */

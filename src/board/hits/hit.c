@@ -40,9 +40,9 @@ enum verdict { MISS, HIT, GRAZE };
 static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
 {
     struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i), ring = *c;
-    uint8_t flags = b->bullet_kinds.flags[b->bullets.kind[i]];
+    unsigned flags = b->bullet_kinds.flags[b->bullets.kind[i]];
 
-    if (!within(&bullet, c, reach))
+    if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED)
         return MISS;
     b->counts.tested++;
     if (hit_touches(&bullet, c, flags & KIND_SWEPT))
