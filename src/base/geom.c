@@ -101,3 +101,53 @@ bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64
 
     return geom_swept_circles(dx - hw, dy - cy, wx, wy, r) || geom_swept_circles(dx + hw, dy + cy, wx, wy, r);
 }
+
+/*
+ * A bar that moves sweeps a parallelogram. Is the origin in it? As above: else a line parallel to a side separates
+ * them. Twice the vector to its middle is 2d + w. The box test decides where the sides are parallel or nothing.
+ *
+ * Past it |d| < 2^31.4 and |2d + w| < 2^31.6 on each axis, so the products are below 2^62.4.
+ */
+static bool bar_passes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy)
+{
+    int64_t mx = 2 * dx + wx, my = 2 * dy + wy;
+    uint64_t area = difference(hx * wy, hy * wx);
+
+    return passes(dx, wx, int64_abs(hx)) && passes(dy, wy, int64_abs(hy)) && difference(dx * wy, dy * wx) <= area &&
+           difference(mx * hy, my * hx) <= area;
+}
+
+/* A circle that moves along one side of the parallelogram. */
+static bool side_touches(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh)
+{
+    return hw | hh ? geom_swept_circle_box(dx, dy, wx, wy, r, hw, hh) : geom_swept_circles(dx, dy, wx, wy, r);
+}
+
+/*
+ * Where the parallelogram and the box do not meet, one of its four sides is what is nearest to the box. Where they meet
+ * and no side does, the box lies inside of it, and so does the box's middle.
+ */
+bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t r, int64_t hw,
+                        int64_t hh)
+{
+    if ((r | hw | hh) < 0 || !passes(dx, wx, int64_abs(hx) + hw + r) || !passes(dy, wy, int64_abs(hy) + hh + r))
+        return false;
+    return side_touches(dx - hx, dy - hy, wx, wy, r, hw, hh) || side_touches(dx + hx, dy + hy, wx, wy, r, hw, hh) ||
+           side_touches(dx - hx, dy - hy, 2 * hx, 2 * hy, r, hw, hh) ||
+           side_touches(dx + wx - hx, dy + wy - hy, 2 * hx, 2 * hy, r, hw, hh) || bar_passes(dx, dy, wx, wy, hx, hy);
+}
+
+/*
+ * What two bars and a way add up to is a hexagon, and three parallelograms tile it, each of two of the three: so it is
+ * the union of all six that lie in it, one at either end of the third.
+ */
+bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t gx, int64_t gy,
+                         int64_t r)
+{
+    return geom_swept_capsule(dx - gx, dy - gy, wx, wy, hx, hy, r, 0, 0) ||
+           geom_swept_capsule(dx + gx, dy + gy, wx, wy, hx, hy, r, 0, 0) ||
+           geom_swept_capsule(dx - hx, dy - hy, wx, wy, gx, gy, r, 0, 0) ||
+           geom_swept_capsule(dx + hx, dy + hy, wx, wy, gx, gy, r, 0, 0) ||
+           geom_swept_capsule(dx - gx, dy - gy, 2 * gx, 2 * gy, hx, hy, r, 0, 0) ||
+           geom_swept_capsule(dx + wx - gx, dy + wy - gy, 2 * gx, 2 * gy, hx, hy, r, 0, 0);
+}

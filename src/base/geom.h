@@ -55,6 +55,21 @@ bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw
 bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh);
 
 /*
+ * The same with a bar in place of the point: it reaches from its middle, which is where the point was, by h to one end
+ * and by -h to the other, and does not turn. A moving capsule of radius r against a circle (hw, hh = 0) or a box. Exact
+ * for |dx|, |dy| <= 2^60, |wx|, |wy| <= 2^31, |hx|, |hy| <= 2^29, r, hw, hh <= 2^30.
+ */
+bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t r, int64_t hw,
+                        int64_t hh);
+
+/*
+ * Two moving capsules, as two moving circles: h and g are half their bars, r the sum of their radii. Exact for |dx|,
+ * |dy| <= 2^59, |wx|, |wy| <= 2^31, |hx|, |hy|, |gx|, |gy| <= 2^29, r <= 2^30.
+ */
+bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t gx, int64_t gy,
+                         int64_t r);
+
+/*
  * A capsule, which is all within r of the way from (x1, y1) to (x2, y2), and a circle. Exact for coordinates in +-2^30
  * and radii <= 2^29: 16384 and 8192 pixels.
  */

@@ -26,7 +26,7 @@ enum api_type {
     A_ANY,
     A_ROUTE,       /* what path.def returned */
     A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
-    A_HIT,         /* a hit shape */
+    A_HIT,         /* a hit shape; lo: whose (api_parts.h) */
     A_MOTION,      /* a motion, by handle or name */
     A_BULLET_KIND, /* names that were declared; A_BULLET_KIND + k is category k of enum api_names */
     A_SHOT_KIND,

@@ -30,13 +30,14 @@ static struct inspect_body body_at(const struct board *b, enum inspect_kind kind
 
 static void set_shape(struct inspect_body *body, uint8_t shape, fx a, fx b)
 {
-    static const enum inspect_shape shapes[] = {
-        [SHAPE_NONE] = INSPECT_NONE, [SHAPE_CIRCLE] = INSPECT_CIRCLE, [SHAPE_BOX] = INSPECT_BOX
-    };
+    static const enum inspect_shape shapes[] = { [SHAPE_NONE] = INSPECT_NONE,
+                                                 [SHAPE_CIRCLE] = INSPECT_CIRCLE,
+                                                 [SHAPE_BOX] = INSPECT_BOX,
+                                                 [SHAPE_CAPSULE] = INSPECT_CAPSULE };
 
     body->shape = shapes[shape];
     body->a = shape == SHAPE_NONE ? 0 : a;
-    body->b = shape == SHAPE_BOX ? b : 0;
+    body->b = shape == SHAPE_BOX || shape == SHAPE_CAPSULE ? b : 0;
 }
 
 static bool can_be_grazed(const struct board *b, uint32_t i)
@@ -57,6 +58,8 @@ static struct inspect_body flying_body(const struct board *b, enum inspect_kind 
 
     set_shape(&body, s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]], k->a[s->kind[i]],
               k->b[s->kind[i]]);
+    if (body.shape == INSPECT_CAPSULE)
+        trig_polar(body.b, s->dir[i], &body.b, &body.c);
     body.spent = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
@@ -240,13 +243,15 @@ static bool better(const struct fit *a, const struct fit *b)
 static void consider(void *context, const struct inspect_body *body)
 {
     struct search *s = context;
-    fx w = body->a, h = body->shape == INSPECT_BOX ? body->b : body->a;
+    bool bar = body->shape == INSPECT_CAPSULE;
+    fx w = bar ? body->a + fx_abs(body->b) : body->a;
+    fx h = bar ? body->a + fx_abs(body->c) : body->shape == INSPECT_BOX ? body->b : body->a;
     int64_t dx = int64_abs((int64_t)body->x - s->x), dy = int64_abs((int64_t)body->y - s->y);
 
     if (dx > (int64_t)w + s->within || dy > (int64_t)h + s->within)
         return;
     fx far = fx_hypot((fx)dx, (fx)dy), gap = far - w;
-    if (body->shape == INSPECT_BOX)
+    if (body->shape == INSPECT_BOX || bar)
         gap = fx_hypot(fx_max((fx)dx - w, 0), fx_max((fx)dy - h, 0));
     struct fit fit = { fx_max(gap, 0), fx_max(w, h), far };
     if (fit.gap > s->within || (s->found.kind != INSPECT_NOTHING && !better(&fit, &s->best)))

@@ -12,7 +12,7 @@
 #include "board.h"
 
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER };
-enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX };
+enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE };
 
 /* A thing as the hit tests see it. */
 struct inspect_body {
@@ -21,6 +21,7 @@ struct inspect_body {
     enum inspect_shape shape;
     int32_t x, y;  /* its middle, on the screen */
     int32_t a, b;  /* a circle: a is the radius; a box: half its width and height */
+    int32_t c;     /* a capsule: all within a of a bar from (x - b, y - c) to (x + b, y + c) */
     int32_t graze; /* radius of a player's graze ring; else 0 */
     bool spent;    /* a bullet that no player in the game can graze (any more), an enemy whose touch is harmless or that
                       is dying, a player that is safe */

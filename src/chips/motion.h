@@ -22,8 +22,10 @@ enum {
 /* The hit shape of a kind. */
 enum {
     SHAPE_NONE,
-    SHAPE_CIRCLE, /* a: radius */
-    SHAPE_BOX     /* a, b: half width and half height */
+    SHAPE_CIRCLE,     /* a: radius */
+    SHAPE_BOX,        /* a, b: half width and half height */
+    SHAPE_CAPSULE = 4 /* of bullets: all within a of a bar that lies along dir and reaches b to either side; the number
+                         is above any | of those before */
 };
 
 /* Groups of columns (slots.h) that a manifest switches on for bullets, shots and enemies. */

@@ -13,6 +13,7 @@ __extension__ typedef __int128 wide;
 /* What the reference has come across. */
 static struct {
     long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties;
+    long capsule_hits, capsule_shots;
 } seen;
 
 static wide square(wide v)
@@ -79,6 +80,7 @@ static bool segment_near_box(wide x, wide y, wide wx, wide wy, wide hw, wide hh,
 struct thing {
     int shape;
     wide a, b, x, y, was_x, was_y;
+    wide bar_x, bar_y; /* half of a capsule's */
 };
 
 static struct thing flier(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
@@ -86,7 +88,10 @@ static struct thing flier(const struct bullets *s, const struct bullet_kinds *k,
     uint16_t kind = s->kind[i];
     wide x = s->x[i], y = s->y[i];
 
-    return (struct thing){ k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i] };
+    fx bar_x = 0, bar_y = 0;
+    if (k->shape[kind] == SHAPE_CAPSULE)
+        trig_polar(k->b[kind], s->dir[i], &bar_x, &bar_y);
+    return (struct thing){ k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i], bar_x, bar_y };
 }
 
 static struct thing foe(const struct board *b, uint32_t i)
@@ -94,16 +99,22 @@ static struct thing foe(const struct board *b, uint32_t i)
     const struct enemies *e = &b->enemies;
     uint16_t k = e->kind[i];
 
-    return (struct thing){
-        b->enemy_kinds.shape[k], b->enemy_kinds.a[k], b->enemy_kinds.b[k], e->x[i], e->y[i], e->was_x[i], e->was_y[i]
-    };
+    return (struct thing){ b->enemy_kinds.shape[k],
+                           b->enemy_kinds.a[k],
+                           b->enemy_kinds.b[k],
+                           e->x[i],
+                           e->y[i],
+                           e->was_x[i],
+                           e->was_y[i],
+                           0,
+                           0 };
 }
 
 static struct thing pilot(const struct board *b, uint32_t p, wide r)
 {
     const struct player *pl = &b->player;
 
-    return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p] };
+    return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p], 0, 0 };
 }
 
 /* On one axis: is the way from v to e more than half away from 0? */
@@ -112,16 +123,68 @@ static bool passes_by(wide v, wide e, wide half)
     return (v > half && e > half) || (v < -half && e < -half);
 }
 
+/* A side or a way, as a vector. */
+struct stretch {
+    wide x, y;
+};
+
+static wide cross_size(struct stretch a, struct stretch b)
+{
+    return magnitude(a.x * b.y - a.y * b.x);
+}
+
+/*
+ * All that lies on n stretches, added up from (x, y) on: does any of it come within r of the box? It does if one of its
+ * sides does, which is among the 2^(n-1) copies of each stretch, or if the box's middle is inside: as twice the vector
+ * to the sum's own middle shows, on each side's normal.
+ */
+static bool sum_near_box(wide x, wide y, const struct stretch *s, int n, wide hw, wide hh, wide r)
+{
+    struct stretch middle = { 2 * x, 2 * y };
+    bool inside = true, flat = true;
+
+    for (int i = 0; i < n; i++) {
+        middle.x += s[i].x;
+        middle.y += s[i].y;
+        for (int ends = 0; ends < 1 << n; ends++) {
+            wide sx = x, sy = y;
+            for (int k = 0; k < n; k++) {
+                sx += ends >> k & 1 ? s[k].x : 0;
+                sy += ends >> k & 1 ? s[k].y : 0;
+            }
+            if (!(ends >> i & 1) && !passes_by(sx, sx + s[i].x, hw + r) && !passes_by(sy, sy + s[i].y, hh + r) &&
+                segment_near_box(sx, sy, s[i].x, s[i].y, hw, hh, r))
+                return true;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        wide reach = 0;
+        for (int k = 0; k < n; k++) {
+            flat = flat && cross_size(s[i], s[k]) == 0;
+            reach += cross_size(s[i], s[k]);
+        }
+        inside = inside && cross_size(s[i], middle) <= reach;
+    }
+    return inside && !flat;
+}
+
 /* The sum of the two shapes as a box with round corners, around the origin; the difference of their places moves. */
 static bool meets(struct thing p, struct thing q, bool swept)
 {
     wide hw = (p.shape == SHAPE_BOX ? p.a : 0) + (q.shape == SHAPE_BOX ? q.a : 0);
     wide hh = (p.shape == SHAPE_BOX ? p.b : 0) + (q.shape == SHAPE_BOX ? q.b : 0);
-    wide r = (p.shape == SHAPE_CIRCLE ? p.a : 0) + (q.shape == SHAPE_CIRCLE ? q.a : 0);
+    wide r = (p.shape != SHAPE_BOX ? p.a : 0) + (q.shape != SHAPE_BOX ? q.a : 0);
     wide x = p.was_x - q.was_x, y = p.was_y - q.was_y, ex = p.x - q.x, ey = p.y - q.y;
 
     if (p.shape == SHAPE_NONE || q.shape == SHAPE_NONE)
         return false;
+    if (p.shape == SHAPE_CAPSULE || q.shape == SHAPE_CAPSULE) {
+        struct stretch s[3] = { { swept ? ex - x : 0, swept ? ey - y : 0 },
+                                { 2 * p.bar_x, 2 * p.bar_y },
+                                { 2 * q.bar_x, 2 * q.bar_y } };
+        wide sx = (swept ? x : ex) - p.bar_x - q.bar_x, sy = (swept ? y : ey) - p.bar_y - q.bar_y;
+        return sum_near_box(sx, sy, s, 3, hw, hh, r);
+    }
     if (!swept)
         return near_box(ex, ey, hw, hh, r);
     if (passes_by(x, ex, hw + r) || passes_by(y, ey, hh + r))
@@ -167,6 +230,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
             expect(b, EV_HIT, H_PLAYER, p, H_BULLET, i);
             seen.hits++;
             seen.box_hits += b->bullet_kinds.shape[k] == SHAPE_BOX;
+            seen.capsule_hits += b->bullet_kinds.shape[k] == SHAPE_CAPSULE;
             seen.standing += !swept;
         } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
                    meets(bullet, pilot(b, p, b->player_kinds.graze[kind]), swept)) {
@@ -215,6 +279,7 @@ static inline void reference(const struct board *b)
         if (best >= 0) {
             expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, found);
             seen.shots++;
+            seen.capsule_shots += shot.shape == SHAPE_CAPSULE;
         }
     }
 }

@@ -43,5 +43,10 @@ fault capsule-circle geom.h "(int64_t)r + cr" "(int64_t)r + cr + 1"
 fault swept-circle-box geom.c "(wx ^ wy) < 0" "(wx ^ wy) > 0"
 fault swept-circle-box geom.c "passes(dx, wx, hw + r)" "passes(dx, wx, hw + r - 1)"
 fault swept-boxes geom.c "dy * wx) <= " "dy * wx) < "
+fault swept-capsule geom.c "bar_passes(dx, dy, wx, wy, hx, hy)" "false"
+fault swept-capsule geom.c "passes(dx, wx, int64_abs(hx)) &&" "true &&"
+fault swept-capsule geom.c "side_touches(dx + wx - hx, dy + wy - hy" "side_touches(dx - hx, dy - hy"
+fault swept-capsule geom.c "difference(mx * hy, my * hx) <= area" "true"
+fault swept-capsules geom.c "hx, hy, r, 0, 0) ||" "hx, hy, r, 0, 0); return"
 check "the copy is as it was" shapes "-O1 -fwrapv" --only swept-boxes
 finish

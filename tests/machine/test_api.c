@@ -290,7 +290,7 @@ static void push_hit(lua_State *L)
     lua_rawseti(L, -2, 1);
     push_ranged(L, &p, false);
     lua_rawseti(L, -2, 2);
-    lua_setfield(L, -2, "box");
+    lua_setfield(L, -2, one_in(2) ? "box" : "capsule");
 }
 
 static void push_from(lua_State *L, const char *const *words, uint64_t n)
@@ -640,7 +640,7 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 600 : entry->count > 4 ? 160 : 90);
+        int n = trials(entry->flags & API_FIRE ? 600 : entry->count > 4 ? 160 : 120);
         for (int k = 0; k < n; k++)
             try_once(entry->name, entry->flags & API_LOAD, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */

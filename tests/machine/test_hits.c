@@ -45,9 +45,11 @@ static void draw_kinds(struct board *b, fx scale)
     for (uint32_t k = 0; k < KINDS; k++) {
         struct bullet_kinds *of[] = { &b->bullet_kinds, &b->shot_kinds };
         for (int i = 0; i < 2; i++) {
-            of[i]->shape[k] = (uint8_t)(one_in(8) ? SHAPE_NONE : 1 + rng_below(&rng, 2));
+            of[i]->shape[k] = (uint8_t)(one_in(8) ? SHAPE_NONE : one_in(3) ? SHAPE_CAPSULE : 1 + rng_below(&rng, 2));
             of[i]->a[k] = length(scale);
-            of[i]->b[k] = of[i]->shape[k] == SHAPE_BOX ? length(scale) : 0;
+            of[i]->b[k] = of[i]->shape[k] == SHAPE_CIRCLE ? 0 : length(scale);
+            if (of[i]->shape[k] == SHAPE_CAPSULE)
+                of[i]->b[k] = clamped(of[i]->b[k], fastest - of[i]->a[k]);
             of[i]->flags[k] = (uint8_t)((one_in(5) ? 0 : KIND_GRAZE) | (one_in(4) ? 0 : KIND_SWEPT));
             if (of[i]->shape[k] == SHAPE_NONE)
                 of[i]->a[k] = of[i]->b[k] = 0;
@@ -90,15 +92,20 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
     int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.was_x[p]),
             wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.was_y[p]);
 
-    if (one_in(3) || (!wx && !wy)) /* anywhere around */
+    if (b->bullet_kinds.shape[k] == SHAPE_CAPSULE && one_in(2)) /* square to its bar */
+        trig_polar(FX_ONE, s->dir[i] + 0x40000000, &ux, &uy);
+    else if (one_in(3) || (!wx && !wy)) /* anywhere around */
         trig_normalise(within(FX_ONE), within(FX_ONE), &ux, &uy);
     else /* square to its way */
         trig_normalise((fx)(-wy / 4), (fx)(wx / 4), &ux, &uy);
     if (one_in(2))
         ux = -ux, uy = -uy;
     int64_t back = (int64_t)rng_below(&rng, FX_ONE + 1);
-    s->x[i] = clamped(b->player.x[p] + (ux * r >> 16) + (wx * back >> 16), edge + (edge >> 4));
-    s->y[i] = clamped(b->player.y[p] + (uy * r >> 16) + (wy * back >> 16), edge + (edge >> 4));
+    fx bar_x = 0, bar_y = 0;
+    if (b->bullet_kinds.shape[k] == SHAPE_CAPSULE) /* some place of it */
+        trig_polar(within(b->bullet_kinds.b[k]), s->dir[i], &bar_x, &bar_y);
+    s->x[i] = clamped(b->player.x[p] + (ux * r >> 16) + (wx * back >> 16) + bar_x, edge + (edge >> 4));
+    s->y[i] = clamped(b->player.y[p] + (uy * r >> 16) + (wy * back >> 16) + bar_y, edge + (edge >> 4));
 }
 
 static void draw_bullets(struct board *b, fx scale, fx place)
@@ -146,6 +153,7 @@ static void draw_others(struct board *b, fx scale, fx place)
         shape.x = within(place);
         shape.y = within(place);
         shape.speed = length(clamped(scale, fastest));
+        shape.dir = one_in(3) ? 0 : (ang)rng_next(&rng);
         if (b->enemies.s.live && !one_in(4)) {
             uint32_t e = (uint32_t)rng_below(&rng, b->enemies.s.live);
             uint16_t k = b->enemies.kind[e];
@@ -193,10 +201,11 @@ static void test_random(void **state)
     const long least = 10000;
     if (seen.hits < least || seen.bullet_misses < least || seen.grazes < least || seen.box_hits < least ||
         seen.standing < least / 4 || seen.touches < least / 2 || seen.touch_misses < least / 2 || seen.shots < least ||
-        seen.shot_misses < least)
-        fail_msg("too few: hits %ld (boxes %ld) grazes %ld misses %ld, touches %ld misses %ld, shots %ld misses %ld",
-                 seen.hits, seen.box_hits, seen.grazes, seen.bullet_misses, seen.touches, seen.touch_misses, seen.shots,
-                 seen.shot_misses);
+        seen.capsule_hits < least || seen.capsule_shots < least / 4 || seen.shot_misses < least)
+        fail_msg("too few: hits %ld (boxes %ld, capsules %ld and %ld of shots) grazes %ld misses %ld, touches %ld "
+                 "misses %ld, shots %ld misses %ld",
+                 seen.hits, seen.box_hits, seen.capsule_hits, seen.capsule_shots, seen.grazes, seen.bullet_misses,
+                 seen.touches, seen.touch_misses, seen.shots, seen.shot_misses);
 }
 
 /* ---- by hand ---- */
@@ -206,6 +215,9 @@ static const char game[] =
     "bullet.def('bar', { sprite = 'dot', hit = { box = { 20, 4 } } })\n"
     "bullet.def('meek', { sprite = 'dot', hit = { circle = 4 }, graze = false })\n"
     "bullet.def('late', { sprite = 'dot', hit = { circle = 4 }, swept = false })\n"
+    "bullet.def('pin', { sprite = 'dot', hit = { capsule = { 40, 3 } } })\n"
+    "bullet.def('late pin', { sprite = 'dot', hit = { capsule = { 40, 3 } }, swept = false })\n"
+    "shot.def('lance', { sprite = 'dot', hit = { capsule = { 30, 2 } } })\n"
     "shot.def('slow', { sprite = 'dot', hit = { box = { 4, 8 } }, swept = false })\n"
     "enemy.def('globe', { sprite = 'dot', hit = { circle = 5 }, swept = false })\n"
     "enemy.def('shade', { sprite = 'dot', hit = 'none' })\n"
@@ -304,6 +316,38 @@ static void test_by_hand(void **state)
     scene("bullet.fire { kind = 'bar', x = 72 + 1 / 65536, y = 200, speed = 0 }", 1, "g1 ");
     scene("bullet.fire { kind = 'bar', x = 71.5, y = 203.5, speed = 0 }", 1, "g1 ");
     scene("bullet.fire { kind = 'bar', x = 71, y = 203, speed = 0 }", 1, "h1 ");
+    /* a capsule lies along dir, whichever way it flies: 20 px to either end, and 3 + 2 px around that */
+    scene("bullet.fire { kind = 'pin', x = 60, y = 175, speed = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'pin', x = 60, y = 175 - 1 / 65536, speed = 0 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'pin', x = 65, y = 180, speed = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'pin', x = 65 + 1 / 65536, y = 180, speed = 0 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'pin', x = 60, y = 175, speed = 0, dir = 0 }", 1, "");
+    scene("bullet.fire { kind = 'pin', x = 85, y = 200, speed = 0, dir = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'pin', x = 85, y = 200, speed = 0, dir = 180 }", 1, "h1 ");
+    scene("local b = bullet.fire { kind = 'pin', x = 60, y = 185, speed = 0, dir = 0 } wait(2) b.dir = 90", 3,
+          "g1 h1 ");
+    /* it sweeps sideways too, and with swept = false it is where it is */
+    scene("shot.fire { kind = 'lance', x = 100, y = 110, speed = 0, dir = 270 } "
+          "enemy.spawn { kind = 'foe', x = 50, y = 100, hp = 1 }:move { x = 150, y = 100, over = 1 }",
+          1, "k0 ");
+    scene("shot.fire { kind = 'lance', x = 100, y = 110, speed = 0, dir = 0 } "
+          "enemy.spawn { kind = 'foe', x = 50, y = 82, hp = 1 }:move { x = 150, y = 82, over = 1 }",
+          1, "");
+    scene("bullet.fire { kind = 'late pin', x = 60, y = 170, speed = 100 }", 1, "");
+    scene("bullet.fire { kind = 'late pin', x = 60, y = 124, speed = 51 }", 1, "h1 ");
+    /* of shots, against each shape of enemies */
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 70, hp = 1 } "
+          "shot.fire { kind = 'lance', x = 100, y = 92, speed = 0, dir = 90 }",
+          1, "k0 ");
+    scene("enemy.spawn { kind = 'foe', x = 100, y = 70, hp = 1 } "
+          "shot.fire { kind = 'lance', x = 100, y = 92 + 1 / 65536, speed = 0, dir = 90 }",
+          1, "");
+    scene("enemy.spawn { kind = 'globe', x = 100, y = 70 } "
+          "shot.fire { kind = 'lance', x = 78, y = 70, speed = 0, dir = 0 }",
+          1, "k0 ");
+    scene("enemy.spawn { kind = 'globe', x = 100, y = 70 } "
+          "shot.fire { kind = 'lance', x = 78 - 1 / 65536, y = 70, speed = 0, dir = 0 }",
+          1, "");
     /* the ring: once a bullet and player, however long it stays; not for those without graze, nor for those that hit */
     scene("bullet.fire { kind = 'ball', x = 80, y = 200, speed = 0 }", 9, "g1 ");
     scene("bullet.fire { kind = 'ball', x = 80 + 1 / 65536, y = 200, speed = 0 }", 9, "");
@@ -343,6 +387,40 @@ static void test_by_hand(void **state)
           2, "g1 h1 h2 ");
 }
 
+/* A script whose fault says so. */
+static void refused(const char *script, const char *says)
+{
+    struct rig_game gg;
+    struct rig r;
+
+    rig_script(&gg, NULL, script);
+    rig_power_any(&r, &gg, NULL);
+    const char *said = rig_fault(&r) ? rig_fault(&r)->message : "";
+    if (!strstr(said, says))
+        fail_msg("%s\nsaid \"%s\", expected \"%s\"", script, said, says);
+    rig_free(&r);
+    rig_game_free(&gg);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
+            "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } } or \"none\"");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4 } } })", "hit.capsule radius: expected");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { -4, 1 } } })", "hit.capsule length: expected");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4192 } } })",
+            "hit: it reaches 8192 px from its place; expected at most 8191");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4191 } } }) error('fine')", "fine");
+    refused("bullet.def('a', { sprite = 'dot', hit = { circle = 4, box = { 1, 1 } } })", "hit: expected");
+    refused("bullet.def('a', { sprite = 'dot', hit = {} })", "got an empty table");
+    refused("bullet.def('a', { sprite = 'dot', hit = 'nine' })", "got \"nine\"");
+    refused("enemy.def('a', { sprite = 'dot', hit = { capsle = { 4, 4 } } })", "got one with \"capsle\"");
+    refused("player.def('a', { sprite = 'dot', hit = { box = { 4, 4 } } })",
+            "player.def: hit: expected { circle = r }, got one with \"box\"");
+    refused("player.def('a', { sprite = 'dot', hit = 'none' })", "player.def: hit: expected { circle = r }, got");
+}
+
 static int setup(void **state)
 {
     struct manifest m = rig_manifest();
@@ -366,7 +444,8 @@ static int teardown(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_by_hand) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_by_hand),
+                                        cmocka_unit_test(test_refused) };
 
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -103,6 +103,32 @@ static void shapes_are_those_of_the_tests(void **state)
     assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.m.field_w && f.h == t->g.cart.m.field_h);
 }
 
+/* A capsule lies along the bullet's dir; what is beside it is not under the mouse. */
+static void capsules_lie_as_they_fly(void **state)
+{
+    struct inspect_thing thing;
+    struct rig_game g;
+    struct rig r;
+    struct list l = { 0 };
+
+    (void)state;
+    rig_script(&g, NULL,
+               "bullet.def('pin', { sprite = 'dot', hit = { capsule = { 40, 3 } } })\n"
+               "bullet.fire { kind = 'pin', x = 50, y = 60, dir = 0, speed = 0 }\n"
+               "bullet.fire { kind = 'pin', x = 150, y = 60, dir = 90, speed = 0 }\n");
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 1);
+    inspect_bodies(r.b, add, &l);
+    assert_int_equal(l.n, 2);
+    assert_true(l.body[0].shape == INSPECT_CAPSULE && l.body[0].a == PX(3));
+    assert_true(l.body[0].b == PX(20) && l.body[0].c == 0 && l.body[1].b == 0 && l.body[1].c == PX(20));
+    assert_true(inspect_at(r.b, 72, 60, 0, &thing) && thing.body.slot == 0);
+    assert_true(inspect_at(r.b, 150, 82, 0, &thing) && thing.body.slot == 1);
+    assert_false(inspect_at(r.b, 50, 66, 0, &thing));
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 static const struct inspect_gauge *gauge(const struct inspect_gauge *g, int n, const char *name)
 {
     for (int i = 0; i < n; i++)
@@ -376,6 +402,7 @@ int main(void)
         TEST(asking_changes_nothing),
         cmocka_unit_test(a_board_that_is_asked_runs_on_alike),
         cmocka_unit_test(names_stay),
+        cmocka_unit_test(capsules_lie_as_they_fly),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

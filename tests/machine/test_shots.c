@@ -74,9 +74,14 @@ static void draw_kinds(struct board *b, const struct field *f, uint64_t n)
 
     s->s.live = e->s.live = KINDS;
     for (uint32_t k = 0; k < KINDS; k++) {
-        s->shape[k] = (uint8_t)(one_in(12) ? SHAPE_NONE : one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX);
+        s->shape[k] = (uint8_t)(one_in(12)  ? SHAPE_NONE
+                                : one_in(3) ? SHAPE_CIRCLE
+                                : one_in(2) ? SHAPE_BOX
+                                            : SHAPE_CAPSULE);
         s->a[k] = extent(f, 4 * n);
-        s->b[k] = s->shape[k] == SHAPE_BOX ? extent(f, 4 * n) : 0;
+        s->b[k] = s->shape[k] != SHAPE_CIRCLE ? extent(f, 4 * n) : 0;
+        if (s->shape[k] == SHAPE_CAPSULE)
+            s->b[k] = clamped(s->b[k], fastest - s->a[k]);
         s->flags[k] = (uint8_t)(all_swept || one_in(2) ? KIND_SWEPT : 0);
         e->shape[k] = (uint8_t)(one_in(12) ? SHAPE_NONE : one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX);
         e->a[k] = extent(f, n);
@@ -112,6 +117,7 @@ static void draw_shots(struct board *b, const struct field *f, uint64_t n, uint3
         bool far = one_in(16);
         struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, kinds) };
         uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
+        s->dir[i] = (ang)rng_next(&rng) << (one_in(3) ? 30 : 0);
         s->vx[i] = one_in(3) ? 0 : move(f);
         s->vy[i] = one_in(3) ? 0 : move(f);
         s->x[i] = far ? within(edge) : clamped((int64_t)strewn(f->x, f->wide, grain) + s->vx[i], edge);

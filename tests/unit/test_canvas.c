@@ -217,6 +217,48 @@ static void boxes_frame_what_is_inside(void **state)
     }
 }
 
+/* Is it near the bar? By the nearest point of many. */
+static bool in_capsule(int64_t px, int64_t py, const int64_t at[5])
+{
+    double x = (double)(px * 65536 + 32768 - at[0]), y = (double)(py * 65536 + 32768 - at[1]);
+    double hx = (double)at[2], hy = (double)at[3], r = (double)at[4], hh = hx * hx + hy * hy;
+    double along = hh > 0 ? (x * hx + y * hy) / hh : 0;
+
+    along = along < -1 ? -1 : along > 1 ? 1 : along;
+    return (x - along * hx) * (x - along * hx) + (y - along * hy) * (y - along * hy) <= r * r;
+}
+
+/* Numbers are odd multiples of 1/16 px, so that doubles decide right. */
+static void capsules_are_rims_of_what_is_inside(void **state)
+{
+    struct bed *b = *state;
+    long drawn = 0;
+
+    for (int n = 0; n < 300; n++) {
+        static const int64_t low[5] = { -20, -20, -40, -40, 0 }, span[5] = { 100, 90, 80, 80, 30 };
+        int64_t at[5];
+        for (int i = 0; i < 5; i++)
+            at[i] = low[i] * 65536 + (2 * (int64_t)rng_below(&b->r, (uint64_t)span[i] * 8) + 1) * 4096;
+        if (n % 5 == 0)
+            at[2] = 0;
+        if (n % 7 == 0)
+            at[3] = 0;
+        fb_fill(&b->fb, 0);
+        canvas_open(&b->canvas, &b->fb, b->rgb);
+        canvas_capsule(&b->canvas, (int32_t)at[0], (int32_t)at[1], (int32_t)at[2], (int32_t)at[3], (int32_t)at[4],
+                       CANVAS_GREEN);
+        for (int i = 0; i < W * H; i++) {
+            int64_t px = i % W, py = i / W;
+            bool inner = in_capsule(px - 1, py, at) && in_capsule(px + 1, py, at) && in_capsule(px, py - 1, at) &&
+                         in_capsule(px, py + 1, at);
+            bool want = (in_capsule(px, py, at) && !inner) || (at[4] < 65536 && at[0] >> 16 == px && at[1] >> 16 == py);
+            assert_int_equal(canvas_at(b, (int)px, (int)py) == CANVAS_GREEN, want);
+            drawn += want;
+        }
+    }
+    assert_true(drawn > 3000);
+}
+
 /* Whatever the numbers, drawing ends and stays inside. */
 static void extremes_are_clipped(void **state)
 {
@@ -229,6 +271,7 @@ static void extremes_are_clipped(void **state)
         int x = v[i % N], y = v[i / N % N], r = v[i / N / N];
         canvas_ring(&b->canvas, x, y, r, CANVAS_RED);
         canvas_box(&b->canvas, x, y, r, x, CANVAS_RED);
+        canvas_capsule(&b->canvas, x, y, r, y, x, CANVAS_RED);
         canvas_line(&b->canvas, x, y, r, x, CANVAS_RED);
         canvas_rect(&b->canvas, x, y, r, y, CANVAS_RED);
         canvas_frame(&b->canvas, x, y, r, y, CANVAS_RED);
@@ -272,6 +315,7 @@ int main(void)
         TEST(widths),
         TEST(rings_are_rims_of_what_is_inside),
         TEST(boxes_frame_what_is_inside),
+        TEST(capsules_are_rims_of_what_is_inside),
         TEST(extremes_are_clipped),
         TEST(any_words),
     };

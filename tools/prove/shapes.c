@@ -19,7 +19,7 @@
 #include "../../src/base/geom.h"
 #include "shapes_oracle.h"
 
-enum { MOST_ARGUMENTS = 8, THIRD = 4096, MOST_THREADS = 64 };
+enum { MOST_ARGUMENTS = 9, THIRD = 4096, MOST_THREADS = 64 };
 enum { NEAR, ENDS, RANDOM, KINDS };
 static const int64_t PIXEL = 65536, FULL_CASES = 30000000, SAMPLE_CASES = 100000;
 
@@ -57,10 +57,10 @@ static int64_t either_sign(struct dice *d, int64_t v)
 /* ---- shapes ---- */
 
 /*
- * What a case consists of, as drawn and as placed: two shapes a and b, a starts at d seen from b and moves by w. Which
- * of these are arguments is the shape's choice.
+ * What a case consists of, as drawn and as placed: two shapes a and b, a starts at d seen from b and moves by w. Half
+ * their bars are h and g. Which of these are arguments is the shape's choice.
  */
-enum role { DX, DY, WX, WY, R, HW, HH, AX, AY, BX, BY, EX, EY, R1, R2, HW1, HH1, HW2, HH2, ROLES };
+enum role { DX, DY, WX, WY, HX, HY, GX, GY, R, HW, HH, AX, AY, BX, BY, EX, EY, R1, R2, HW1, HH1, HW2, HH2, ROLES };
 
 struct shape {
     const char *name;
@@ -144,9 +144,30 @@ static bool right_swept_boxes(const int64_t *v)
     return oracle_swept_box(v[0], v[1], v[2], v[3], v[4], v[5]);
 }
 
+static bool try_swept_capsule(const int64_t *v)
+{
+    return geom_swept_capsule(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
+}
+
+static bool right_swept_capsule(const int64_t *v)
+{
+    return oracle_swept_bar(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
+}
+
+static bool try_swept_capsules(const int64_t *v)
+{
+    return geom_swept_capsules(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
+}
+
+static bool right_swept_capsules(const int64_t *v)
+{
+    return oracle_swept_bars(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
+}
+
 #define FAR   ((int64_t)1 << 61) /* as far as a start may be */
 #define FAST  ((int64_t)1 << 31)
 #define WORLD ((int64_t)1 << 30) /* 16384 pixels */
+#define BAR   (WORLD / 2)        /* half of one */
 
 static const struct shape SHAPES[] = {
     { "circle-circle", try_circles, right_circles, FX_MIN, FX_MAX, 0, FX_MAX, 0, 5, { AX, AY, BX, BY, R } },
@@ -183,6 +204,26 @@ static const struct shape SHAPES[] = {
       7,
       { DX, DY, WX, WY, R, HW, HH } },
     { "swept-boxes", try_swept_boxes, right_swept_boxes, -FAR, FAR, FAST, WORLD, 0, 6, { DX, DY, WX, WY, HW, HH } },
+    { "swept-capsule",
+      try_swept_capsule,
+      right_swept_capsule,
+      -FAR / 2,
+      FAR / 2,
+      FAST,
+      WORLD,
+      0,
+      9,
+      { DX, DY, WX, WY, HX, HY, R, HW, HH } },
+    { "swept-capsules",
+      try_swept_capsules,
+      right_swept_capsules,
+      -FAR / 4,
+      FAR / 4,
+      FAST,
+      WORLD,
+      0,
+      9,
+      { DX, DY, WX, WY, HX, HY, GX, GY, R } },
 };
 enum { SHAPE_COUNT = sizeof SHAPES / sizeof *SHAPES };
 
@@ -204,13 +245,22 @@ static bool is_round(const struct shape *s)
     return has(s, R) || has(s, R1);
 }
 
+/* Draws half the bars that the shape has, up to `most` long on either axis. */
+static void draw_bars(struct dice *d, const struct shape *s, int64_t most, int64_t *c)
+{
+    most = most > BAR ? BAR : most;
+    for (enum role role = HX; role <= GY; role++)
+        c[role] = has(s, role) && !one_in(d, 16) ? between(d, -most, most) : 0;
+}
+
 /* What the argument may be. */
 static void limits(const struct shape *s, enum role role, int64_t *low, int64_t *high)
 {
-    bool length = role == R || role == HW || role == HH, part = role >= R1;
+    bool length = role == R || role == HW || role == HH, part = role >= R1, way = role == WX || role == WY;
+    bool bar = role >= HX && role <= GY;
 
-    *high = length ? s->large : part ? s->half : role == WX || role == WY ? s->fast : s->high;
-    *low = length || part ? -2 : role == WX || role == WY ? -s->fast : s->low;
+    *high = length ? s->large : part ? s->half : way ? s->fast : bar ? BAR : s->high;
+    *low = length || part ? -2 : way ? -s->fast : bar ? -BAR : s->low;
 }
 
 /*
@@ -263,7 +313,7 @@ static bool place(struct dice *dice, const struct shape *s, int64_t *c, bool at_
 /* ---- cases ---- */
 
 /* As in a game: a field of 384 x 448 pixels. */
-static void draw_game(struct dice *d, int64_t *c)
+static void draw_game(struct dice *d, const struct shape *s, int64_t *c)
 {
     int64_t most = one_in(d, 3) ? 160 : 32, speed = one_in(d, 3) ? 64 : 8, apart = one_in(d, 3) ? 384 : most;
 
@@ -274,6 +324,7 @@ static void draw_game(struct dice *d, int64_t *c)
     c[R] = between(d, 0, most * PIXEL);
     c[HW] = between(d, 0, most * PIXEL);
     c[HH] = between(d, 0, most * PIXEL);
+    draw_bars(d, s, most * PIXEL, c);
 }
 
 /* All of a size, from one unit to the whole domain. */
@@ -291,11 +342,12 @@ static void draw_scaled(struct dice *d, const struct shape *s, int64_t *c)
     c[R] = between(d, 0, large);
     c[HW] = between(d, 0, large);
     c[HH] = between(d, 0, large);
+    draw_bars(d, s, apart, c);
 }
 
 /*
  * In contact at one point, exactly. The path runs along (p, q), p^2 + q^2 = h^2, and the point of contact lies across
- * it; p, q and h are whole for m^2 - n^2, 2mn, m^2 + n^2.
+ * it, and so does a's bar; p, q and h are whole for m^2 - n^2, 2mn, m^2 + n^2.
  */
 static void draw_touching(struct dice *d, const struct shape *s, int64_t *c)
 {
@@ -312,6 +364,13 @@ static void draw_touching(struct dice *d, const struct shape *s, int64_t *c)
     c[DY] = -p * out - q * way + (p > 0 || (p == 0 && one_in(d, 2)) ? -c[HH] : c[HH]);
     c[WX] = p * along;
     c[WY] = q * along;
+    draw_bars(d, s, most * h, c);
+    for (enum role bar = HX; bar <= GX; bar += 2) {
+        int64_t side = c[bar] * q - c[bar + 1] * p < 0 ? -1 : 1; /* its end that is away from b, so that the other ends
+                                                                    where the path was */
+        c[DX] += side * c[bar];
+        c[DY] += side * c[bar + 1];
+    }
 }
 
 /* A number of which much depends, or up to two beside it. */
@@ -334,6 +393,8 @@ static void draw_ends(struct dice *d, const struct shape *s, int64_t *c)
     c[HH] = an_end(d, s->large);
     c[WX] = either_sign(d, an_end(d, s->fast));
     c[WY] = either_sign(d, an_end(d, s->fast));
+    for (enum role bar = HX; bar <= GY; bar++)
+        c[bar] = has(s, bar) ? either_sign(d, an_end(d, BAR)) : 0;
     for (enum role axis = 0; axis < 2; axis++) {
         int64_t way = -c[WX + axis], reach = c[one_in(d, 2) ? HW + axis : R];
 
@@ -354,7 +415,7 @@ static void draw_case(struct dice *d, const struct shape *s, int kind, int64_t *
         else if (kind == NEAR && how == 0)
             draw_touching(d, s, c);
         else if (how == 1)
-            draw_game(d, c);
+            draw_game(d, s, c);
         else
             draw_scaled(d, s, c);
         if (s->fast == 0)

@@ -200,4 +200,79 @@ static inline bool oracle_swept_round_box(int64_t dx, int64_t dy, int64_t wx, in
            oracle_swept_disc(dx + hw, dy - hh, wx, wy, r) || oracle_swept_disc(dx + hw, dy + hh, wx, wy, r);
 }
 
+/* a x b */
+static inline struct wide wide_cross(int64_t ax, int64_t ay, int64_t bx, int64_t by)
+{
+    return wide_sub(wide_product(ax, by), wide_product(ay, bx));
+}
+
+/* 0 <= n <= d, or the same with both signs turned. */
+static inline bool oracle_share(struct wide n, struct wide d)
+{
+    struct wide none = wide_int(0);
+
+    return wide_sign(d) > 0 ? wide_sign(n) >= 0 && wide_at_most(n, d)
+                            : wide_sign(d) < 0 && wide_at_most(n, none) && wide_at_most(d, n);
+}
+
+/* Is (x, y) = s u + t v for shares s and t, the two not being parallel? By Cramer's rule. */
+static inline bool oracle_in_parallelogram(int64_t x, int64_t y, int64_t ux, int64_t uy, int64_t vx, int64_t vy)
+{
+    struct wide d = wide_cross(ux, uy, vx, vy);
+
+    return oracle_share(wide_cross(x, y, vx, vy), d) && oracle_share(wide_cross(ux, uy, x, y), d);
+}
+
+/* One of the four sides of what the bar sweeps touches the box, or the box lies in its midst, a corner of it too. */
+static inline bool oracle_swept_bar(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t r,
+                                    int64_t hw, int64_t hh)
+{
+    if (r < 0 || hw < 0 || hh < 0)
+        return false;
+    for (int end = -1; end <= 1; end += 2)
+        if (oracle_swept_round_box(dx + end * hx, dy + end * hy, wx, wy, r, hw, hh) ||
+            oracle_swept_round_box(dx + (end > 0 ? wx : 0) - hx, dy + (end > 0 ? wy : 0) - hy, 2 * hx, 2 * hy, r, hw,
+                                   hh))
+            return true;
+    return oracle_in_parallelogram(hw - (dx - hx), hh - (dy - hy), 2 * hx, 2 * hy, wx, wy);
+}
+
+/* |c x u| <= |u x v1| + |u x v2| */
+static inline bool oracle_across(const int64_t c[2], const int64_t u[2], const int64_t v1[2], const int64_t v2[2])
+{
+    const int64_t *v[3] = { c, v1, v2 };
+    struct wide size[3];
+
+    for (int i = 0; i < 3; i++) {
+        size[i] = wide_cross(u[0], u[1], v[i][0], v[i][1]);
+        size[i] = wide_sign(size[i]) < 0 ? wide_sub(wide_int(0), size[i]) : size[i];
+    }
+    return wide_at_most(size[0], wide_add(size[1], size[2]));
+}
+
+/*
+ * The hexagon that two bars and a way add up to: a side of it is the way or a bar, at one end of each of the other two.
+ * Of these twelve one touches the disc, or the disc's centre is inside, which no line parallel to a side denies.
+ */
+static inline bool oracle_swept_bars(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t gx,
+                                     int64_t gy, int64_t r)
+{
+    const int64_t c[2] = { 2 * dx + wx, 2 * dy + wy }, w[2] = { wx, wy };
+    const int64_t h[2] = { 2 * hx, 2 * hy }, g[2] = { 2 * gx, 2 * gy };
+
+    if (r < 0)
+        return false;
+    for (int k = 0; k < 4; k++) {
+        int64_t a = k & 1 ? 1 : -1, b = k & 2 ? 1 : -1, end = k & 2 ? 1 : 0;
+        if (oracle_swept_disc(dx + a * hx + b * gx, dy + a * hy + b * gy, wx, wy, r) ||
+            oracle_swept_disc(dx + a * gx - hx + end * wx, dy + a * gy - hy + end * wy, h[0], h[1], r) ||
+            oracle_swept_disc(dx + a * hx - gx + end * wx, dy + a * hy - gy + end * wy, g[0], g[1], r))
+            return true;
+    }
+    bool flat = wide_sign(wide_cross(w[0], w[1], h[0], h[1])) == 0 &&
+                wide_sign(wide_cross(w[0], w[1], g[0], g[1])) == 0 &&
+                wide_sign(wide_cross(h[0], h[1], g[0], g[1])) == 0;
+    return !flat && oracle_across(c, w, h, g) && oracle_across(c, h, w, g) && oracle_across(c, g, w, h);
+}
+
 #endif

@@ -37,35 +37,77 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
     return v.f;
 }
 
-uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
+#define HIT_PLAIN "{ circle = r }, { box = { w, h } }"
+const char *const api_hit_forms[] = {
+    [HIT_PLAYERS] = "{ circle = r }",
+    [HIT_ENEMIES] = HIT_PLAIN " or \"none\"",
+    [HIT_BULLETS] = HIT_PLAIN ", { capsule = { length, radius } } or \"none\"",
+};
+
+/* The one key of the table at `at`; it has no other. */
+static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_whose whose)
 {
-    *a = *b = 0;
-    if (lua_type(L, at) == LUA_TTABLE) {
-        lua_pushnil(L);
-        for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
-            const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
-            if ((strcmp(key, "circle") && strcmp(key, "box")) || keys++)
-                api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got one with \"%s\"",
-                          key);
-        }
+    const char *key = NULL;
+
+    lua_pushnil(L);
+    for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
+        key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
+        bool known = !strcmp(key, "circle") || (whose != HIT_PLAYERS && !strcmp(key, "box")) ||
+                     (whose == HIT_BULLETS && !strcmp(key, "capsule"));
+        if (!known || keys++)
+            api_error(L, entry, "hit: expected %s, got one with \"%s\"", api_hit_forms[whose], key);
     }
+    if (!key)
+        api_error(L, entry, "hit: expected %s, got an empty table", api_hit_forms[whose]);
+    return key;
+}
+
+/* The two lengths of { KEY = { length, length } }, named first and second in messages. */
+static void two_extents(lua_State *L, const char *entry, enum hit_whose whose, const char *first, const char *second,
+                        fx *a, fx *b)
+{
+    int list = lua_gettop(L);
+
+    if (lua_type(L, list) != LUA_TTABLE)
+        api_error(L, entry, "hit: expected %s", api_hit_forms[whose]);
+    lua_rawgeti(L, list, 1);
+    lua_rawgeti(L, list, 2);
+    *a = extent(L, entry, first, list + 1);
+    *b = extent(L, entry, second, list + 2);
+}
+
+/* A shape reaches no further than a radius may. */
+static void check_reach(lua_State *L, const char *entry, int64_t reach)
+{
+    if (reach > (int64_t)MAX_SPEED << 16)
+        api_error(L, entry, "hit: it reaches %d px from its place; expected at most %d", (int)(reach >> 16), MAX_SPEED);
+}
+
+uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b)
+{
+    fx length;
+
+    *a = *b = 0;
     if (lua_type(L, at) == LUA_TSTRING) {
-        if (strcmp(lua_tostring(L, at), "none"))
-            api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\", got \"%s\"",
-                      lua_tostring(L, at));
+        if (whose == HIT_PLAYERS || strcmp(lua_tostring(L, at), "none"))
+            api_error(L, entry, "hit: expected %s, got \"%s\"", api_hit_forms[whose], lua_tostring(L, at));
         return SHAPE_NONE;
     }
-    if (lua_getfield(L, at, "circle") != LUA_TNIL) {
+    const char *key = hit_key(L, entry, at, whose);
+    lua_getfield(L, at, key);
+    if (!strcmp(key, "circle")) {
         *a = extent(L, entry, "hit.circle", lua_gettop(L));
         return SHAPE_CIRCLE;
     }
-    if (lua_getfield(L, at, "box") != LUA_TTABLE)
-        api_error(L, entry, "hit: expected { circle = r }, { box = { w, h } } or \"none\"");
-    int box = lua_gettop(L);
-    lua_rawgeti(L, box, 1);
-    lua_rawgeti(L, box, 2);
-    *a = extent(L, entry, "hit.box width", box + 1) / 2;
-    *b = extent(L, entry, "hit.box height", box + 2) / 2;
+    if (!strcmp(key, "capsule")) {
+        two_extents(L, entry, whose, "hit.capsule length", "hit.capsule radius", &length, a);
+        *b = length / 2;
+        check_reach(L, entry, (int64_t)*a + *b);
+        return SHAPE_CAPSULE;
+    }
+    two_extents(L, entry, whose, "hit.box width", "hit.box height", a, b);
+    *a /= 2;
+    *b /= 2;
     return SHAPE_BOX;
 }
 
@@ -75,18 +117,18 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b)
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_CLOUD };
 
 static const struct api_param bullet_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },      { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "graze", A_BOOL, OPT, 0, 0, NULL, "true" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "graze", A_BOOL, OPT, 0, 0, NULL, "true" },      { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },         { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" }, { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },   { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 static int32_t new_kind(lua_State *L, struct bullet_kinds *k, const char *entry)
@@ -114,7 +156,7 @@ static void define_cloud(lua_State *L, struct bullet_kinds *k, int32_t i, uint16
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
     fx a, b;
-    uint8_t shape = api_hit(L, entry, v[D_HIT].at, &a, &b);
+    uint8_t shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS, &a, &b);
     int32_t i = new_kind(L, k, entry);
 
     api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);

@@ -264,7 +264,7 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         break;
     case A_HIT:
         if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
-            expected(L, entry, p, at, "{ circle = r }, { box = { w, h } } or \"none\"");
+            expected(L, entry, p, at, api_hit_forms[(int)p->lo]);
         break;
     case A_ANY:
         if (!v->given)

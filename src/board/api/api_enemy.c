@@ -23,13 +23,13 @@ enum {
 };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },        { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },         { "hp", A_INT, OPT, 1, INT32_MAX, NULL, "1" },
-    { "score", A_INT, OPT, 0, 1e12, "points", "0" }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "touch", A_BOOL, OPT, 0, 0, NULL, "true" },    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },     { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL }, { "hp", A_INT, OPT, 1, INT32_MAX, NULL, "1" },
+    { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "touch", A_BOOL, OPT, 0, 0, NULL, "true" },      { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },       { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },       { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
 };
 
 static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
@@ -47,7 +47,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[D_DROPS].given)
         return api_error(L, "enemy.def", "drops: this board has no items yet");
-    uint8_t shape = api_hit(L, "enemy.def", v[D_HIT].at, &x, &y);
+    uint8_t shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES, &x, &y);
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "enemy.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",

@@ -20,7 +20,6 @@ static const char *type_words(const struct api_param *p)
         [A_ANY] = "any value",
         [A_ROUTE] = "route",
         [A_THING] = "thing",
-        [A_HIT] = "{ circle = r }, { box = { w, h } } or \"none\"",
         [A_MOTION] = "motion or its name",
         [A_BULLET_KIND] = "name of a bullet kind",
         [A_SHOT_KIND] = "name of a shot kind",
@@ -36,7 +35,7 @@ static const char *type_words(const struct api_param *p)
         [A_ALIGN] = "left, center or right",
     };
 
-    return words[p->type];
+    return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
 static void help_param(const struct api_param *p, void (*line)(const char *))

@@ -37,8 +37,14 @@ void api_fold(lua_State *L, struct board *b, int at);
 void api_open_handles(lua_State *L);
 void api_push_methods(lua_State *L, int kind);
 
-/* Reads a hit shape at `at`: SHAPE_ and its half extents (a circle: a is the radius). */
-uint8_t api_hit(lua_State *L, const char *entry, int at, fx *a, fx *b);
+/* Whose hit shape it is: they may have different ones. */
+enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
+
+/* What they may be, in words. */
+extern const char *const api_hit_forms[];
+
+/* Reads a hit shape at `at`: SHAPE_ and what motion.h says of a and b. */
+uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b);
 
 /* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
  * that come during the calls are not visited. */

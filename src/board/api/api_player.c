@@ -15,7 +15,7 @@ enum { D_NAME, D_SPRITE, D_HIT, D_GRAZE, D_SPEED, D_FOCUS, D_LIVES, D_SAFE, D_RE
 static const struct api_param def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL },
     { "graze", A_FX, OPT, 0, MAX_SPEED, "px", "16" },
     { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4" },
     { "focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2" },
@@ -133,8 +133,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     struct player_kinds *k = &b->player_kinds;
     fx r, unused;
 
-    if (api_hit(L, "player.def", v[D_HIT].at, &r, &unused) != SHAPE_CIRCLE)
-        return api_error(L, "player.def", "hit: expected { circle = r }");
+    api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS, &r, &unused);
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);

@@ -23,7 +23,8 @@ static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
     fx most = 0;
 
     for (uint32_t i = 0; i < k->s.live; i++)
-        most = fx_max(most, k->shape[i] == SHAPE_BOX ? fx_max(k->a[i], k->b[i]) : k->a[i]);
+        most = fx_max(most, fx_max(hit_half_width(k->shape[i], k->a[i], k->b[i]),
+                                   hit_half_height(k->shape[i], k->a[i], k->b[i])));
     return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
@@ -45,11 +46,11 @@ static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *
     if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED)
         return MISS;
     b->counts.tested++;
-    if (hit_touches(&bullet, c, flags & KIND_SWEPT))
+    if (hit_bullet_touches(&b->bullets, i, &bullet, c, flags & KIND_SWEPT))
         return HIT;
     ring.a = b->player_kinds.graze[b->player.kind[p]];
     if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
-        hit_touches(&bullet, &ring, flags & KIND_SWEPT))
+        hit_bullet_touches(&b->bullets, i, &bullet, &ring, flags & KIND_SWEPT))
         return GRAZE;
     return MISS;
 }

@@ -60,7 +60,7 @@ struct grid {
 struct search {
     const struct board *b;
     const struct grid *g;
-    struct body shot;
+    struct body shot; /* a capsule is turned */
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
@@ -92,12 +92,6 @@ static inline int64_t length(const struct grid *g, int64_t share)
     return (share >> 16) * g->cell >> 16;
 }
 
-/* Half the height of a kind's shape. */
-static inline fx half_height(uint8_t shape, fx a, fx b)
-{
-    return shape == SHAPE_BOX ? b : a;
-}
-
 /* Lists the enemies that can be hit, and measures them: the box they were in, and how far they extend. */
 static void gather(struct grid *g, const struct board *b)
 {
@@ -113,7 +107,7 @@ static void gather(struct grid *g, const struct board *b)
             uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
             fx x = e->was_x[i], y = e->was_y[i], a = k->a[kind];
-            fx h = half_height(k->shape[kind], a, k->b[kind]);
+            fx h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
             g->slot[n++] = (uint16_t)i;
@@ -219,7 +213,8 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
         if (d > s->best || (d == s->best && slot > s->found))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
-        if (hit_touches(&s->shot, &e, s->swept)) {
+        if (s->shot.shape < SHAPE_CAPSULE ? hit_touches(&s->shot, &e, s->swept)
+                                          : hit_any_touch(&s->shot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
         }
@@ -231,8 +226,8 @@ static bool set_bounds(struct search *s)
 {
     const struct grid *g = s->g;
     const struct body *p = &s->shot;
-    int64_t x = p->x - g->left, ex = p->a + g->reach_x;
-    int64_t y = p->y - g->top, ey = half_height(p->shape, p->a, p->b) + g->reach_y;
+    int64_t x = p->x - g->left, ex = hit_half_width(p->shape, p->a, p->b) + g->reach_x;
+    int64_t y = p->y - g->top, ey = hit_half_height(p->shape, p->a, p->b) + g->reach_y;
 
     s->x = x - p->mx;
     s->y = y - p->my;
@@ -293,6 +288,8 @@ static uint32_t target_by_rings(const struct board *b, const struct grid *g, uin
     s.swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
     if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
         return NO_ENEMY;
+    if (s.shot.shape == SHAPE_CAPSULE)
+        hit_capsule(&s.shot, b->shots.dir[i]);
     search_rings(&s);
     return s.found;
 }
@@ -376,7 +373,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     if (d < g->sure[s->kind[i]])
         return slot;
     struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
-    return hit_touches(&shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
+    return hit_bullet_touches(s, i, &shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
 }
 
 /* Sure hits: a circle fits into each shape, and a swept shot touches every enemy that its circle touched before the
@@ -384,7 +381,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t inner = int64_min(k->a[i], half_height(k->shape[i], k->a[i], k->b[i]));
+        int64_t inner = k->shape[i] == SHAPE_BOX ? int64_min(k->a[i], k->b[i]) : k->a[i];
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
         int64_t r = sure ? int64_min(inner + g->inner, FX_MAX) : 0;
         g->sure[i] = r * r;

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "../../base/geom.h"
 
 enum { ROWS = 6, COLUMNS = 3 };
 
@@ -269,4 +270,51 @@ void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, in
         canvas_frame(canvas, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
     else
         speck(canvas, x, y, c);
+}
+
+struct bar {
+    int64_t x, y, hx, hy, r;
+};
+
+/* Is the middle of a pixel in the capsule? */
+static bool in_capsule(const struct bar *b, int px, int py)
+{
+    int64_t dx = b->x - b->hx - ((int64_t)px * FX + FX / 2), dy = b->y - b->hy - ((int64_t)py * FX + FX / 2);
+    return geom_swept_circles(dx, dy, 2 * b->hx, 2 * b->hy, b->r);
+}
+
+/* On the rim: inside, and not all four beside it are. */
+static bool on_rim(const struct bar *b, int px, int py)
+{
+    return in_capsule(b, px, py) && !(in_capsule(b, px - 1, py) && in_capsule(b, px + 1, py) &&
+                                      in_capsule(b, px, py - 1) && in_capsule(b, px, py + 1));
+}
+
+static bool beyond(int64_t v)
+{
+    const int64_t most = (int64_t)1 << 30;
+    return v > most || v < -most;
+}
+
+static int within(int64_t v, int lo, int hi)
+{
+    return v < lo ? lo : v > hi ? hi : (int)v;
+}
+
+void canvas_capsule(const struct canvas *canvas, int32_t x, int32_t y, int32_t hx, int32_t hy, int32_t r,
+                    enum canvas_colour c)
+{
+    const struct fb *fb = canvas->fb;
+    const struct bar b = { x, y, hx, hy, r };
+    int64_t w = (hx < 0 ? -b.hx : b.hx) + r, h = (hy < 0 ? -b.hy : b.hy) + r;
+    if (beyond(x) || beyond(y) || beyond(hx) || beyond(hy) || beyond(r))
+        return;
+    if (r < FX)
+        speck(canvas, x, y, c);
+    int x0 = within((x - w) >> 16, fb->x0, fb->x1), x1 = within(((x + w) >> 16) + 1, fb->x0, fb->x1);
+    int y0 = within((y - h) >> 16, fb->y0, fb->y1), y1 = within(((y + h) >> 16) + 1, fb->y0, fb->y1);
+    for (int py = y0; py < y1; py++)
+        for (int px = x0; px < x1; px++)
+            if (on_rim(&b, px, py))
+                row_of_dots(canvas, py, px, px, c);
 }

@@ -65,4 +65,9 @@ void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, en
 void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c);
 void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c);
 
+/* The same of a capsule: all within r of a bar from (x - hx, y - hy) to (x + hx, y + hy). Its pixel is drawn as that
+ * of a circle of that radius. Nothing of one that is beyond 16384 px from the picture's corner, or larger. */
+void canvas_capsule(const struct canvas *canvas, int32_t x, int32_t y, int32_t hx, int32_t hy, int32_t r,
+                    enum canvas_colour c);
+
 #endif

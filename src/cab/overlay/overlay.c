@@ -254,6 +254,8 @@ static void draw_shape(const struct canvas *canvas, const struct inspect_body *s
         canvas_ring(canvas, s->x, s->y, s->a, c);
     else if (s->shape == INSPECT_BOX)
         canvas_box(canvas, s->x, s->y, s->a, s->b, c);
+    else if (s->shape == INSPECT_CAPSULE)
+        canvas_capsule(canvas, s->x, s->y, s->b, s->c, s->a, c);
     else
         canvas_box(canvas, s->x, s->y, 0, 0, c);
 }
@@ -278,7 +280,7 @@ static void draw_shade(void *context, const struct inspect_body *s)
     enum { WIDER = 1 << 16 };
     struct inspect_body around = *s;
     around.a += WIDER;
-    around.b += WIDER;
+    around.b += s->shape == INSPECT_CAPSULE ? 0 : WIDER;
     around.shape = s->shape == INSPECT_NONE ? INSPECT_BOX : s->shape;
     draw_shape(context, &around, CANVAS_DARK);
     if (s->graze)
