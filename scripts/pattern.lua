@@ -1,11 +1,12 @@
--- pattern.lua - shapes made of bullets. Every pattern is a loop over bullet.fire, or over the function given as `each`,
--- which gets a table of its own for every bullet; so an `each` may call the next pattern with it.
-local sys = ...
+-- pattern.lua - shapes made of bullets. Every pattern is a loop over bullet.fire, or over the function given as `each`.
+-- That gets a new table of arguments for every bullet, so it may change the table and call the next pattern with it.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local pattern = {}
 
 local OWN = { "n", "spread", "sweep", "speed_to", "width", "step", "every", "arms", "lock", "each" }
 
--- Checks the arguments; returns those of the pattern, and those to hand on, with dir filled in.
+-- Checks the arguments; returns those of the pattern, and those to hand on, with dir filled in. aim: the pattern always
+-- aims.
 local function open(name, args, aim)
   local a, own = sys.check(name, args), {}
   for _, key in ipairs(OWN) do own[key], a[key] = a[key], nil end
@@ -14,6 +15,7 @@ local function open(name, args, aim)
   return own, a
 end
 
+-- Fires bullet i with the arguments a, or hands them to `each`.
 local function hand(own, a, i)
   if not own.each then return bullet.fire(a) end
   local copy = {}
@@ -21,10 +23,10 @@ local function hand(own, a, i)
   own.each(copy, i)
 end
 
--- How far along the i-th of n is, both ends included: 0 for i = 0, 1 for i = n - 1.
+-- The i-th of n as a share of the way, both ends included: 0 for i = 0, 1 for i = n - 1.
 local function part(i, n) return n > 1 and i / (n - 1) or 0 end
 
--- Turns an aimed direction into a plain one, seen from the place all bullets start about.
+-- Turns an aimed direction into a plain one, seen from the middle of the places where the bullets start.
 local function settle(a)
   if not a.aim or a.from and not a.from.alive then return end
   local here = { x = a.x, y = a.y }
