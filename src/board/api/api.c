@@ -128,11 +128,11 @@ static int sys_check(lua_State *L)
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "only while scripts load");
     lua_remove(L, 1);
-    api_arguments(L, e, v);
-    int n = api_param_count(e);
+    const struct api_entry *fire = api_arguments(L, e, v);
+    int n = api_param_count(e, fire);
     lua_createtable(L, 0, n);
     for (int i = n; i-- > 0;) {
-        const struct api_param *p = api_param_at(e, i);
+        const struct api_param *p = api_param_at(e, fire, i);
         bool own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);
