@@ -1,6 +1,6 @@
 -- boot.lua - from power-on to the score table and round again: title, attract, choices, game, results, name entry.
 -- boot.run starts one task; the screens are menu.lua's and hud.lua's.
-local sys = ...
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local boot = {}
 
 local ATTRACT = 10 * 60 -- frames the title waits before it shows the demo
@@ -10,12 +10,13 @@ local over, quit -- the last player is out; the pause menu's other item was chos
 
 on.game_over(function() over = true end)
 
--- A frozen board gives turns to the pause screen alone. The scope is its own: the game's tasks must not run.
+-- Shows player p's pause menu, whose second item reads `other`. A frozen board gives turns to the tasks of one scope
+-- alone; the menu gets a scope of its own, so that none of the game's tasks run.
 local function pause(p, other)
   local screen = sys.scope()
   local menu_task = task.own(screen, function()
     quit = menu.pause(p, other) == 2
-    sys.freeze()
+    sys.freeze() -- without a scope: all go on
     hud.refresh()
     task.stop(screen)
   end)
@@ -42,7 +43,8 @@ local function fit_out(p, with)
   for _, r in ipairs(with.registers) do ship[r.name] = r.value end
 end
 
--- Brings the players in, clean field and screen; returns the scope that holds all of this game.
+-- Empties field and screen and brings the players in. other: the second item of the pause menu; with: what a practice
+-- start gives the ships, or nil. Returns the scope that owns all tasks of this game.
 local function enter(ships, other, with)
   sys.wipe()
   over, quit = false, false
@@ -64,19 +66,21 @@ end
 
 local function stopped() return over or quit end
 
--- Until the part is over by itself, or the players are, or they had enough. True for the first.
+-- Waits until the scope `part` is over, or the game is: all players are out, or the other item was chosen. True for the
+-- first.
 local function finished(part)
   wait_until(function() return stopped() or not task.alive(part) end)
   return not stopped()
 end
 
+-- Shows the game's last line, unless it was ended from the pause menu.
 local function last_words(line)
   if quit then return end
   hud.banner({ line }, 180)
   wait_until(function() return quit end, 180)
 end
 
--- What would go on over the results. Sprites stay: they are what is behind them.
+-- Removes what would go on moving over the results. Sprites stay: they are the picture behind the results.
 local function quieten()
   bullet.clear()
   enemy.each(nil, function(e) e:remove() end)
@@ -154,7 +158,8 @@ local function front(a)
   end
 end
 
--- What a practice start asks for, as a function that starts it in a scope; names are checked while the game loads.
+-- practice is "boss/phase", "stage" or "stage:mark". Returns a function that starts that part in a scope owned by
+-- `owner`, and returns the scope. Names are checked at once, while the game loads.
 local function part(practice)
   local name, phase = practice:match("^([^/]*)/(.*)$")
   if name then
@@ -172,7 +177,7 @@ local function part(practice)
   stage_name = stage_name or practice
   stage.expect("boot.run", stage_name)
   return function(owner)
-    if not mark then sys.mark("start", "") end -- else when the mark is reached
+    if not mark then sys.mark("start", "") end -- with a mark, stage.mark says so when the stage is there
     return stage.play(stage_name, owner, mark)
   end
 end
@@ -198,11 +203,13 @@ end
 
 -- ---- the list of what can be practised, for the cabinet ----
 
-local TOLD = 12 -- marks a tick: fewer than board_out holds
+local TOLD = 12 -- sys.mark calls in one frame: fewer than the board can hand out
 
--- Can a practice start name it? Its text has : and / between names, plain letters, and an end.
-local function startable(name, but) return #name < 32 and not name:find("[^ -~]") and not name:find(but) end
+-- True if the text of a practice start ("boss/phase", "stage:mark") can hold the name: short enough, plain characters,
+-- and none that `except`, a Lua pattern, matches.
+local function startable(name, except) return #name < 32 and not name:find("[^ -~]") and not name:find(except) end
 
+-- A function that does what sys.mark does, and waits a frame when the frame is full.
 local function teller()
   local told = 0
   return function(...)
@@ -242,7 +249,7 @@ local function tell_marks(tell, a, name)
   if not whole then print(('stage "%s" waits for ever when it is skipped: marks after that are not known'):format(name)) end
 end
 
--- First what is known without running anything, for a stage may be wrong.
+-- First what is known without running anything: a stage that runs through may fault, and then the list ends there.
 local function list_pieces(a)
   local tell, stages = teller(), {}
   tell_ship(tell, a.players[1])
@@ -254,7 +261,7 @@ local function list_pieces(a)
   end
   boss.each(function(b) tell_boss(tell, b) end)
   for _, name in ipairs(stages) do tell_marks(tell, a, name) end
-  tell("listed", "")
+  tell("listed", "") -- the list is complete
 end
 
 function boot.run(args)
@@ -270,7 +277,7 @@ function boot.run(args)
   if practice == "" then return task.go(front, a) end
   expect_registers(a.players[1], with)
   a.with = with
-  if practice == "?" then return task.go(list_pieces, a) end
+  if practice == "?" then return task.go(list_pieces, a) end -- the cabinet asks what can be practised
   task.go(practise, a, part(practice))
 end
 

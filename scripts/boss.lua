@@ -1,14 +1,16 @@
--- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. What a phase starts, spawns and puts
--- belongs to the phase's scene, and that to the enemy, which goes with the task that fights: the board cleans up.
-local sys = ...
+-- boss.lua - a boss is an enemy with phases, each with hp, a clock and a task. A phase has a scene: an owner of every
+-- task that the phase starts and every enemy and sprite it makes. When the phase ends, the scene is stopped and the
+-- board removes all of these. The scene belongs to the enemy, so it also ends with that; and when the task that fights
+-- is stopped, the enemy is removed.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local boss = {}
 
-local ABOVE = -48  -- where it comes from and leaves to, y
-local FLIGHT = 60  -- frames it takes
+local ABOVE = -48  -- y of the place above the field where a boss comes from and leaves to
+local FLIGHT = 60  -- frames its way in or out takes
 
 local bosses = {}  -- name -> definition
 local names = {}   -- in the order they were declared
-local busy         -- the task that fights, and its boss's name; it may be stopped at any time
+local busy         -- task, the task that fights now, and name, its boss; that task may be stopped at any time
 local status       -- what the hud shows of the fight: enemy, title, spell, hp, ends, left; nil between fights
 
 local function checked(entry, ids)
@@ -42,7 +44,7 @@ local function at_end(f) return setmetatable({}, { __close = f }) end
 
 local function spawn(b)
   local e = enemy.spawn { kind = b.kind, x = b.x, y = ABOVE }
-  sys.hold(e, true) -- its hp stop at 0, so that a phase can end without the end of the boss
+  sys.hold(e, true) -- makes it undying: at 0 hp a phase ends, but the boss does not die
   e.safe = forever
   return e
 end
@@ -53,19 +55,20 @@ local function fly_in(b, e)
 end
 
 local function leave(e, beaten)
-  sys.hold(e, false)
+  sys.hold(e, false) -- it can die again
   if beaten then return e:kill() end
   e:move { x = e.x, y = ABOVE, over = FLIGHT, ease = "in" }
   wait(FLIGHT)
   e:remove()
 end
 
--- True if the phase was beaten. The task that fights is older than the phase's own: at the end it has the first word.
+-- True if the phase was beaten. The fight's task is older than the phase's, so it gets its turn first and stops the
+-- phase before that runs again.
 local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
   sys.mark("phase", phase.id, b.name, phase.spell)
-  local scene = sys.scene(e)
+  local scene = sys.scene(e) -- owned by the boss; what the phase makes belongs to it
   task.own(scene, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
@@ -122,7 +125,7 @@ end
 function boss.fight(name)
   local b = find("boss.fight", sys.check("boss.fight", name).name)
   if stage.skipping() then
-    sys.pass()
+    sys.pass() -- counts as a wait passed over, as in stage.lua
     return true
   end
   local s = stage.stop_clock()

@@ -1,6 +1,6 @@
 -- hud.lua - what stands on the screen during play, as rows of text: scores and lives, the boss, the stage's banner.
 -- Also the few words for putting text that the menus share. A field that leaves room to its right gets a side panel.
-local sys = ...
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local hud = {}
 
 hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
@@ -40,6 +40,8 @@ function hud.centre(row, s, bank)
   return row
 end
 
+-- The field leaves `room` columns to its right. Ten are enough for a panel, of all but the first; else the rows go over
+-- the whole screen.
 local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
 local left = room >= 10 and hud.cols - room + 1 or 0
 local width = room >= 10 and room - 1 or hud.cols
@@ -48,9 +50,9 @@ local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
 local BANNER_ROW = hud.rows // 3
 
 local players = 0 -- how many play
-local seen = {}   -- each player's last score: one who is out reads as dead
-local shown = {}  -- each row's text: a row is written when it changes, and not before it has something to say
-local banner      -- lines, rows and the frame it ends, or nil
+local seen = {}   -- each player's last score: that of one who is out cannot be read
+local shown = {}  -- the text of each row on the screen; a row is written only when it changes
+local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
 
 local function points(n) return ("%09d"):format(n) end

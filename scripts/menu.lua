@@ -1,14 +1,14 @@
 -- menu.lua - the screens around the game. Each is a plain function, called in a task, that returns what was chosen.
 -- To change one, put a std/menu.lua into the game; boot.lua says when each is shown.
-local sys = ...
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local menu = {}
 
 local ARROW = hud.glyph(140, ">")
 local IDLE = 30 * 60 -- frames after which a screen that nobody answers gives up
 local RANKS = 10     -- rows of the score table
 
--- A press of player p, or of anybody: of this frame, for what came before was not meant for this screen; and taken, for
--- it is not meant for the game either.
+-- Did player p (nil: one of the players) press the button in this frame? An earlier press was not meant for this
+-- screen. The press is taken, so that the game does not see it as well.
 local function pressed(button, p)
   if p then return pad.take(button, 0, p) end
   return pad.take(button, 0, 1) or pad.take(button, 0, 2)
@@ -34,8 +34,8 @@ local function draw_items(a, col, row, chosen)
   end
 end
 
--- A list to choose from: items, row, and if wanted title, chosen, p (whose switches), limit (frames), back (the number bomb
--- answers; false: bomb does nothing). Returns the number chosen, or nil for bomb or when nobody answers.
+-- Shows a list to choose from: items, row, and if wanted title, chosen, p (whose switches), limit (frames), back (the
+-- number bomb answers; false: bomb does nothing). Returns the number chosen, or nil for bomb or when nobody answers.
 function menu.choose(a)
   local n, chosen, longest = #a.items, a.chosen or 1, 0
   for _, item in ipairs(a.items) do longest = math.max(longest, #item) end
@@ -129,7 +129,7 @@ function menu.results(title, players, stopped)
   local top = hud.rows // 3
   local row = hud.centre(top, title, hud.banks.bright) + 2
   for i = 1, players do row = tally(row, i, players > 1) end
-  wait_until(stopped, 60) -- fire is still being hammered when the boss bursts
+  wait_until(stopped, 60) -- a second in which fire is not asked: players still press it quickly when the boss bursts
   wait_until(function() return stopped() or pressed("fire") end, 240)
   text.clear { col = 0, row = top, w = hud.cols, h = hud.rows - top }
 end

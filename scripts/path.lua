@@ -1,5 +1,5 @@
 -- path.lua - routes for enemies: a list of points, each reached exactly after its `over` frames.
-local sys = ...
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local path = {}
 
 local known = {} -- the routes path.def made: nothing else is taken for one
@@ -7,7 +7,7 @@ local known = {} -- the routes path.def made: nothing else is taken for one
 -- The first entry is the start; every later one is a point to reach, or a wait.
 local function checked(i, entry)
   local a = sys.check("path.def point", entry)
-  local start, moves = i == 1, a.x or a.y or a.over or entry.ease
+  local start, moves = i == 1, a.x or a.y or a.over or entry.ease -- moves: has anything but wait
   local good
   if start then
     good = a.x and a.y and not (a.over or a.wait or entry.ease)
@@ -37,7 +37,8 @@ end
 
 function path.known(route) return known[route] == true end
 
--- Where a point lies for one that flies dx, dy beside the route. A mirrored wave is the whole wave's mirror image, dx included.
+-- Where a point lies for an enemy that flies dx, dy beside the route. Mirrored: left and right changed over in the
+-- field, the shift by dx included.
 function path.place(point, mirror, dx, dy)
   local x = point.x + dx
   return mirror and rom.field.w - x or x, point.y + dy

@@ -1,5 +1,5 @@
 -- prelude.lua - words every script knows: wait_until, wait_for, by_difficulty.
-local sys = ...
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
 local FEW = 12 -- names that one sentence may list
 
@@ -19,7 +19,7 @@ end
 local function wait_until(f, limit)
   local left = sys.check("wait_until", f, limit).limit or forever
   wait(0) -- refuses an event handler even when f() holds at once
-  if sys.skipping() then return true end
+  if sys.skipping() then return true end -- a stage on its way to a mark waits for nothing
   while not f() do
     if left == 0 then return false end
     wait(1)
@@ -28,7 +28,7 @@ local function wait_until(f, limit)
   return true
 end
 
--- The dead never come back, so one after the other is the same as all together.
+-- What is dead stays dead, so waiting for one after the other is waiting for all.
 local function wait_for(...)
   local list = { ... }
   for i = 1, select("#", ...) do
@@ -43,7 +43,8 @@ local function wait_for(...)
   end
 end
 
--- Walks from easy to hard. What it has when it gets to the present difficulty is the answer; with nothing yet, the next it meets.
+-- Goes through the difficulties from easy to hard and keeps the last value given. At the present difficulty that is the
+-- answer; if none was given so far, the answer is the first one given for a harder difficulty.
 local function by_difficulty(values)
   local names, value, reached = sys.difficulties(), nil, false
   if sys.loading() then sys.fail("by_difficulty", "the difficulty is not chosen yet; call it where the game runs") end

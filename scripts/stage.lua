@@ -1,13 +1,19 @@
--- stage.lua - a stage is one task: plain code, from top to bottom. What it starts belongs to its scope and stops with it.
+-- stage.lua - a stage is one task: plain code, from top to bottom. What it starts belongs to its scope and stops with
+-- it.
 --
--- A practice start runs the same code with `skip` set: until that mark, stage.at only sets the clock, and waves, clears and
--- boss fights are passed over.
-local sys = ...
+-- A practice start runs the same code with `skip` set to the name of a mark. Until the stage comes to that mark it
+-- skips: stage.at only sets the clock, and waves, clears and boss fights are passed over.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local stage = {}
 
 local stages = {} -- name -> function
 local names = {}  -- in the order they were declared
-local now         -- the stage being played: name, scope, base, fights, stopped, skip, marks, met, waves
+
+-- The stage being played, or the last one: name; scope, which owns its tasks; base, the board's clock where the stage's
+-- own is 0; fights, how many boss fights stop its clock, and stopped, the board's clock when the first of them began;
+-- skip, the mark it skips to, or nil; marks, those it came to, in order, and met, the same by name; waves, the tasks
+-- that send enemies.
+local now
 
 local function current(api)
   if not (now and task.alive(now.scope)) then sys.fail(api, "no stage is running") end
@@ -36,6 +42,7 @@ function stage.at(n)
   if time > frame then sys.fail("stage.at", ("frame %d is past: the stage's clock is at %d"):format(frame, time)) end
   if s.skip then
     s.base = s.base - (frame - time)
+    -- sys.pass() counts one wait passed over; too many in one turn are a fault, so a stage that skips for ever ends.
     return sys.pass()
   end
   while clock(s) < frame do wait(frame - clock(s)) end -- again when a boss fight stopped the clock meanwhile
@@ -84,12 +91,13 @@ function stage.mark(name)
     s.marks[#s.marks + 1] = a.name
   end
   if s.skip and s.skip ~= a.name then return sys.pass() end
-  sys.mark("point", a.name, s.name)
+  sys.mark("point", a.name, s.name) -- tells the cabinet of a moment of the run; changes nothing in the game
   if not s.skip then return end
   s.skip = nil
-  sys.mark("start", "")
-  sys.skip(false)
-  sys.wipe() -- what the stage made by its own hands on the way here
+  sys.mark("start", "") -- here the practised part begins
+  sys.skip(false)       -- from here on the task waits as usual
+  -- Removes what the stage's own code made directly, outside waves and fights, while it was skipped through.
+  sys.wipe()
   hud.refresh()
 end
 
@@ -97,7 +105,8 @@ end
 
 function stage.skipping() return now ~= nil and task.alive(now.scope) and now.skip ~= nil end
 
--- Stops the clock of the stage being played and returns that, for start_clock: by then it may be another.
+-- Stops the clock of the stage being played. Returns that stage, for stage.start_clock: when the fight ends, another
+-- stage may be played.
 function stage.stop_clock()
   if not now then return end
   if now.fights == 0 then now.stopped = sys.clock() end
@@ -123,7 +132,7 @@ function stage.play(name, owner, mark)
   sys.emit("stage", name, "start")
   sys.mark("stage", name)
   task.own(s.scope, function()
-    sys.skip(mark ~= nil)
+    sys.skip(mark ~= nil) -- true: no wait of this task takes time
     stages[name]()
     if s.skip then sys.unknown("stage " .. name, "mark", s.skip, s.marks) end
     sys.mark("clear", name)
@@ -145,9 +154,10 @@ function stage.names(first)
   return list
 end
 
--- The marks a stage has, met by running through it with nothing but skips; and whether it came to its end. Takes a frame.
+-- The marks a stage has, met by running through it with nothing but skips; and whether it came to its end. Takes a
+-- frame.
 function stage.run_through(name, owner)
-  local s, whole = begin(name, owner, true), false
+  local s, whole = begin(name, owner, true), false -- skip = true is the name of no mark, so it skips to the end
   task.own(s.scope, function()
     sys.skip(true)
     stages[name]()

@@ -215,7 +215,24 @@ local function tasks()
   end
 end
 
-local corners = { bullets, groups, shots, enemies, pictures, numbers, tasks }
+local function figures()
+  local fires = { pattern.polygon, pattern.star, pattern.ellipse, pattern.rose, pattern.whip, pattern.scatter,
+    pattern.points, pattern.picture }
+  local own = { { n = 12, sides = 3 }, { n = 10, points = 5, inner = 0.4 }, { n = 9, speed_to = 0.7, tilt = 20 },
+    { n = 12, petals = 3, speed_to = 0.5 }, { n = 5, speed_to = 3, bend = 50 }, { n = 7, spread = 80, speed_to = 2.5 },
+    { list = { { 0, 0 }, { 5, -3 }, { 5.5, 3 } }, scale = 1.5 }, { dots = "#.#\n ##", gap = 5 } }
+  for n = 1, forever do
+    local a = own[n % #own + 1]
+    a.x, a.y, a.kind, a.fire, a.by = 112, 90, "dot", nil, nil
+    a.speed, a.dir, a.aim, a.turns = 1.5, 17 * n, n % 3 == 0, nil
+    a.skip = n % 4 == 0 and { 2, n % 9 + 2 } or nil
+    if n % 5 == 0 then a.kind, a.fire, a.by = "ball", "shot", player.get(1) end
+    fires[n % #own + 1](a)
+    wait(11)
+  end
+end
+
+local corners = { bullets, groups, shots, enemies, pictures, numbers, tasks, figures }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end

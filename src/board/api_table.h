@@ -24,6 +24,7 @@ enum api_type {
     A_FUNC,
     A_TABLE,
     A_ANY,
+    A_SPAN,        /* { first, last }: two whole numbers from lo to hi, in order */
     A_ROUTE,       /* what path.def returned */
     A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
     A_HIT,         /* a hit shape; lo: whose (api_parts.h) */
@@ -40,6 +41,7 @@ enum api_type {
     A_EASE,
     A_LAYER,
     A_ALIGN,
+    A_FIRE, /* what a pattern fires */
 };
 
 /* What is declared under a name. */
@@ -75,9 +77,9 @@ enum {
     API_LUA = 1 << 3,     /* written in Lua (@std); the table only knows its arguments */
     API_SYS = 1 << 4,     /* only @std can call it */
     API_MORE = 1 << 5,    /* any further arguments are passed on */
-    API_FIRE = 1 << 6,    /* takes every argument of bullet.fire besides its own */
+    API_FIRE = 1 << 6,    /* a pattern: takes every argument of bullet.fire, or shot.fire, besides its own */
     API_GLOBAL = 1 << 7,  /* stands among the globals */
-    API_VALUES = 1 << 8,  /* takes the values declared for what its name begins with, as API_FIRE those of bullets */
+    API_VALUES = 1 << 8,  /* takes the values declared for what its name begins with, as API_FIRE those of what it fires */
 };
 
 struct api_entry {

@@ -103,6 +103,18 @@ task.go(function()
       fold(#near .. " " .. angle.to(p, { x = 1, y = 2 }) .. " " .. p.x .. " " .. p.grazes .. " " .. p.score)
       mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
     end
+    if i % 40 == 20 then
+      pattern.ellipse { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, tilt = 20, dir = i }
+      pattern.scatter { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, spread = 77 }
+      pattern.polygon { x = 32, y = 20, kind = "orb", speed = 1.1, n = 9, sides = 3, skip = { 2, 3 }, aim = true }
+      pattern.star { x = 32, y = 20, kind = "rice", speed = 1.7, n = 20, points = 5, inner = 0.382 }
+      pattern.rose { x = 32, y = 20, kind = "orb", speed = 1.9, speed_to = 0.3, n = 21, petals = 4 }
+      pattern.whip { x = 32, y = 60, kind = "bolt", fire = "shot", speed = 3, speed_to = 5, n = 4, bend = 33,
+        aim = true }
+      pattern.points { x = 32, y = 20, kind = "orb", speed = 1, list = { { 1, 2 }, { -3.3, 4 } }, turns = true,
+        dir = i }
+      pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
+    end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
     text.put { col = 0, row = 7, text = ("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
     wait(1)

@@ -22,8 +22,9 @@ static const char world[] =
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
     "local sys = string.sys\n"
     "string.route = path.def { { x = 1, y = 2 }, { x = 100, y = 90, over = 2, ease = 'both' } }\n"
-    "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, stages = { "
-    "'s' },\n"
+    "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, spots = { { "
+    "1, "
+    "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
     "}\n"
     "stage.def('s', function() wait(forever) end)\n"
@@ -307,7 +308,7 @@ static void push_value(lua_State *L, const struct api_param *p)
                              *const layers[] = { "back", "middle", "front" },
                              *const aligns[] = { "left", "center", "right" },
                              *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
-                             *const sprites[] = { "dot", "arrow", "wink" },
+                             *const sprites[] = { "dot", "arrow", "wink" }, *const fires[] = { "bullet", "shot" },
                              *const pools[] = { "bullet", "shot", "enemy" };
 
     if (one_in(6)) {
@@ -352,7 +353,7 @@ static void push_value(lua_State *L, const struct api_param *p)
             push_table(L, 0);
         else {
             push_string_field(L, "tables");
-            lua_getfield(L, -1, p->name);
+            lua_getfield(L, -1, entry && !strcmp(entry->name, "pattern.points") ? "spots" : p->name);
             lua_remove(L, -2);
         }
         break;
@@ -417,6 +418,16 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_ALIGN:
         push_from(L, aligns, 3);
+        break;
+    case A_SPAN:
+        lua_createtable(L, 2, 0);
+        for (int i = 1; i <= 2; i++) {
+            lua_pushinteger(L, (lua_Integer)below(12) - 1);
+            lua_rawseti(L, -2, i);
+        }
+        break;
+    case A_FIRE:
+        push_from(L, fires, 2);
         break;
     }
 }
@@ -495,8 +506,9 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
         return n + 1;
     }
     lua_newtable(L);
+    const char *of = one_in(3) ? "shot" : "bullet";
     for (int i = 0; e->flags & API_FIRE && i < api_count(); i++)
-        if (!strcmp(api_entry(i)->name, "bullet.fire"))
+        if (!strncmp(api_entry(i)->name, of, strlen(of)) && !strcmp(strchr(api_entry(i)->name, 0) - 5, ".fire"))
             fire = api_entry(i);
     bool place = one_in(2);
     for (int i = e->plain; i < e->count + (fire ? fire->count : 0); i++) {
@@ -511,6 +523,10 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
         static const struct api_param heat = { "heat", A_FX, OPT, -32768, 32767, NULL, NULL };
         push_value(L, &heat);
         lua_setfield(L, -2, one_in(6) ? "mood" : one_in(2) ? "heat" : "goal");
+    }
+    if (fire && !one_in(8)) {
+        lua_pushstring(L, of);
+        lua_setfield(L, -2, "fire");
     }
     if (one_in(30)) {
         push_word(L);
@@ -640,7 +656,7 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 600 : entry->count > 4 ? 160 : 120);
+        int n = trials(entry->flags & API_FIRE ? 1000 : entry->count > 4 ? 160 : 120);
         for (int k = 0; k < n; k++)
             try_once(entry->name, entry->flags & API_LOAD, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */

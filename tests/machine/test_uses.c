@@ -320,10 +320,10 @@ struct reached {
     bool fine;
 };
 
-static void look_at_kind(struct reached *at, int pool, uint8_t shape, uint8_t flags)
+static void look_at_kind(struct reached *at, int pool, uint8_t shape, unsigned flags)
 {
     at->shapes[pool] |= 1u << shape;
-    at->flags[pool] |= flags | (unsigned)(uint8_t)~flags << 8;
+    at->flags[pool] |= (flags & 0xff) | (~flags & 0xff) << 8;
 }
 
 static void look_at_bullets(struct reached *at, int pool, const struct bullets *s, const struct bullet_kinds *k)

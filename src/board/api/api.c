@@ -103,7 +103,8 @@ static int call(lua_State *L)
         return api_error(L, e->name, "only while scripts load");
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
         return api_error(L, e->name, "call it with a colon, on a thing");
-    int n = api_arguments(L, e, v);
+    const struct api_entry *fire;
+    int n = api_arguments(L, e, v, &fire);
     if (e->flags & API_CHANGES) {
         fold_arguments(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, n);
         for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
@@ -128,15 +129,16 @@ static int sys_check(lua_State *L)
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "only while scripts load");
     lua_remove(L, 1);
-    int all = api_arguments(L, e, v), n = api_param_count(e);
+    const struct api_entry *fire;
+    int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire);
     lua_createtable(L, 0, all);
     for (int i = n; i < all; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);
-            lua_setfield(L, -2, api_names_at(vm_board(L), api_value_names(e), i - n));
+            lua_setfield(L, -2, api_names_at(vm_board(L), api_value_names(fire ? fire : e), i - n));
         }
     for (int i = n; i-- > 0;) {
-        const struct api_param *p = api_param_at(e, i);
+        const struct api_param *p = api_param_at(e, fire, i);
         bool own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);

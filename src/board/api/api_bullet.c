@@ -218,6 +218,13 @@ static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"),
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
                                               { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL } };
 
+ang api_aim(const struct board *b, bool shot, fx x, fx y)
+{
+    struct targets t = board_world(b, shot).targets;
+
+    return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
+}
+
 static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, const char *entry, uint8_t player)
 {
     struct bullets *pool = shot ? &b->shots : &b->bullets;
@@ -237,10 +244,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         lua_pushinteger(L, board_handle(b, h, NO_SLOT));
         return 1;
     }
-    if (v[F_AIM].i) {
-        struct targets t = board_world(b, shot).targets;
-        s.dir = targets_aim(&t, s.x, s.y, shot ? 0xc0000000u : 0x40000000u) + (v[F_DIR].given ? v[F_DIR].a : 0);
-    }
+    if (v[F_AIM].i)
+        s.dir = api_aim(b, shot, s.x, s.y) + (v[F_DIR].given ? v[F_DIR].a : 0);
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
     s.clouded = s.delay && kinds->flags[s.kind] & KIND_CLOUDED;
@@ -890,10 +895,22 @@ const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
 static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
+/* The entries that patterns take the parameters of: FIRES_BULLETS, FIRES_SHOTS. */
+#define BULLET_FIRE                                                                                                    \
+    {                                                                                                                  \
+        "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
+            "fires a bullet from x, y or from a thing"                                                                 \
+    }
+#define SHOT_FIRE                                                                                                      \
+    {                                                                                                                  \
+        "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",                            \
+            "fires a shot; with aim, dir counts from the nearest enemy"                                                \
+    }
+const struct api_entry api_fire[2] = { BULLET_FIRE, SHOT_FIRE };
+
 static const struct api_entry entries[] = {
     { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
-    { "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",
-      "fires a bullet from x, y or from a thing" },
+    BULLET_FIRE,
     { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
       "every live bullet with that tag (without one: all) as one thing to write to" },
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
@@ -913,11 +930,9 @@ static const struct api_entry entries[] = {
       "name and fine = true keeps places and speeds to 32 fraction bits" },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
-    { "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",
-      "fires a shot; with aim, dir counts from the nearest enemy" },
+    SHOT_FIRE,
     { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
     { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
     { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
 };
-const struct api_entry *const api_fire = &entries[1];
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

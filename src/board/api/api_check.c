@@ -80,6 +80,31 @@ static void check_number(lua_State *L, const char *entry, const struct api_param
         expected_number(L, entry, p, at, "a number");
 }
 
+static bool check_end(lua_State *L, const struct api_param *p, int at, int i, lua_Integer *out)
+{
+    int whole = 0;
+
+    *out = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
+    lua_pop(L, 1);
+    return whole && (double)*out >= p->lo && (double)*out <= p->hi;
+}
+
+static void check_span(lua_State *L, const char *entry, const struct api_param *p, int at)
+{
+    char what[160];
+    lua_Integer first, last;
+
+    if (lua_type(L, at) == LUA_TTABLE && check_end(L, p, at, 1, &first) && check_end(L, p, at, 2, &last)) {
+        if (first <= last && lua_rawlen(L, at) == 2)
+            return;
+        if (first > last)
+            api_error(L, entry, "%s: %d is after %d (did you mean { %d, %d }?)", p->name, (int)first, (int)last,
+                      (int)last, (int)first);
+    }
+    snprintf(what, sizeof what, "{ first, last }, whole numbers from %.14g to %.14g", p->lo, p->hi);
+    expected(L, entry, p, at, what);
+}
+
 static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     bool is = lua_type(L, at) == LUA_TNUMBER;
@@ -228,7 +253,7 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
     static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
     static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                              *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" };
+                             *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" };
 
     v->at = at;
     v->given = !lua_isnoneornil(L, at);
@@ -258,6 +283,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         break;
     case A_TABLE:
         check_type(L, entry, p, at, LUA_TTABLE, "a table");
+        break;
+    case A_SPAN:
+        check_span(L, entry, p, at);
         break;
     case A_ROUTE:
         check_type(L, entry, p, at, LUA_TTABLE, "a route (what path.def returned)");
@@ -304,6 +332,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
     case A_ALIGN:
         check_word(L, entry, p, at, v, aligns, 3);
         break;
+    case A_FIRE:
+        check_word(L, entry, p, at, v, fires, 2);
+        break;
     }
 }
 
@@ -331,40 +362,56 @@ static void fill_default(const struct api_param *p, struct api_value *v)
         v->i = LUA_MAXINTEGER;
 }
 
-int api_param_count(const struct api_entry *e)
+int api_param_count(const struct api_entry *e, const struct api_entry *fire)
 {
-    return e->count + (e->flags & API_FIRE ? api_fire->count : 0);
+    return e->count + (fire ? fire->count : 0);
 }
 
-const struct api_param *api_param_at(const struct api_entry *e, int i)
+const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i)
 {
-    return i < e->count ? &e->params[i] : &api_fire->params[i - e->count];
+    return i < e->count ? &e->params[i] : &fire->params[i - e->count];
 }
 
-/* An entry's own parameter hides bullet.fire's of the same name, because it comes first. */
-static int param_named(const struct api_entry *e, const char *name)
+/* Whose parameters a call takes besides its own: of a pattern, by the field `fire` of its table at `at`. A wrong word
+ * there is found when that argument is checked. */
+static const struct api_entry *fires(lua_State *L, const struct api_entry *e, int at)
 {
-    int n = api_param_count(e);
+    if (!(e->flags & API_FIRE))
+        return NULL;
+    if (lua_type(L, at) != LUA_TTABLE)
+        return &api_fire[FIRES_BULLETS];
+    lua_pushliteral(L, "fire");
+    bool shots = lua_rawget(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
+    lua_pop(L, 1);
+    return &api_fire[shots ? FIRES_SHOTS : FIRES_BULLETS];
+}
+
+/* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
+static int param_named(const struct api_entry *e, const struct api_entry *fire, const char *name)
+{
+    int n = api_param_count(e, fire);
 
     for (int i = e->plain; i < n; i++) {
-        const char *p = api_param_at(e, i)->name;
+        const char *p = api_param_at(e, fire, i)->name;
         if (p[0] == name[0] && !strcmp(p, name))
             return i;
     }
     return -1;
 }
 
-static void unknown(lua_State *L, const struct api_entry *e, const char *name)
+static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire, const char *name)
 {
     const struct board *b = vm_board(L);
-    enum api_names values = api_value_names(e);
+    enum api_names values = api_value_names(fire ? fire : e);
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    if (api_reserved(e->name, '{', name) || (e->flags & API_FIRE && api_reserved(api_fire->name, '{', name)))
+    if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
-    for (int i = e->plain; i < api_param_count(e); i++)
-        api_suggest_nearer(name, api_param_at(e, i)->name, &best, &found);
+    if (fire == &api_fire[FIRES_BULLETS] && param_named(&api_fire[FIRES_SHOTS], NULL, name) >= 0)
+        api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
+    for (int i = e->plain; i < api_param_count(e, fire); i++)
+        api_suggest_nearer(name, api_param_at(e, fire, i)->name, &best, &found);
     for (int k = 0; k < api_values(b, values); k++)
         api_suggest_nearer(name, api_names_at(b, values, k), &best, &found);
     if (found)
@@ -373,9 +420,9 @@ static void unknown(lua_State *L, const struct api_entry *e, const char *name)
 }
 
 /* Spreads the table of named arguments at `at` over the stack from `first` on, a slot a parameter. */
-static void spread(lua_State *L, const struct api_entry *e, int at, int first)
+static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, int first)
 {
-    const enum api_names values = api_value_names(e);
+    const enum api_names values = api_value_names(fire ? fire : e);
     const char *wrong = NULL;
 
     lua_pushnil(L);
@@ -384,10 +431,10 @@ static void spread(lua_State *L, const struct api_entry *e, int at, int first)
             const char *got = push_got(L, -2);
             api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", got);
         }
-        int i = param_named(e, lua_tostring(L, -2));
+        int i = param_named(e, fire, lua_tostring(L, -2));
         if (i < 0 && api_values(vm_board(L), values) > 0) {
             int k = api_names_find(L, values, lua_tostring(L, -2));
-            i = k == NO_SLOT ? -1 : api_param_count(e) + k;
+            i = k == NO_SLOT ? -1 : api_param_count(e, fire) + k;
         }
         if (i >= 0)
             lua_replace(L, first + i - e->plain);
@@ -399,23 +446,25 @@ static void spread(lua_State *L, const struct api_entry *e, int at, int first)
         }
     }
     if (wrong)
-        unknown(L, e, wrong);
+        unknown(L, e, fire, wrong);
 }
 
 /* Checks the declared values among the arguments, which stand from stack index `at` on. */
-static void check_values(lua_State *L, const struct api_entry *e, int n, int at, struct api_value *v)
+static void check_values(lua_State *L, const struct api_entry *e, enum api_names names, int at, struct api_value *v)
 {
-    for (int k = 0; k < n; k++) {
-        struct api_param p = api_value_param(api_names_at(vm_board(L), api_value_names(e), k));
+    for (int k = 0; k < api_values(vm_board(L), names); k++) {
+        struct api_param p = api_value_param(api_names_at(vm_board(L), names, k));
         p.optional = OPT;
         v[k] = (struct api_value){ 0 };
         api_check(L, e->name, &p, at + k, &v[k]);
     }
 }
 
-int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
+int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
-    int n = api_param_count(e), top = lua_gettop(L), values = api_values(vm_board(L), api_value_names(e));
+    const struct api_entry *fire = *fire_of = fires(L, e, e->plain + 1);
+    const enum api_names names = api_value_names(fire ? fire : e);
+    int n = api_param_count(e, fire), top = lua_gettop(L), values = api_values(vm_board(L), names);
     int named = n - e->plain;
 
     if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
@@ -427,16 +476,16 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
         int at = e->plain + 1;
         lua_settop(L, at + named + values);
         if (lua_type(L, at) == LUA_TTABLE)
-            spread(L, e, at, at + 1);
+            spread(L, e, fire, at, at + 1);
         else if (!lua_isnil(L, at)) {
             const char *got = push_got(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s", got);
         }
     } else if (top < e->plain)
         lua_settop(L, e->plain);
-    bool lenient = false; /* with `each`, bullet.fire need not be the one that is called */
+    bool lenient = false; /* with `each`, something else than `fire` may be called */
     for (int i = 0; i < n; i++) {
-        struct api_param loose = *api_param_at(e, i);
+        struct api_param loose = *api_param_at(e, fire, i);
         const struct api_param *p = &loose;
         if (i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
             lenient = !lua_isnil(L, i + 2);
@@ -446,6 +495,6 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v)
         fill_default(p, &v[i]);
         api_check(L, e->name, p, i < e->plain ? i + 1 : i + 2, &v[i]);
     }
-    check_values(L, e, values, n + 2, v + n);
+    check_values(L, e, names, n + 2, v + n);
     return n + values;
 }

@@ -18,6 +18,7 @@ static const char *type_words(const struct api_param *p)
         [A_FUNC] = "function",
         [A_TABLE] = "table",
         [A_ANY] = "any value",
+        [A_SPAN] = "{ first, last }, whole numbers",
         [A_ROUTE] = "route",
         [A_THING] = "thing",
         [A_MOTION] = "motion or its name",
@@ -33,6 +34,7 @@ static const char *type_words(const struct api_param *p)
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle or front",
         [A_ALIGN] = "left, center or right",
+        [A_FIRE] = "bullet or shot",
     };
 
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
@@ -41,7 +43,7 @@ static const char *type_words(const struct api_param *p)
 static void help_param(const struct api_param *p, void (*line)(const char *))
 {
     char text[320], range[80] = "", def[80] = "";
-    bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX;
+    bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
 
     if (ranged)
         snprintf(range, sizeof range, " from %.14g to %.14g%s%s", p->lo, p->hi, p->unit ? " " : "",
@@ -110,7 +112,7 @@ static void help_entry(const struct api_entry *e, bool whole, void (*line)(const
     for (int i = e->flags & API_METHOD ? 1 : 0; i < e->count; i++)
         help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
-        line("    ...        and every argument of bullet.fire");
+        line("    ...        and every argument of bullet.fire, or shot.fire");
     help_parts(e, line);
 }
 

@@ -9,8 +9,10 @@
 
 enum { MAX_PARAMS = 40 };
 
-/* The entry of bullet.fire, whose parameters patterns (API_FIRE) take too. */
-extern const struct api_entry *const api_fire;
+/* The entries of bullet.fire and shot.fire. A pattern (API_FIRE) takes the parameters of one of them too: of what its
+ * argument `fire` names, by FIRES_. */
+enum { FIRES_BULLETS, FIRES_SHOTS };
+extern const struct api_entry api_fire[2];
 
 /* An entry by name; NULL: none. */
 const struct api_entry *api_find(const char *name);
@@ -22,13 +24,14 @@ extern const char *const api_thing_names[HANDLES];
  * and *found is NULL before the first call. */
 void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
-/* All parameters of an entry, those of bullet.fire that it takes included. */
-int api_param_count(const struct api_entry *e);
-const struct api_param *api_param_at(const struct api_entry *e, int i);
+/* All parameters of an entry: its own, then those of `fire`, which a pattern takes; fire NULL: none. */
+int api_param_count(const struct api_entry *e, const struct api_entry *fire);
+const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i);
 
 /* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one a parameter; behind them
- * stand the declared values that the entry takes. Returns how many there are in all. */
-int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v);
+ * stand the declared values that the entry takes. Returns how many there are in all; *fire is whose parameters e takes
+ * besides its own, or NULL. */
+int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
@@ -42,6 +45,10 @@ enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
 
 /* What they may be, in words. */
 extern const char *const api_hit_forms[];
+
+/* Where `aim` points from a place: at the nearest player, of a shot at the nearest enemy; if there is none, or just
+ * there, down, and of a shot up. */
+ang api_aim(const struct board *b, bool shot, fx x, fx y);
 
 /* Reads a hit shape at `at`: SHAPE_ and what motion.h says of a and b. */
 uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b);

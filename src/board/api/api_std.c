@@ -15,7 +15,17 @@
     {                                                                                                                  \
         "every", A_INT, REQ, 0, 65535, "frames", NULL                                                                  \
     }
-#define EACH                                                                                                           \
+#define SPEED_TO                                                                                                       \
+    {                                                                                                                  \
+        "speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL                                                \
+    }
+#define TURNS                                                                                                          \
+    {                                                                                                                  \
+        "turns", A_BOOL, OPT, 0, 0, NULL, "false"                                                                      \
+    }
+/* What every pattern has. */
+#define PATTERN                                                                                                        \
+    { "skip", A_SPAN, OPT, -65535, 65535, NULL, NULL }, { "fire", A_FIRE, OPT, 0, 0, NULL, "bullet" },                 \
     {                                                                                                                  \
         "each", A_FUNC, OPT, 0, 0, NULL, NULL                                                                          \
     }
@@ -29,19 +39,35 @@
     }
 
 static const struct api_param wait_until[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL }, LIMIT };
-static const struct api_param ring[] = { N, EACH };
-static const struct api_param fan[] = { N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, EACH };
-static const struct api_param arc[] = { N, { "sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL }, EACH };
-static const struct api_param stack[] = { N,
-                                          { "speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
-                                          EACH };
-static const struct api_param line[] = { N, { "width", A_NUM, REQ, -WORLD, WORLD, "px", NULL }, EACH };
+static const struct api_param ring[] = { N, PATTERN };
+static const struct api_param fan[] = { N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
+static const struct api_param arc[] = { N, { "sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
+static const struct api_param stack[] = { N, SPEED_TO, PATTERN };
+static const struct api_param line[] = { N, { "width", A_NUM, REQ, -WORLD, WORLD, "px", NULL }, PATTERN };
+static const struct api_param polygon[] = { N, { "sides", A_INT, REQ, 3, 65535, NULL, NULL }, PATTERN };
+static const struct api_param star[] = {
+    N, { "points", A_INT, REQ, 2, 32767, NULL, NULL }, { "inner", A_NUM, OPT, 0, 1, "of speed", "0.5" }, PATTERN
+};
+static const struct api_param ellipse[] = {
+    N, SPEED_TO, { "tilt", A_NUM, OPT, -32767, 32767, "degrees", "0" }, PATTERN
+};
+static const struct api_param rose[] = { N, { "petals", A_INT, REQ, 1, 65535, NULL, NULL }, SPEED_TO, PATTERN };
+static const struct api_param whip[] = { N, SPEED_TO, { "bend", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
+static const struct api_param scatter[] = {
+    N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, SPEED_TO, PATTERN
+};
+static const struct api_param figure[] = {
+    { "list", A_TABLE, REQ, 0, 0, NULL, NULL }, { "scale", A_NUM, OPT, -WORLD, WORLD, NULL, "1" }, TURNS, PATTERN
+};
+static const struct api_param picture[] = {
+    { "dots", A_STR, REQ, 1, 4096, NULL, NULL }, { "gap", A_NUM, OPT, 0, WORLD, "px", "8" }, TURNS, PATTERN
+};
 static const struct api_param spiral[] = { NF,
                                            { "step", A_NUM, REQ, -32767, 32767, "degrees", NULL },
                                            EVERY,
                                            { "arms", A_INT, OPT, 1, 65535, "bullets", "1" },
-                                           EACH };
-static const struct api_param aimed[] = { NF, EVERY, { "lock", A_BOOL, OPT, 0, 0, NULL, "false" }, EACH };
+                                           PATTERN };
+static const struct api_param aimed[] = { NF, EVERY, { "lock", A_BOOL, OPT, 0, 0, NULL, "false" }, PATTERN };
 static const struct api_param points[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param point[] = { { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
                                           { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
@@ -97,9 +123,26 @@ static const struct api_entry entries[] = {
     LUA("pattern.arc", arc, 0, API_FIRE, NULL, "n bullets from dir through sweep, both ends included"),
     LUA("pattern.stack", stack, 0, API_FIRE, NULL, "n one behind the other, speeds from speed to speed_to"),
     LUA("pattern.line", line, 0, API_FIRE, NULL, "n abreast over width px, across dir"),
+    LUA("pattern.polygon", polygon, 0, API_FIRE, NULL,
+        "n over the outline of a polygon that grows, equally many a side; the corners have speed, the first at dir"),
+    LUA("pattern.star", star, 0, API_FIRE, NULL,
+        "as polygon, of a star: outer corners have speed, inner ones inner of it"),
+    LUA("pattern.ellipse", ellipse, 0, API_FIRE, NULL,
+        "n over an ellipse that grows: speed along dir + tilt, speed_to across; the first at dir"),
+    LUA("pattern.rose", rose, 0, API_FIRE, NULL,
+        "n over the full circle: speed at the tips of the petals, the first at dir, speed_to between two"),
+    LUA("pattern.whip", whip, 0, API_FIRE, NULL, "a stack that bends: n from speed to speed_to, from dir through bend"),
+    LUA("pattern.scatter", scatter, 0, API_FIRE, NULL,
+        "n by chance, over spread degrees about dir, from speed to speed_to; draws two numbers of rng a bullet"),
+    LUA("pattern.points", figure, 0, API_FIRE, NULL,
+        "one from each { x, y } of list, px times scale from the place; turns: the list's +x is where they fly"),
+    LUA("pattern.picture", picture, 0, API_FIRE, NULL,
+        "rows of signs, gap px apart, centred on the place: a bullet from each but dots and blanks; turns as of "
+        "points"),
     LUA("pattern.spiral", spiral, 0, API_FIRE, NULL,
         "n times: arms bullets about dir, then dir grows by step, then waits every; in a task"),
-    LUA("pattern.aimed", aimed, 0, API_FIRE, NULL, "n at the player, one each every frames; in a task"),
+    LUA("pattern.aimed", aimed, 0, API_FIRE, NULL,
+        "n at the player, shots at an enemy, one each every frames; in a task"),
     LUA("path.def", points, 1, API_LOAD, "route",
         "a route: a list of { x, y, over, ease } and { wait }; the first starts it"),
     LUA("path.def point", point, 0, API_SYS, NULL, "one entry of path.def"),

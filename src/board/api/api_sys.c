@@ -13,6 +13,7 @@ enum { NEAR_WORD, NEAR_LIST };
 enum { JOIN_PLAYER, JOIN_KIND };
 enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
 enum { HOLD_ENEMY, HOLD_ON };
+enum { AIM_X, AIM_Y, AIM_SHOTS };
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                          { "message", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -290,6 +291,17 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+/* A place may be so far from a thing that is anywhere in the world. */
+static const struct api_param sys_aim[] = { { "x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
+                                            { "y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
+                                            { "shots", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static int sys_aim_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushnumber(L, trig_to_degrees(api_aim(b, v[AIM_SHOTS].i, v[AIM_X].f, v[AIM_Y].f)));
+    return 1;
+}
+
 static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -323,6 +335,7 @@ static const struct api_entry entries[] = {
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

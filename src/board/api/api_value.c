@@ -28,8 +28,6 @@ enum api_names api_value_names_of(enum handle_kind kind)
 
 enum api_names api_value_names(const struct api_entry *e)
 {
-    if (e->flags & API_FIRE)
-        return N_BULLET_VALUE;
     for (int k = 0; e->flags & API_VALUES && k < KINDS; k++)
         if (e->name[0] == words[k][0])
             return (enum api_names)(N_BULLET_VALUE + k);
