@@ -28,6 +28,8 @@ motion.def { name = "all",
   { loop = 3, { wait = 2 }, { loop = 2, { turn = -20 }, { turn = 10, over = 2 } } },
   { accel = -0.1, over = 12 },
   { wait = 20 }, { die = true } }
+motion.def { name = "named", { wait = "goal" }, { turn = "heat", bank = "goal", over = "goal" }, { dir = "heat", speed = "heat" },
+  { home = "heat", accel = "goal", over = 3 }, { speed = "goal", over = 5 } }
 motion.def { name = "spin", { loop = forever, { turn = 3, over = 10 }, { bank = 9 }, { turn = -3, over = 10 }, { bank = 1 } } }
 motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { wait = 1 }, { accel = 0.02 } } } } }, { wait = forever } }
 motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = true, turn = 5, speed = 3 } }

@@ -40,6 +40,7 @@ local function bullets()
     n = n + 1
     local b = bullet.fire { kind = "dot", x = 112, y = 20, dir = 7 * n, speed = 1.5, motion = "all", bank = n % 16, tag = "b" .. n % 5 }
     local c = bullet.fire { kind = "ghost", from = b, dx = 3, dy = -2, aim = true, dir = 10, speed = -0.5, motion = "nested" }
+    if n % 8 == 0 then bullet.fire { kind = "dot", x = 60, y = 60, speed = 1, motion = "named", heat = n % 50 - 20, goal = n % 6 } end
     bullet.fire { kind = "late", x = 190, y = 90, aim = true, dir = n % 9, speed = 1.3, motion = n % 3 == 0 and "drift" or nil }
     pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
       each = function(a, i) a.n, a.speed_to = 2, 1 + i / 4 pattern.stack(a) end }

@@ -533,7 +533,7 @@ struct targets board_players(const struct board *b)
 
 struct motion_world board_world(const struct board *b, bool shots)
 {
-    struct motion_world w = { &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock };
+    struct motion_world w = { &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock, shots };
 
     if (shots) {
         w.kinds = NULL;

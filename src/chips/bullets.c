@@ -45,6 +45,10 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(bullets, value4, GROUP_VALUE + 3),
+    GROUP_COLUMN(bullets, begun1, GROUP_VALUE + 0),
+    GROUP_COLUMN(bullets, begun2, GROUP_VALUE + 1),
+    GROUP_COLUMN(bullets, begun3, GROUP_VALUE + 2),
+    GROUP_COLUMN(bullets, begun4, GROUP_VALUE + 3),
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
@@ -128,8 +132,10 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->player[i] = shape->player;
     b->pace[i] = b->way[i] = 0;
     b->x_more[i] = b->y_more[i] = 0;
-    for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++)
+    for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++) {
         bullets_value(b, k)[i] = b->value_start[k];
+        bullets_begun(b, k)[i] = 0;
+    }
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     if (shape->delay)
         wait_until(b, (uint32_t)i, clock + shape->delay);
@@ -422,6 +428,78 @@ static void fly(struct bullets *b, uint32_t i)
     b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
 }
 
+/* A step with a bullet's values in the place of names: steps.does[0] and so on are those of `step`. */
+struct own_step {
+    struct motion_step step;
+    struct steps steps;
+    struct motion_world w;
+};
+
+static fx in_range(fx v, int lo, int hi)
+{
+    return fx_clamp(v, lo * FX_ONE, hi * FX_ONE);
+}
+
+static void set_number(struct motion_step *p, enum step_number number, fx v)
+{
+    const fx pace = in_range(v, -MAX_SPEED, MAX_SPEED);
+
+    switch (number) {
+    case NUMBER_OVER:
+        p->over = v < FX_ONE ? 1 : (uint32_t)v / FX_ONE;
+        break;
+    case NUMBER_BANK:
+        p->bank = (uint8_t)(v >> 16 & 15);
+        break;
+    case NUMBER_DIR:
+        p->dir = motion_angle(v);
+        break;
+    case NUMBER_TURN:
+        p->turn = (int32_t)motion_angle(v);
+        break;
+    case NUMBER_HOME:
+        p->home = motion_angle(in_range(v, 0, 180));
+        break;
+    case NUMBER_SPEED:
+        p->speed = (int64_t)pace * (1 << PACE_BITS);
+        break;
+    default:
+        p->accel = (int64_t)pace * (1 << PACE_BITS);
+    }
+}
+
+/* Step st for bullet i, with the values that it had when the step began: this frame's, unless it is `begun`. */
+static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, bool begun,
+                     struct own_step *own)
+{
+    struct motion_step *p = &own->step;
+
+    for (int k = 0; !begun && k < MAX_VALUES && bullets_value(b, k); k++)
+        bullets_begun(b, k)[i] = bullets_value(b, k)[i];
+    motion_step_at(w->steps, st, p);
+    for (int n = 0; n < STEP_NUMBERS; n++) {
+        uint64_t code = p->named >> n * NAMED_BITS & ((1 << NAMED_BITS) - 1);
+        int k = (int)(code >> (w->shots ? NAMED_POOL : 0) & ((1 << NAMED_POOL) - 1)) - 1;
+        if (code)
+            set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
+    }
+    own->steps = (struct steps){ .does = &p->does,
+                                 .over = &p->over,
+                                 .kind = &p->kind,
+                                 .bank = &p->bank,
+                                 .dir = &p->dir,
+                                 .turn = &p->turn,
+                                 .home = &p->home,
+                                 .speed = &p->speed,
+                                 .accel = &p->accel,
+                                 .count = &p->count,
+                                 .jump = &p->jump,
+                                 .depth = &p->depth,
+                                 .named = &p->named };
+    own->w = *w;
+    own->w.steps = &own->steps;
+}
+
 /* The step after one that opens or closes a loop. */
 static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
@@ -444,22 +522,30 @@ enum program_state {
 /* Runs bullet i's program for this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
-    const struct steps *s = w->steps;
+    const struct motion_world *const shared = w;
     const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
                    length = w->motions->length[program];
     const bool fine = b->flags[i] & BULLET_FINE;
     uint32_t pc = b->pc[i];
     unsigned mute = b->mute[i];
+    struct own_step own;
 
     while (pc < length) {
-        const uint32_t st = first + pc, n = s->over[st];
-        const unsigned does = s->does[st];
+        uint32_t st = first + pc;
+        const unsigned does = shared->steps->does[st];
 
         b->ran++;
         if (does & (DOES_LOOP | DOES_NEXT)) {
-            pc = loop_step(s, &b->rounds[i * MOTION_DEPTH], st, pc);
+            pc = loop_step(shared->steps, &b->rounds[i * MOTION_DEPTH], st, pc);
             continue;
         }
+        w = shared;
+        if (does & DOES_NAMED) {
+            own_step(b, shared, i, st, mute & STEP_BEGUN, &own);
+            w = &own.w;
+            st = 0;
+        }
+        const uint32_t n = w->steps->over[st];
         if (!(mute & STEP_BEGUN)) {
             b->from[i] = bullets_speed(b, i);
             b->end[i] = w->clock + n;

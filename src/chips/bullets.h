@@ -74,6 +74,7 @@ struct bullets {
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
+    fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
     fx value_start[MAX_VALUES];            /* what they are in a new bullet */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
@@ -114,6 +115,7 @@ struct motion_world {
     const struct bullet_kinds *kinds; /* those that steps name; NULL: a step's kind is passed over, as shots do */
     struct targets targets;
     uint32_t clock;
+    bool shots; /* they run the programs: names of values are theirs */
 };
 
 struct bullet_shape {
@@ -133,6 +135,14 @@ static inline fx *bullets_value(const struct bullets *b, int k)
     fx *const value[MAX_VALUES] = { b->value1, b->value2, b->value3, b->value4 };
 
     return value[k];
+}
+
+/* Column k of what the values were when the step began, or NULL. */
+static inline fx *bullets_begun(const struct bullets *b, int k)
+{
+    fx *const begun[MAX_VALUES] = { b->begun1, b->begun2, b->begun3, b->begun4 };
+
+    return begun[k];
 }
 
 extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip;

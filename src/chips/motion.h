@@ -53,11 +53,28 @@ enum {
     DOES_SPEED = 1 << 7,
     DOES_ACCEL = 1 << 8,
     DOES_DIE = 1 << 9,
-    DOES_LOOP = 1 << 10, /* opens a loop of `count` rounds; `jump`: the step after its end */
-    DOES_NEXT = 1 << 11, /* closes it; `jump`: its first step */
-    MOTION_DEPTH = 4,    /* loops inside loops */
+    DOES_LOOP = 1 << 10,  /* opens a loop of `count` rounds; `jump`: the step after its end */
+    DOES_NEXT = 1 << 11,  /* closes it; `jump`: its first step */
+    DOES_NAMED = 1 << 12, /* some of its numbers are values of the bullet: `named` */
+    DOES_ALL = (1 << 13) - 1,
+    MOTION_DEPTH = 4, /* loops inside loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS = 16 /* RAM for steps, a program on average */
+};
+
+/* The numbers of a step in whose place a value's name may stand. Of each, `named` has NAMED_BITS: the value's column + 1
+ * for bullets, then for shots; 0: the number is the step's own. */
+enum step_number {
+    NUMBER_OVER, /* cut to whole frames, at least 1 */
+    NUMBER_BANK, /* its low 4 bits */
+    NUMBER_DIR,
+    NUMBER_TURN,
+    NUMBER_HOME, /* from 0 to 180 */
+    NUMBER_SPEED,
+    NUMBER_ACCEL,
+    STEP_NUMBERS,
+    NAMED_POOL = 3, /* bits for bullets, and as many for shots */
+    NAMED_BITS = 2 * NAMED_POOL
 };
 
 /* The steps of all programs, one behind the other. */
@@ -75,6 +92,7 @@ struct steps {
     uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
     uint16_t *jump;  /* counted from the program's first step */
     uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
+    uint64_t *named; /* NAMED_BITS for each of enum step_number */
 };
 
 struct motions {
@@ -91,11 +109,18 @@ struct motion_step {
     ang dir, home;
     int32_t turn;
     int64_t speed, accel;
+    uint64_t named;
 };
+
+/* Degrees as an angle: the nearest. */
+ang motion_angle(fx degrees);
 
 extern const struct chip steps_chip, motions_chip;
 
 /* The program equal to these steps, made if there is none; NO_SLOT when there is no room for it. */
 int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine);
+
+/* Step i of the list. */
+void motion_step_at(const struct steps *s, uint32_t i, struct motion_step *out);
 
 #endif

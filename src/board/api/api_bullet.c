@@ -710,9 +710,54 @@ static void unknown_key(lua_State *L, int step, int at)
     api_error(L, DEF, "step %d: unknown argument \"%s\"", step, name);
 }
 
-/* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. */
-static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
+/* The number of a step that key k sets, if a value's name may stand for it; else STEP_NUMBERS. */
+static enum step_number step_number(int k)
 {
+    switch (k) {
+    case M_WAIT:
+    case M_OVER:
+        return NUMBER_OVER;
+    case M_BANK:
+        return NUMBER_BANK;
+    case M_DIR:
+        return NUMBER_DIR;
+    case M_TURN:
+        return NUMBER_TURN;
+    case M_HOME:
+        return NUMBER_HOME;
+    case M_SPEED:
+        return NUMBER_SPEED;
+    case M_ACCEL:
+        return NUMBER_ACCEL;
+    default:
+        return STEP_NUMBERS;
+    }
+}
+
+/* A value's name stands in place of a number: its NAMED_BITS. */
+static uint64_t read_name(lua_State *L, int step, const char *key, int at)
+{
+    const struct board *b = vm_board(L);
+    const char *name = lua_tostring(L, at), *found = NULL;
+    int bullet = api_names_find(L, N_BULLET_VALUE, name), shot = api_names_find(L, N_SHOT_VALUE, name);
+    int best = EDIT_FAR;
+
+    if (bullet != NO_SLOT || shot != NO_SLOT)
+        return (uint64_t)(bullet + 1) | (uint64_t)(shot + 1) << NAMED_POOL;
+    for (int k = 0; k < api_values(b, N_BULLET_VALUE); k++)
+        api_suggest_nearer(name, api_names_at(b, N_BULLET_VALUE, k), &best, &found);
+    for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
+        api_suggest_nearer(name, api_names_at(b, N_SHOT_VALUE, k), &best, &found);
+    if (found)
+        api_error(L, DEF, "step %d: %s: value \"%s\" is not declared (did you mean \"%s\"?)", step, key, name, found);
+    api_error(L, DEF, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key, name);
+    return 0;
+}
+
+/* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. Returns the names in it. */
+static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
+{
+    uint64_t named = 0;
     int first = lua_gettop(L) + 1;
 
     luaL_checkstack(L, M_KEYS + 8, NULL);
@@ -733,9 +778,15 @@ static void read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS]
     char where[40];
     snprintf(where, sizeof where, "%s: step %d", DEF, step);
     for (int k = 0; k < M_KEYS; k++) {
+        enum step_number number = step_number(k);
         v[k] = (struct api_value){ 0 };
-        api_check(L, where, &step_keys[k], first + k, &v[k]);
+        if (number != STEP_NUMBERS && lua_type(L, first + k) == LUA_TSTRING) {
+            named |= read_name(L, step, step_keys[k].name, first + k) << number * NAMED_BITS;
+            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER };
+        } else
+            api_check(L, where, &step_keys[k], first + k, &v[k]);
     }
+    return named;
 }
 
 static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
@@ -792,12 +843,14 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         int top = lua_gettop(L);
         if (lua_rawgeti(L, at, i) != LUA_TTABLE)
             step_error(L, i, "expected a table");
-        read_keys(L, top + 1, i, v);
+        uint64_t named = read_keys(L, top + 1, i, v);
         if (!v[M_LOOP].given) {
             if (lua_rawlen(L, top + 1))
                 step_error(L, i, "steps inside a step need loop = n");
             struct motion_step *s = add_step(L, r);
             fill_step(L, s, v, i, r->fine);
+            s->named = named;
+            s->does |= named ? DOES_NAMED : 0;
             *timed |= s->over > 0;
         } else {
             bool inner;

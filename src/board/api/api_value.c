@@ -126,7 +126,8 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
     if (!is_word(name))
         api_error(L, DEF, "name: expected a word of letters, digits and _, got \"%s\"", name);
     if (taken(L, kind, name))
-        api_error(L, DEF, "\"%s\" is taken: %s and %s use it", name, api_thing_names[things[kind]], makers[kind]);
+        api_error(L, DEF, "\"%s\" is taken by a property or a verb of %s, or an argument of %s%s", name,
+                  api_thing_names[things[kind]], makers[kind], kind == 0 ? " or a pattern" : "");
     if (api_names_find(L, names, name) != NO_SLOT)
         api_error(L, DEF, "\"%s\" is declared already", name);
     check_room(L, b, kind, name);
