@@ -78,7 +78,7 @@ end
 
 -- What would go on over the results. Sprites stay: they are what is behind them.
 local function quieten()
-  bullet.clear()
+  bullet.clear { all = true }
   enemy.each(nil, function(e) e:remove() end)
 end
 
