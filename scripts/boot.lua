@@ -82,7 +82,7 @@ end
 
 -- Removes what would go on moving over the results. Sprites stay: they are the picture behind the results.
 local function quieten()
-  bullet.clear()
+  bullet.clear { all = true }
   enemy.each(nil, function(e) e:remove() end)
 end
 

@@ -73,7 +73,7 @@ local function play(b, e, phase)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
   task.stop(scene)
-  bullet.clear()
+  bullet.clear { all = true }
   if e.alive then e.x = e.x end -- ends the move it makes
   e.safe = forever
   if won and phase.bonus > 0 then

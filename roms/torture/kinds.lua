@@ -3,9 +3,10 @@ spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, ban
 spark.def("long", { sprite = "box", life = 400 })
 
 bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
-bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4 })
+bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4, vanish = "ping", order = -3 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
 bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
+bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order = 9, clearable = false, vanish = "long" })
 
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
 bullet.def("late", { sprite = "steps", hit = { circle = 2.5 }, bank = 6, swept = false })

@@ -82,6 +82,8 @@ local function groups()
     if n % 29 == 11 then bullet.group("late").x = 100 bullet.group("late").y = 50 end
     bullet.each("ring", function(b) if b.age > 60 then b:turn(1) end end)
     if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
+    if n % 10 == 3 then pattern.fan { x = 112, y = 60, kind = "saw", n = 3, spread = 100, speed = 0.4, tag = "b" .. n % 5 } end
+    if n % 50 == 49 then board.note(bullet.clear { all = n % 100 == 49 }) end
     board.note(all.count)
     wait(5)
   end

@@ -13,8 +13,10 @@
 #include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),      COLUMN(bullet_kinds, b),
-    COLUMN(bullet_kinds, flags),  COLUMN(bullet_kinds, bank),  COLUMN(bullet_kinds, damage),
+    COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),
+    COLUMN(bullet_kinds, b),      COLUMN(bullet_kinds, flags), COLUMN(bullet_kinds, bank),
+    COLUMN(bullet_kinds, damage), COLUMN(bullet_kinds, spin),  COLUMN(bullet_kinds, order),
+    COLUMN(bullet_kinds, vanish),
 };
 
 static const struct column columns[] = {

@@ -28,6 +28,7 @@ enum {
     KIND_BLEND_ONE = 1 << 3,
     KIND_CLOUDED = 1 << 5, /* the next kind is its cloud */
     KIND_CLOUD = 1 << 6,   /* what a delayed bullet of the kind before looks like; no name, no shape */
+    KIND_FIXED = 1 << 7,   /* a clear passes it over, unless it takes all */
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
@@ -49,7 +50,10 @@ struct bullet_kinds {
     fx *a, *b;
     uint16_t *flags;
     uint8_t *bank;
-    int32_t *damage; /* of a shot */
+    int32_t *damage;  /* of a shot */
+    ang *spin;        /* what the picture turns a frame */
+    int8_t *order;    /* higher ones are drawn over lower ones */
+    uint16_t *vanish; /* spark kind + 1 that a clear leaves, 0: none */
 };
 
 struct bullets {

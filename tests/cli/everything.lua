@@ -11,8 +11,8 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
-bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
-bullet.def("spore", { sprite = "dart", hit = { circle = 3 }, cloud = "dot" })
+bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })
+bullet.def("spore", { sprite = "dart", hit = { circle = 3 }, cloud = "dot", spin = 9.1, clearable = false })
 bullet.def("pin", { sprite = "dart", hit = { capsule = { 7.5, 1.25 } }, turns = true })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },

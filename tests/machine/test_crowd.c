@@ -50,7 +50,8 @@ static struct image image_of(const struct board *b, const struct bullets *s, con
         int64_t at = age < 1 ? 0 : age > delay ? delay - 1 : age - 1;
         age = flags & KIND_CLOUD ? at * pic->frames * pic->every / delay : 0;
     }
-    return video_image(pic, (uint32_t)age, flags & KIND_TURNS, s->dir[i]);
+    ang way = flags & KIND_TURNS ? s->dir[i] : 0, spin = k->spin[s->kind[i]];
+    return video_image(pic, (uint32_t)age, flags & KIND_TURNS || spin, (ang)((int64_t)way + age * spin));
 }
 
 static void paint_kind(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t kind,
@@ -67,21 +68,24 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
         }
 }
 
-/* The larger pictures first, equal ones in order of declaration, then by slot. */
+/* Lower orders first, then larger pictures, equal ones in order of declaration, then by slot. */
 static void paint_all(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint8_t *out)
 {
-    for (int last = INT32_MAX, area = 0; area >= 0; last = area) {
-        area = -1;
+    bool done[MAX_KINDS] = { false };
+
+    for (uint32_t n = 0; n < k->s.live; n++) {
+        uint32_t next = MAX_KINDS;
+        int64_t least = INT64_MAX;
         for (uint32_t kind = 0; kind < k->s.live; kind++) {
             const struct sprite *pic = &b->pictures[k->sprite[kind]];
-            if (pic->w * pic->h < last && pic->w * pic->h > area)
-                area = pic->w * pic->h;
+            int64_t rank = (int64_t)k->order[kind] * 1000000 - pic->w * pic->h;
+            if (!done[kind] && rank < least) {
+                least = rank;
+                next = kind;
+            }
         }
-        for (uint32_t kind = 0; kind < k->s.live; kind++) {
-            const struct sprite *pic = &b->pictures[k->sprite[kind]];
-            if (pic->w * pic->h == area)
-                paint_kind(b, s, k, kind, out);
-        }
+        done[next] = true;
+        paint_kind(b, s, k, next, out);
     }
 }
 
@@ -150,6 +154,8 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
     k->s.live = (uint32_t)(1 + below(below(4) ? 20 : MAX_KINDS));
     for (uint32_t i = 0; i < k->s.live; i++) {
         k->sprite[i] = (uint16_t)below(b->cart.sprites);
+        k->order[i] = (int8_t)(below(4) ? 0 : below(201) - 100);
+        k->spin[i] = below(3) ? 0 : (ang)rng_next(&rng);
         k->flags[i] = (uint16_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0) |
                                  (below(4) ? 0 : KIND_CLOUD));
     }

@@ -114,14 +114,21 @@ uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, f
 /* ---- kinds ---- */
 
 /* Places of bullet_def and of shot_def. */
-enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_CLOUD };
+enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
+
+/* Of bullet_def alone. */
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE };
+
+enum { MOST_ORDER = 100 };
 
 static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
     { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "graze", A_BOOL, OPT, 0, 0, NULL, "true" },      { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },
+    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
+    { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
 static const struct api_param shot_def[] = {
@@ -129,6 +136,7 @@ static const struct api_param shot_def[] = {
     { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },   { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
 };
 
 static int32_t new_kind(lua_State *L, struct bullet_kinds *k, const char *entry)
@@ -148,6 +156,7 @@ static void define_cloud(lua_State *L, struct bullet_kinds *k, int32_t i, uint16
     k->sprite[cloud] = sprite;
     k->shape[cloud] = SHAPE_NONE;
     k->bank[cloud] = k->bank[i];
+    k->order[cloud] = k->order[i];
     k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_CLOUDED;
 }
@@ -157,6 +166,10 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
 {
     fx a, b;
     uint8_t shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS, &a, &b);
+
+    if (v[D_SPIN].a && vm_board(L)->pictures[v[D_SPRITE].i].rotations == 1)
+        api_error(L, entry, "spin: sprite \"%s\" has no turned copies (rotations in rom.lua)",
+                  lua_tostring(L, v[D_SPRITE].at));
     int32_t i = new_kind(L, k, entry);
 
     api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
@@ -165,6 +178,8 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     k->a[i] = a;
     k->b[i] = b;
     k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->spin[i] = v[D_SPIN].a;
+    k->order[i] = (int8_t)v[D_ORDER].i;
     k->flags[i] =
         (uint16_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
     return i;
@@ -176,6 +191,9 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[D_GRAZE].i)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
+    if (!v[D_CLEARABLE].i)
+        b->bullet_kinds.flags[i] |= KIND_FIXED;
+    b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     if (v[D_CLOUD].given)
         define_cloud(L, &b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
     return 0;
@@ -327,12 +345,12 @@ static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
     return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
 }
 
-enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK };
+enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_ALL };
 
 static const struct api_param bullet_clear[] = {
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },          { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL }, { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static bool in_circle(const struct api_value *v, fx x, fx y)
@@ -340,15 +358,26 @@ static bool in_circle(const struct api_value *v, fx x, fx y)
     return geom_circles(x, y, v[C_X].f, v[C_Y].f, v[C_RADIUS].f);
 }
 
-/* Releases held bullets of a tag (0: all), which left the field in this frame: what they touched is spared. circle: the
- * arguments of bullet.clear, or NULL for bullets anywhere. */
-static void release_group(struct board *b, uint32_t tag, const struct api_value *circle)
+/* Does a bullet.clear with these arguments take bullet i, of the tag (0: any)? */
+static bool takes(const struct board *b, const struct api_value *v, uint32_t tag, uint32_t i)
 {
     const struct bullets *s = &b->bullets;
 
-    EACH_HELD (i, &s->s)
-        if (in_group(s, i, tag) && (!circle || in_circle(circle, s->x[i], s->y[i])))
-            bullets_release(&b->bullets, i);
+    if (!in_group(s, i, tag) || (v[C_RADIUS].given && !in_circle(v, s->x[i], s->y[i])))
+        return false;
+    return v[C_ALL].i || !(b->bullet_kinds.flags[bullets_kind(s, &b->bullet_kinds, i)] & KIND_FIXED);
+}
+
+/* The spark that a cleared bullet leaves: `given` (an argument), or its kind's. */
+static void leave_spark(struct board *b, const struct api_value *given, uint32_t i)
+{
+    const struct bullets *s = &b->bullets;
+    uint16_t vanish = b->bullet_kinds.vanish[bullets_kind(s, &b->bullet_kinds, i)];
+
+    if (given->given)
+        vanish = (uint16_t)(given->i + 1);
+    if (vanish)
+        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(vanish - 1), .n = 1 });
 }
 
 static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
@@ -360,16 +389,15 @@ static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
     vm_charge(L, b->bullets.s.live);
     if (circle && !(v[C_X].given && v[C_Y].given && v[C_RADIUS].given))
         return api_error(L, "bullet.clear", "x, y and radius go together");
-    EACH_LIVE (i, &b->bullets.s) {
-        fx x = b->bullets.x[i], y = b->bullets.y[i];
-        if (!in_group(&b->bullets, i, tag) || (circle && !in_circle(v, x, y)))
-            continue;
-        if (v[C_SPARK].given)
-            board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)v[C_SPARK].i, .n = 1 });
-        bullets_drop(&b->bullets, i);
-        n++;
-    }
-    release_group(b, tag, circle ? v : NULL); /* not counted */
+    EACH_LIVE (i, &b->bullets.s)
+        if (takes(b, v, tag, i)) {
+            leave_spark(b, &v[C_SPARK], i);
+            bullets_drop(&b->bullets, i);
+            n++;
+        }
+    EACH_HELD (i, &b->bullets.s) /* they left the field in this frame: what they touched is spared; not counted */
+        if (takes(b, v, tag, i))
+            bullets_release(&b->bullets, i);
     lua_pushinteger(L, n);
     return 1;
 }
@@ -621,7 +649,9 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
         if (in_group(&b->bullets, i, handle_slot(h)))
             act(b, false, i, verb, by);
     if (verb == V_REMOVE)
-        release_group(b, handle_slot(h), NULL);
+        EACH_HELD (i, &b->bullets.s)
+            if (in_group(&b->bullets, i, handle_slot(h)))
+                bullets_release(&b->bullets, i);
     return 0;
 }
 
@@ -969,7 +999,7 @@ static const struct api_entry entries[] = {
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
       "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "bullet.clear", bullet_clear_run, PARAMS(bullet_clear), 0, API_CHANGES, "count",
-      "removes bullets, each leaving the named spark" },
+      "removes bullets, each leaving the named spark or its kind's; with all, also what is not clearable" },
     { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
       "points it at the nearest player, plus so many degrees" },
     { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },

@@ -3,7 +3,7 @@
  *
  *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
  *
- * Bullets draw by kind, the larger pictures lower, equal ones in order of declaration, then by slot
+ * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
  */
 #include <string.h>

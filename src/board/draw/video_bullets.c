@@ -22,7 +22,11 @@ enum {
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns, cloud;
+    bool turns; /* shows one of several turned copies */
+    bool along; /* the one that points along dir; turned on by spin a frame */
+    ang spin;
+    int order;
+    bool cloud;
     bool alike;     /* all show one picture, opaque */
     unsigned blend; /* index + 1, 0: opaque */
     uint32_t n;
@@ -118,21 +122,29 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
 
     style->pic = pic;
-    style->turns = k->flags[kind] & KIND_TURNS && pic->rotations > 1;
+    style->along = k->flags[kind] & KIND_TURNS;
+    style->spin = k->spin[kind];
+    style->turns = (style->along || style->spin) && pic->rotations > 1;
+    style->order = k->order[kind];
     style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
     style->cloud = k->flags[kind] & KIND_CLOUD;
     style->alike = !style->turns && pic->frames == 1 && !style->blend;
 }
 
-/* The larger pictures are lower, equal ones in order of declaration. */
+/* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
+static bool is_lower(const struct style *a, const struct style *b)
+{
+    if (a->order != b->order)
+        return a->order < b->order;
+    return a->pic->w * a->pic->h > b->pic->w * b->pic->h;
+}
+
 static void put_in_order(struct lists *l, uint16_t kind)
 {
     uint32_t at = l->kinds++;
-    const struct sprite *pic = l->style[kind].pic;
 
     for (; at > 0; at--) {
-        const struct sprite *lower = l->style[l->order[at - 1]].pic;
-        if (lower->w * lower->h >= pic->w * pic->h)
+        if (!is_lower(&l->style[kind], &l->style[l->order[at - 1]]))
             break;
         l->order[at] = l->order[at - 1];
     }
@@ -183,7 +195,9 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 {
     const struct style *style = &l->style[s->kind[i]];
 
-    return video_image(style->pic, picture_age(style, s, i, c->b->core.clock), style->turns, s->dir[i]);
+    uint32_t age = picture_age(style, s, i, c->b->core.clock);
+
+    return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
 }
 
 /* Opens the lists of order[from .. to - 1]. */
