@@ -88,6 +88,11 @@ task.go(function()
       bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)
       palette.fade { to = 0x203040, over = 20, first = 0, last = 99 }
       bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
+      petals:shift(1.5, -2)
+      petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
+      shot.group():turn(3)
+      enemy.group():shift(0, 1)
+      fold(shot.group().count .. " " .. enemy.group().count)
       seen = seen + 1
       fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))
       save.set("seen", seen)
