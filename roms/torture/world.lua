@@ -116,6 +116,10 @@ local function volleys()
     if n % 16 == 7 then shot.group("done"):clear { spark = "ping", from = player.nearest(9, 9), radius = 150 } end
     if n % 16 == 15 then shot.group("done"):remove() end
     local lone = query.near { what = "shot", x = 112, y = 112, radius = 200 }[1]
+    board.note(#query.box { what = "bullet", from = player.nearest(5, 5), dy = -20, w = 60, h = 80, tag = "ring" })
+    for _, e in ipairs(query.line { what = "enemy", x = 20, y = 200, to_x = 190, to_y = 30, width = 20 }) do
+      board.note(e.x)
+    end
     if lone and n % 3 == 0 then lone:shift(0, 1) end
     if lone and n % 5 == 0 then lone:clear { spark = "ping" } end
     wait(11)

@@ -101,6 +101,8 @@ task.go(function()
     local p = player.nearest(3, 4)
     if p.alive then
       local near = query.near { what = "bullet", x = p.x, y = p.y, radius = 20 }
+      near[#near + 1] = query.box { what = "enemy", from = p, w = 60, h = 80 }[1]
+      near[#near + 1] = query.line { what = "bullet", from = p, to_x = 5, to_y = 8, width = 9 }[1]
       fold(#near .. " " .. angle.to(p, { x = 1, y = 2 }) .. " " .. p.x .. " " .. p.grazes .. " " .. p.score)
       mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
     end

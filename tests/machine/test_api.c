@@ -332,6 +332,8 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_STR:
         if (entry && !strcmp(entry->name, "rom.text") && one_in(4)) /* of all words, only one is a file's name */
             lua_pushliteral(L, "words.txt");
+        else if (!strcmp(p->name, "what") && one_in(2)) /* few words are a pool's name */
+            lua_pushstring(L, one_in(2) ? "bullet" : "player");
         else
             push_word(L);
         break;
@@ -643,7 +645,7 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 600 : entry->count > 4 ? 160 : 90);
+        int n = trials(entry->flags & API_FIRE || entry->count > 8 ? 600 : entry->count > 4 ? 160 : 90);
         for (int k = 0; k < n; k++)
             try_once(entry->name, entry->flags & API_LOAD, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */

@@ -188,6 +188,39 @@ static const char clears_script[] =
     "  wait(1)\n"
     "end end)\n";
 
+/* Each query's list against the loop's, sorted by distance and then by slot. */
+static const char queries_script[] =
+    "local pools = { bullet = bullet, shot = shot, enemy = enemy }\n"
+    "local function asked(s, a)\n"
+    "  if s.radius then return query.near(told(s, a)) end\n"
+    "  return s.w and query.box(told(s, a)) or query.line(told(s, a))\n"
+    "end\n"
+    "task.go(function() while true do\n"
+    "  fill()\n"
+    "  enemy.group():remove()\n"
+    "  for i = 1, 30 do enemy.spawn { kind = 'foe', x = q(0, 240) / 8, y = q(0, 240) / 8, tag = i % 3 == 0 and 't' or "
+    "nil } end\n"
+    "  for i = 1, 12 do\n"
+    "    local s, tag, want = shape(), rng.chance(0.5) and 't' or nil, {}\n"
+    "    local what = rng.pick { 'bullet', 'shot', 'enemy' }\n"
+    "    if s.radius and s.radius > 400 then s.radius = 400 end\n"
+    "    pools[what].each(tag, function(b)\n"
+    "      local x, y = 8 * b.x // 1 | 0, 8 * b.y // 1 | 0\n"
+    "      if inside(s, x, y) then want[#want + 1] = { b, square(x - s.x) + square(y - s.y) } end\n"
+    "    end)\n"
+    "    table.sort(want, function(a, b)\n"
+    "      if a[2] ~= b[2] then return a[2] < b[2] end\n"
+    "      return a[1] & 0xffffff < b[1] & 0xffffff\n"
+    "    end)\n"
+    "    local got = asked(s, { what = what, tag = tag })\n"
+    "    if #got ~= #want then error(#got .. ' for ' .. #want) end\n"
+    "    for k = 1, #want do if got[k] ~= want[k][1] then error('the order') end end\n"
+    "    taken = taken + #want\n"
+    "  end\n"
+    "  print(taken)\n"
+    "  wait(1)\n"
+    "end end)\n";
+
 static void run_shapes(const char *script, int frames)
 {
     static char text[1 << 14];
@@ -206,6 +239,12 @@ static void test_clears(void **state)
 {
     (void)state;
     run_shapes(clears_script, rig_long() ? 2000 : 150);
+}
+
+static void test_queries(void **state)
+{
+    (void)state;
+    run_shapes(queries_script, rig_long() ? 2000 : 150);
 }
 
 /* ---- what is said, and cases of their own ---- */
@@ -263,6 +302,21 @@ static void test_words(void **state)
          "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got words of all three");
     SAYS("bullet.clear { x = 1, y = 2, w = 40000, h = 1 }",
          "bullet.clear: w: expected a number from 0 to 32767 px, got 40000");
+    SAYS("query.near { what = 'bullet', radius = 3 }",
+         "query.near: place: expected x and y, or from (a thing), got neither");
+    SAYS("query.near { what = 'bullet', x = 1, y = 2 }",
+         "query.near: radius: expected a number from 0 to 32767 px, got nil");
+    SAYS("query.box { what = 'bullet', x = 1, y = 2, w = 3 }",
+         "query.box: h: expected a number from 0 to 32767 px, got nil");
+    SAYS("query.line { what = 'bullets', x = 1, y = 2, to_x = 3, to_y = 2, width = 3 }",
+         "query.line: what: expected bullet, enemy, shot or player, got \"bullets\"");
+    SAYS("query.line { what = 'bullet', x = 1, y = 2, to_x = 3, to_y = 2, radius = 3 }",
+         "query.line: unknown argument \"radius\"");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
+         "print(#query.near { what = 'enemy', from = e, dx = 3, radius = 3 }, #query.box { what = 'player', x = 0, y = "
+         "0, w = "
+         "1000, h = 1000 }) e:remove() print(#query.box { what = 'bullet', from = e, w = 1, h = 1 })",
+         "1\t0\n0\n");
     SAYS("bullet.clear { items = 'x' }", "bullet.clear: items is not there yet; the name is kept for it");
     SAYS("bullet.group():shift(1)", "group:shift: dy: expected a number from -16383 to 16383 px, got nil");
     SAYS("print(enemy.group('x').hp)", "enemies: hp cannot be read of a group (only count can)");
@@ -320,10 +374,8 @@ static void test_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_clears),
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_random), cmocka_unit_test(test_clears), cmocka_unit_test(test_queries),
+        cmocka_unit_test(test_words),  cmocka_unit_test(test_places),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,7 +15,6 @@ static const struct {
     { "boss", '.', "history" },
     { "bullet", '.', "sweep" },
     { "on", '.', "start take bomb continue" },
-    { "query", '.', "box line" },
     { "text", '.', "line lang" },
     { "bullet", ':', "frozen hp around" },
     { "enemy", ':', "frozen orbit wander" },
