@@ -78,6 +78,13 @@ local function groups()
     if n % 6 == 5 then g:shift(2, -1.5) end
     if n % 17 == 8 then g:clear { x = 112, y = 60, w = 90, h = 40, spark = "ping" } end
     if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
+    if n % 24 == 13 then
+      local p = player.nearest(9, 9)
+      local wave = bullet.sweep { follow = p, dy = -30, radius = 4, radius_to = 60, over = 8, tag = "moved", spark = "ping",
+        hurt = n % 2, by = 1 }
+      bullet.sweep { x = 30, y = 60, radius_to = 40, over = 5 }
+      if n % 48 == 13 then wait(2) task.stop(wave) else wait_for(wave) end
+    end
     if n % 40 == 19 then bullet.clear { x = 20, y = 20, dx = 5, to_x = 200, to_y = 190, width = 9 } end
     board.note(all.count)
     wait(5)

@@ -91,6 +91,7 @@ task.go(function()
       petals:shift(1.5, -2)
       petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
       shot.group():turn(3)
+      bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
       enemy.group():shift(0, 1)
       fold(shot.group().count .. " " .. enemy.group().count)
       seen = seen + 1

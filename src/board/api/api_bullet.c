@@ -252,6 +252,18 @@ static int shot_each(lua_State *L, struct board *b, struct api_value *v)
     return api_each(L, b, H_SHOT, &b->shots.s, b->shots.tag, tag, v[EACH_F].at);
 }
 
+static const struct api_param bullet_sweep[] = {
+    PLACE,
+    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", "0" },
+    { "radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL },
+    { "over", A_INT, REQ, 1, 65535, "frames", NULL },
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
+    { "by", A_PAD, OPT, 0, 0, NULL, NULL },
+};
+
 /* ---- properties ---- */
 
 enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST };
@@ -832,6 +844,9 @@ static const struct api_entry entries[] = {
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark: all, or those within radius of a place, within w and h about it, "
       "or within width of the line from it to to_x, to_y" },
+    { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
+      "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
+      "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
     { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
       "points it at the nearest player, plus so many degrees" },
     { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },

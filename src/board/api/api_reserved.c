@@ -13,7 +13,6 @@ static const struct {
     { "", '.', "laser item value option bomb game talk say choose bg screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
-    { "bullet", '.', "sweep" },
     { "on", '.', "start take bomb continue" },
     { "text", '.', "line lang" },
     { "bullet", ':', "frozen hp around" },
