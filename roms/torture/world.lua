@@ -62,7 +62,8 @@ local function bullets()
     c.speed, c.kind, c.bank, c.tag, c.motion = 1, "dot", 5, "late", b.motion
     c:aim(15)
     c:turn(-5)
-    if n % 3 == 0 then c:remove() end
+    c:shift(0.25, -3)
+    if n % 3 == 0 then c:remove() elseif n % 7 == 1 then c:clear { spark = "long" } end
     wait(2)
   end
 end
@@ -81,9 +82,19 @@ local function groups()
     if n % 13 == 7 then g.vx = 0.25 g.vy = 1 end
     if n % 29 == 11 then bullet.group("late").x = 100 bullet.group("late").y = 50 end
     bullet.each("ring", function(b) if b.age > 60 then b:turn(1) end end)
+    if n % 6 == 5 then g:shift(2, -1.5) end
+    if n % 17 == 8 then g:clear { x = 112, y = 60, w = 90, h = 40, spark = "ping" } end
     if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
     if n % 10 == 3 then pattern.fan { x = 112, y = 60, kind = "saw", n = 3, spread = 100, speed = 0.4, tag = "b" .. n % 5 } end
     if n % 50 == 49 then board.note(bullet.clear { all = n % 100 == 49 }) end
+    if n % 24 == 13 then
+      local p = player.nearest(9, 9)
+      local wave = bullet.sweep { follow = p, dy = -30, radius = 4, radius_to = 60, over = 8, tag = "moved", spark = "ping",
+        hurt = n % 2, by = 1 }
+      bullet.sweep { x = 30, y = 60, radius_to = 40, over = 5 }
+      if n % 48 == 13 then wait(2) task.stop(wave) else wait_for(wave) end
+    end
+    if n % 40 == 19 then bullet.clear { x = 20, y = 20, dx = 5, to_x = 200, to_y = 190, width = 9 } end
     board.note(all.count)
     wait(5)
   end
@@ -104,6 +115,47 @@ local function shots()
       if i == 7 then s.kind, s.tag, s.motion = "ball", nil, s.motion or "stop" end
     end
     wait(7)
+  end
+end
+
+local function volleys()
+  for n = 0, forever do
+    local g = shot.group(n % 2 == 0 and "volley" or "own")
+    board.note(g.count)
+    shot.each("volley", function(s) if s.age > 20 then s.tag = "own" end end)
+    if n % 8 == 1 then g:aim(n % 7) g.bank = n % 16 end
+    if n % 8 == 2 then g:turn(10) g.speed = 5 end
+    if n % 8 == 3 then g:shift(1, -2) g.dir = 265 + n % 10 end
+    if n % 8 == 4 then g.vx = 0.5 g.vy = -4 end
+    if n % 8 == 5 then g.x = 100 g.y = 180 g.kind = "ball" end
+    if n % 8 == 6 then g.motion = "stop" g.tag = "done" end
+    if n % 16 == 7 then shot.group("done"):clear { spark = "ping", from = player.nearest(9, 9), radius = 150 } end
+    if n % 16 == 15 then shot.group("done"):remove() end
+    local lone = query.near { what = "shot", x = 112, y = 112, radius = 200 }[1]
+    board.note(#query.box { what = "bullet", from = player.nearest(5, 5), dy = -20, w = 60, h = 80, tag = "ring" })
+    for _, e in ipairs(query.line { what = "enemy", x = 20, y = 200, to_x = 190, to_y = 30, width = 20 }) do
+      board.note(e.x)
+    end
+    if lone and n % 3 == 0 then lone:shift(0, 1) end
+    if lone and n % 5 == 0 then lone:clear { spark = "ping" } end
+    wait(11)
+  end
+end
+
+local function crowd()
+  local row = enemy.group("crowd")
+  for n = 0, forever do
+    board.note(row.count)
+    row:shift(n % 3 - 1, 0.5)
+    if n % 7 == 1 then row:move { x = 60 + n % 90, y = 50, over = 30, ease = "out" } end
+    if n % 7 == 2 then row.bank = n % 4 row.safe = 5 end
+    if n % 7 == 3 then row.hp = 4 row:hurt(1, n % 2 + 1) end
+    if n % 11 == 4 then row.x = 90 row.y = 70 end
+    if n % 13 == 5 then row:kill(1) end
+    if n % 13 == 8 then row.tag = "stray" end
+    if n % 13 == 9 then enemy.group("stray"):remove() end
+    enemy.each("stray", function(e) e:shift(1, 1) end)
+    wait(10)
   end
 end
 
@@ -235,7 +287,7 @@ local function figures()
   end
 end
 
-local corners = { bullets, groups, shots, enemies, pictures, numbers, tasks, figures }
+local corners = { bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end

@@ -10,7 +10,20 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-enum handle_kind { H_BULLET = 1, H_SHOT, H_ENEMY, H_PLAYER, H_SPRITE, H_TASK, H_MOTION, H_GROUP, HANDLES };
+/* The last three are groups: of bullets, of shots, of enemies. Their slot is a tag, 0: all. */
+enum handle_kind {
+    H_BULLET = 1,
+    H_SHOT,
+    H_ENEMY,
+    H_PLAYER,
+    H_SPRITE,
+    H_TASK,
+    H_MOTION,
+    H_GROUP,
+    H_SHOTS,
+    H_ENEMIES,
+    HANDLES
+};
 
 static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
 {
@@ -25,6 +38,11 @@ static inline bool handle_is(int64_t h)
 static inline enum handle_kind handle_kind(int64_t h)
 {
     return (enum handle_kind)(h >> 24 & 255);
+}
+
+static inline bool handle_kind_group(enum handle_kind kind)
+{
+    return kind >= H_GROUP && kind <= H_ENEMIES;
 }
 
 static inline uint32_t handle_gen(int64_t h)

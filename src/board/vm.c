@@ -356,7 +356,9 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-static const char *const std_modules[] = { "prelude", "pattern", "path", "stage", "boss", "hud", "menu", "boot" };
+static const char *const std_modules[] = {
+    "prelude", "pattern", "sweep", "path", "stage", "boss", "hud", "menu", "boot"
+};
 
 /* Runs @std/NAME with sys and binds what it returns: prelude's entries one by one, the others under their name. */
 static void load_std(lua_State *L, const char *name, int sys)

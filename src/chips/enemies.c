@@ -101,6 +101,26 @@ void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum e
     e->ease[i] = (uint8_t)ease;
 }
 
+static fx shifted(fx at, fx by)
+{
+    const fx edge = (fx)WORLD << 16;
+    fx to = fx_add(at, by);
+
+    return to > edge ? edge : to < -edge ? -edge : to;
+}
+
+void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
+{
+    e->x[i] = shifted(e->x[i], dx);
+    e->y[i] = shifted(e->y[i], dy);
+    if (!e->over[i])
+        return;
+    e->x0[i] = shifted(e->x0[i], dx);
+    e->y0[i] = shifted(e->y0[i], dy);
+    e->x1[i] = shifted(e->x1[i], dx);
+    e->y1[i] = shifted(e->y1[i], dy);
+}
+
 /* A share of a move: part / whole, exactly; part <= whole < 2^62. */
 struct share {
     uint64_t part, whole;

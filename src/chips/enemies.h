@@ -83,6 +83,9 @@ void enemies_drop_of(struct enemies *e, int64_t owner);
  * (k/n)^2 (in), 1 - (1 - k/n)^2 (out); both: 2 (k/n)^2 in the first half, then 1 - 2 (1 - k/n)^2. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
+/* Moves enemy i on by (dx, dy) at once, and with it the move it makes; both stay within the world. */
+void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
+
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void enemies_count_down(struct enemies *e);
 

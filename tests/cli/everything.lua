@@ -92,6 +92,12 @@ task.go(function()
       bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)
       palette.fade { to = 0x203040, over = 20, first = 0, last = 99 }
       bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
+      petals:shift(1.5, -2)
+      petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
+      shot.group():turn(3)
+      bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
+      enemy.group():shift(0, 1)
+      fold(shot.group().count .. " " .. enemy.group().count)
       seen = seen + 1
       fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))
       save.set("seen", seen)
@@ -100,6 +106,8 @@ task.go(function()
     local p = player.nearest(3, 4)
     if p.alive then
       local near = query.near { what = "bullet", x = p.x, y = p.y, radius = 20 }
+      near[#near + 1] = query.box { what = "enemy", from = p, w = 60, h = 80 }[1]
+      near[#near + 1] = query.line { what = "bullet", from = p, to_x = 5, to_y = 8, width = 9 }[1]
       fold(#near .. " " .. angle.to(p, { x = 1, y = 2 }) .. " " .. p.x .. " " .. p.grazes .. " " .. p.score)
       mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
     end

@@ -4,8 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/trig.h"
-#include "../../base/geom.h"
-#include "../../chips/sparks.h"
+#include "../../base/int.h"
 #include "../../base/edit.h"
 #include "api_parts.h"
 
@@ -301,17 +300,22 @@ static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NU
 static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
                                           { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
-/* The slot of a group's handle is its tag; 0 is all bullets. */
-static bool in_group(const struct bullets *s, uint32_t i, uint32_t tag)
+int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
 {
-    return !tag || s->tag[i] == tag;
+    lua_pushinteger(L, handle_of(kind, 1, tag->given ? api_tag(L, entry, tag->at) : 0));
+    return 1;
 }
 
 static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushinteger(L, handle_of(H_GROUP, 1, v[EACH_TAG].given ? api_tag(L, "bullet.group", v[EACH_TAG].at) : 0));
-    return 1;
+    return api_group(L, H_GROUP, "bullet.group", &v[EACH_TAG]);
+}
+
+static int shot_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
@@ -345,62 +349,25 @@ static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
     return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
 }
 
-enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_ALL };
+static int shot_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "shot.each", v[EACH_TAG].at) : 0;
 
-static const struct api_param bullet_clear[] = {
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },          { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL }, { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    return api_each(L, b, H_SHOT, &b->shots.s, b->shots.tag, tag, v[EACH_F].at);
+}
+
+static const struct api_param bullet_sweep[] = {
+    PLACE,
+    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", "0" },
+    { "radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL },
+    { "over", A_INT, REQ, 1, 65535, "frames", NULL },
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
+    { "by", A_PAD, OPT, 0, 0, NULL, NULL },
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
-
-static bool in_circle(const struct api_value *v, fx x, fx y)
-{
-    return geom_circles(x, y, v[C_X].f, v[C_Y].f, v[C_RADIUS].f);
-}
-
-/* Does a bullet.clear with these arguments take bullet i, of the tag (0: any)? */
-static bool takes(const struct board *b, const struct api_value *v, uint32_t tag, uint32_t i)
-{
-    const struct bullets *s = &b->bullets;
-
-    if (!in_group(s, i, tag) || (v[C_RADIUS].given && !in_circle(v, s->x[i], s->y[i])))
-        return false;
-    return v[C_ALL].i || !(b->bullet_kinds.flags[bullets_kind(s, &b->bullet_kinds, i)] & KIND_FIXED);
-}
-
-/* The spark that a cleared bullet leaves: `given` (an argument), or its kind's. */
-static void leave_spark(struct board *b, const struct api_value *given, uint32_t i)
-{
-    const struct bullets *s = &b->bullets;
-    uint16_t vanish = b->bullet_kinds.vanish[bullets_kind(s, &b->bullet_kinds, i)];
-
-    if (given->given)
-        vanish = (uint16_t)(given->i + 1);
-    if (vanish)
-        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(vanish - 1), .n = 1 });
-}
-
-static int bullet_clear_run(lua_State *L, struct board *b, struct api_value *v)
-{
-    uint32_t tag = v[C_TAG].given ? api_tag(L, "bullet.clear", v[C_TAG].at) : 0;
-    bool circle = v[C_X].given || v[C_Y].given || v[C_RADIUS].given;
-    lua_Integer n = 0;
-
-    vm_charge(L, b->bullets.s.live);
-    if (circle && !(v[C_X].given && v[C_Y].given && v[C_RADIUS].given))
-        return api_error(L, "bullet.clear", "x, y and radius go together");
-    EACH_LIVE (i, &b->bullets.s)
-        if (takes(b, v, tag, i)) {
-            leave_spark(b, &v[C_SPARK], i);
-            bullets_drop(&b->bullets, i);
-            n++;
-        }
-    EACH_HELD (i, &b->bullets.s) /* they left the field in this frame: what they touched is spared; not counted */
-        if (takes(b, v, tag, i))
-            bullets_release(&b->bullets, i);
-    lua_pushinteger(L, n);
-    return 1;
-}
 
 /* ---- properties ---- */
 
@@ -577,54 +544,98 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
     set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
 }
 
-static const struct api_prop group_props[] = {
-    FLIGHT_PROPS(A_BULLET_KIND),
-    { { "count", A_INT, REQ, 0, 0, NULL, NULL },
-      PROP_READ,
-      "how many live bullets have the tag; the one thing to read" },
-};
+/* ---- groups' properties ---- */
 
-static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+#define COUNT_PROP(what)                                                                                               \
+    {                                                                                                                  \
+        { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ,                                                          \
+            "how many live " what " have the tag; the one thing to read"                                               \
+    }
+static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets") };
+static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND), COUNT_PROP("shots") };
+
+static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
 {
     lua_Integer n = 0;
 
+    EACH_LIVE (i, &s->s)
+        n += api_has_tag(s->tag, i, tag);
+    vm_charge(L, s->s.live);
+    lua_pushinteger(L, n);
+}
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
     if (p != P_LAST)
         vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
-    EACH_LIVE (i, &b->bullets.s)
-        n += in_group(&b->bullets, i, tag);
-    vm_charge(L, b->bullets.s.live);
-    lua_pushinteger(L, n);
+    count_tagged(L, &b->bullets, tag);
+}
+
+static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    if (p != P_LAST)
+        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read of a group (only count can)", shots_props[p].value.name);
+    count_tagged(L, &b->shots, tag);
 }
 
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
     vm_charge(L, b->bullets.s.live);
     EACH_LIVE (i, &b->bullets.s)
-        if (in_group(&b->bullets, i, tag))
+        if (api_has_tag(b->bullets.tag, i, tag))
             set_bullet(L, b, i, p, v);
+}
+
+static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->shots.s.live);
+    EACH_LIVE (i, &b->shots.s)
+        if (api_has_tag(b->shots.tag, i, tag))
+            set_shot(L, b, i, p, v);
 }
 
 const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST + 1, get_bullet, set_bullet };
 const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
 const struct api_thing api_group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
+const struct api_thing api_shots_thing = { "shots", shots_props, P_LAST + 1, get_shots, set_shots };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
-enum verb { V_AIM, V_TURN, V_REMOVE };
-enum { ARG_SELF, ARG_BY /* or add */ };
+enum verb { V_AIM, V_TURN, V_SHIFT, V_REMOVE };
+enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY };
 
-static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
+/* A place in Q32, moved within the world. */
+static int64_t shifted(int64_t at, int64_t by)
+{
+    const int64_t edge = (int64_t)WORLD << 32;
+
+    return int64_clamp(at + by, -edge, edge);
+}
+
+static void shift(struct bullets *s, uint32_t i, const struct api_value *v)
+{
+    bool fine = s->flags[i] & BULLET_FINE;
+    int64_t x, y;
+
+    bullets_place(s, i, &x, &y);
+    bullets_set_place(s, i, shifted(x, units(fine, &v[ARG_DX])), shifted(y, units(fine, &v[ARG_DY])));
+}
+
+static void act(struct board *b, bool shot, uint32_t i, enum verb verb, const struct api_value *v)
 {
     struct bullets *s = shot ? &b->shots : &b->bullets;
     struct motion_world w = board_world(b, shot);
 
     switch (verb) {
     case V_AIM:
-        s->dir[i] = targets_aim(&w.targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + by;
+        s->dir[i] = targets_aim(&w.targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
         break;
     case V_TURN:
-        s->dir[i] += by;
+        s->dir[i] += v[ARG_BY].a;
         break;
+    case V_SHIFT:
+        shift(s, i, v);
+        return;
     case V_REMOVE:
         bullets_drop(s, i);
         return;
@@ -633,48 +644,58 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, ang by)
     bullets_steer(s, i);
 }
 
-static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb, ang by)
+static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
 {
     int64_t h = v[ARG_SELF].i;
+    bool shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
+    struct bullets *s = shot ? &b->shots : &b->bullets;
 
-    if (handle_kind(h) != H_GROUP) {
+    if (!handle_kind_group(handle_kind(h))) {
         if (board_alive(b, h))
-            act(b, handle_kind(h) == H_SHOT, handle_slot(h), verb, by);
+            act(b, shot, handle_slot(h), verb, v);
         else if (verb == V_REMOVE && board_there(b, h)) /* held: what else it touched is spared */
-            bullets_release(handle_kind(h) == H_SHOT ? &b->shots : &b->bullets, handle_slot(h));
+            bullets_release(s, handle_slot(h));
         return 0;
     }
-    vm_charge(L, b->bullets.s.live);
-    EACH_LIVE (i, &b->bullets.s)
-        if (in_group(&b->bullets, i, handle_slot(h)))
-            act(b, false, i, verb, by);
+    vm_charge(L, s->s.live);
+    EACH_LIVE (i, &s->s)
+        if (api_has_tag(s->tag, i, handle_slot(h)))
+            act(b, shot, i, verb, v);
     if (verb == V_REMOVE)
-        EACH_HELD (i, &b->bullets.s)
-            if (in_group(&b->bullets, i, handle_slot(h)))
-                bullets_release(&b->bullets, i);
+        EACH_HELD (i, &s->s)
+            if (api_has_tag(s->tag, i, handle_slot(h)))
+                bullets_release(s, i);
     return 0;
 }
 
 static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_AIM, v[ARG_BY].a);
+    return verb(L, b, v, V_AIM);
 }
 
 static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_TURN, v[ARG_BY].a);
+    return verb(L, b, v, V_TURN);
+}
+
+static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_SHIFT);
 }
 
 static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_REMOVE, 0);
+    return verb(L, b, v, V_REMOVE);
 }
 
-enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP };
+enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
 static const struct api_param self_add[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
                                              { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
 static const struct api_param self_by[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
                                             { "by", A_DIR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param self_shift[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
+                                               { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                               { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
 static const struct api_param self_only[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL } };
 
 /* ---- motion programs ---- */
@@ -998,14 +1019,26 @@ static const struct api_entry entries[] = {
       "every live bullet with that tag (without one: all) as one thing to write to" },
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
       "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
-    { "bullet.clear", bullet_clear_run, PARAMS(bullet_clear), 0, API_CHANGES, "count",
-      "removes bullets, each leaving the named spark or its kind's; with all, also what is not clearable" },
+    { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
+      "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w and h about it, "
+      "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
+    { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
+      "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
+      "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
     { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
       "points it at the nearest player, plus so many degrees" },
     { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+    { "bullet:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "it is moved on by dx, dy at once, and flies on" },
+    { "bullet:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
+      "gone, leaving the named spark" },
     { "bullet:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
     { "group:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest player" },
     { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
+    { "group:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "each is moved on by dx, dy at once, and flies on" },
+    { "group:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
+      "removes those in the shape, or all, each leaving the named spark" },
     { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
@@ -1014,8 +1047,23 @@ static const struct api_entry entries[] = {
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
     SHOT_FIRE,
+    { "shot.group", shot_group, PARAMS(tag_only), 1, API_CHANGES, "group",
+      "every live shot with that tag (without one: all) as one thing to write to" },
+    { "shot.each", shot_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
+      "calls f(shot) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
     { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+    { "shot:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "it is moved on by dx, dy at once, and flies on" },
+    { "shot:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
+      "gone, leaving the named spark" },
     { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
+    { "shots:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest enemy" },
+    { "shots:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
+    { "shots:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "each is moved on by dx, dy at once, and flies on" },
+    { "shots:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
+      "removes those in the shape, or all, each leaving the named spark" },
+    { "shots:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

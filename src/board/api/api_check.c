@@ -9,8 +9,10 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-const char *const api_thing_names[HANDLES] = { NULL,       "a bullet", "a shot",   "an enemy", "a player",
-                                               "a sprite", "a task",   "a motion", "a group" };
+const char *const api_thing_names[HANDLES] = {
+    NULL,     "a bullet", "a shot",  "an enemy",         "a player",          "a sprite",
+    "a task", "a motion", "a group", "a group of shots", "a group of enemies"
+};
 
 /* Pushes how a value looks in an error. */
 static const char *push_got(lua_State *L, int at)

@@ -189,15 +189,31 @@ static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
     return api_each(L, b, H_ENEMY, &b->enemies.s, b->enemies.tag, tag, v[EACH_F].at);
 }
 
-static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
+static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[ARG_TAG].given ? api_tag(L, "enemy.count", v[ARG_TAG].at) : 0;
+    (void)b;
+    return api_group(L, H_ENEMIES, "enemy.group", &v[ARG_TAG]);
+}
+
+/* Is enemy i alive, and has it the tag (0: any)? */
+static bool in_group(const struct board *b, uint32_t i, uint32_t tag)
+{
+    return !(b->enemies.flags[i] & ENEMY_GONE) && api_has_tag(b->enemies.tag, i, tag);
+}
+
+static void push_count(lua_State *L, struct board *b, uint32_t tag)
+{
     lua_Integer n = 0;
 
     vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        n += !(b->enemies.flags[i] & ENEMY_GONE) && (!tag || b->enemies.tag[i] == tag);
+        n += in_group(b, i, tag);
     lua_pushinteger(L, n);
+}
+
+static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
+{
+    push_count(L, b, v[ARG_TAG].given ? api_tag(L, "enemy.count", v[ARG_TAG].at) : 0);
     return 1;
 }
 
@@ -205,7 +221,8 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 
 enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, PROPS };
 
-static const struct api_prop props[PROPS] = {
+/* The last is of groups alone. */
+static const struct api_prop props[PROPS + 1] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write ends its move" },
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write ends its move" },
     { { "hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL }, PROP_WRITE, "hit points left" },
@@ -214,6 +231,7 @@ static const struct api_prop props[PROPS] = {
     { { "safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames it takes no damage, or forever" },
     { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
     { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came" },
+    { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many living enemies have the tag; the one to read" },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -274,13 +292,42 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    if (p != PROPS)
+        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read of a group (only count can)", props[p].value.name);
+    push_count(L, b, tag);
+}
 
-enum { ARG_SELF, MOVE_X, MOVE_Y, MOVE_OVER, MOVE_EASE, HURT_HP = 1, KILL_PLAYER = 1 };
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->enemies.s.live);
+    EACH_LIVE (i, &b->enemies.s)
+        if (in_group(b, i, tag))
+            set(L, b, i, p, v);
+}
+
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
+const struct api_thing api_enemies_thing = { "enemies", props, PROPS + 1, get_group, set_group };
+
+/* ---- verbs ---- */
+
+enum {
+    ARG_SELF,
+    MOVE_X,
+    MOVE_Y,
+    MOVE_OVER,
+    MOVE_EASE,
+    SHIFT_X = 1,
+    SHIFT_Y,
+    HURT_HP = 1,
+    HURT_PLAYER,
+    KILL_PLAYER = 1
+};
 
 #define SELF                                                                                                           \
     {                                                                                                                  \
-        "self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL                                                              \
+        "self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL                                             \
     }
 static const struct api_param move[] = {
     SELF,
@@ -289,52 +336,118 @@ static const struct api_param move[] = {
     { "over", A_INT, REQ, 1, 1e9, "frames", NULL },
     { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
 };
-static const struct api_param hurt[] = { SELF, { "n", A_INT, REQ, 0, INT32_MAX, "hp", NULL } };
+static const struct api_param shift_by[] = { SELF,
+                                             { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                             { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param hurt[] = { SELF,
+                                         { "n", A_INT, REQ, 0, INT32_MAX, "hp", NULL },
+                                         { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
 static const struct api_param kill_by[] = { SELF, { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
 static const struct api_param self[] = { SELF };
 
-static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
+typedef void enemy_verb(lua_State *L, struct board *b, uint32_t i, const struct api_value *v);
+
+static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
     (void)L;
-    if (board_alive(b, v[ARG_SELF].i))
-        enemies_go(&b->enemies, handle_slot(v[ARG_SELF].i), v[MOVE_X].f, v[MOVE_Y].f, (uint32_t)v[MOVE_OVER].i,
-                   (enum ease)v[MOVE_EASE].i);
-    return 0;
+    enemies_go(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, (uint32_t)v[MOVE_OVER].i, (enum ease)v[MOVE_EASE].i);
 }
 
-/* The player a script's kill counts for: the nearest living one, 1 or 2; 0: none. */
-static uint32_t credit(const struct board *b, uint32_t i)
+static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    (void)L;
+    enemies_shift(&b->enemies, i, v[SHIFT_X].f, v[SHIFT_Y].f);
+}
+
+/* The player a script's damage or kill counts for: the one given, else the nearest living one, 1 or 2; 0: none. */
+static uint32_t credit(const struct board *b, uint32_t i, const struct api_value *player)
 {
     struct targets t = board_players(b);
 
-    return (uint32_t)(targets_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
+    return player->given ? (uint32_t)player->i : (uint32_t)(targets_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
+}
+
+static void hurt_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    events_enemy_hurt(b, L, i, (int32_t)v[HURT_HP].i, credit(b, i, &v[HURT_PLAYER]));
+}
+
+static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    events_enemy_die(b, L, i, credit(b, i, &v[KILL_PLAYER]));
+}
+
+/* A death runs on_death, which may remove others and spawn new ones in their slots: so those that live now are listed
+ * first, and each is asked whether it still does. */
+static void each_of(lua_State *L, struct board *b, uint32_t tag, enemy_verb *verb, const struct api_value *v)
+{
+    int list = lua_gettop(L) + 1;
+    lua_Integer n = 0;
+
+    vm_charge(L, b->enemies.s.live);
+    luaL_checkstack(L, 2, NULL);
+    lua_newtable(L);
+    EACH_LIVE (i, &b->enemies.s)
+        if (in_group(b, i, tag)) {
+            lua_pushinteger(L, board_handle(b, H_ENEMY, (int32_t)i));
+            lua_rawseti(L, list, ++n);
+        }
+    for (lua_Integer k = 1; k <= n; k++) {
+        lua_rawgeti(L, list, k);
+        int64_t h = lua_tointeger(L, -1);
+        lua_pop(L, 1);
+        if (board_alive(b, h))
+            verb(L, b, handle_slot(h), v);
+    }
+    lua_settop(L, list - 1);
+}
+
+static int act(lua_State *L, struct board *b, enemy_verb *verb, const struct api_value *v)
+{
+    int64_t h = v[ARG_SELF].i;
+
+    if (handle_kind(h) == H_ENEMIES)
+        each_of(L, b, handle_slot(h), verb, v);
+    else if (board_alive(b, h))
+        verb(L, b, handle_slot(h), v);
+    return 0;
+}
+
+static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
+{
+    return act(L, b, move_one, v);
+}
+
+static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return act(L, b, shift_one, v);
 }
 
 static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (board_alive(b, v[ARG_SELF].i))
-        events_enemy_hurt(b, L, handle_slot(v[ARG_SELF].i), (int32_t)v[HURT_HP].i,
-                          credit(b, handle_slot(v[ARG_SELF].i)));
-    return 0;
+    return act(L, b, hurt_one, v);
 }
 
 static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t i = handle_slot(v[ARG_SELF].i);
-
-    if (board_alive(b, v[ARG_SELF].i))
-        events_enemy_die(b, L, i, v[KILL_PLAYER].given ? (uint32_t)v[KILL_PLAYER].i : credit(b, i));
-    return 0;
+    return act(L, b, kill_one, v);
 }
 
+/* Takes also those that leave in this frame: what else they touched is spared. */
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t i = handle_slot(v[ARG_SELF].i);
+    int64_t h = v[ARG_SELF].i;
+    struct enemies *e = &b->enemies;
 
-    (void)L;
-    /* also one that leaves in this frame: what else it touched is spared */
-    if (board_there(b, v[ARG_SELF].i) && !(b->enemies.flags[i] & ENEMY_DYING))
-        enemies_drop(&b->enemies, i);
+    if (handle_kind(h) != H_ENEMIES) {
+        if (board_there(b, h) && !(e->flags[handle_slot(h)] & ENEMY_DYING))
+            enemies_drop(e, handle_slot(h));
+        return 0;
+    }
+    vm_charge(L, e->s.live);
+    EACH_LIVE (i, &e->s)
+        if (api_has_tag(e->tag, i, handle_slot(h)) && !(e->flags[i] & ENEMY_DYING))
+            enemies_drop(e, i);
     return 0;
 }
 
@@ -346,12 +459,26 @@ static const struct api_entry entries[] = {
       "it came from does not take it along" },
     { "enemy.each", enemy_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
       "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
+    { "enemy.group", enemy_group, PARAMS(tag_only), 1, API_CHANGES, "group",
+      "every living enemy with that tag (without one: all) as one thing to write to" },
     { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
     { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
       "starts a move to x, y and returns at once; in each frame it is at the nearest 1/65536 px of its way" },
-    { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 2, API_CHANGES | API_METHOD, NULL, "damage, unless it is safe" },
+    { "enemy:shift", enemy_shift, PARAMS(shift_by), 3, API_CHANGES | API_METHOD, NULL,
+      "it is moved on by dx, dy at once, and so is the rest of its move" },
+    { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 3, API_CHANGES | API_METHOD, NULL,
+      "damage, unless it is safe; a death counts for p, without p for the nearest player" },
     { "enemy:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
       "dies with score (p's; without p the nearest player's), spark and on_death" },
     { "enemy:remove", enemy_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "just goes" },
+    { "enemies:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
+      "each starts a move to x, y; returns at once" },
+    { "enemies:shift", enemy_shift, PARAMS(shift_by), 3, API_CHANGES | API_METHOD, NULL,
+      "each is moved on by dx, dy at once, and so is the rest of its move" },
+    { "enemies:hurt", enemy_hurt_run, PARAMS(hurt), 3, API_CHANGES | API_METHOD, NULL,
+      "damage to each that is not safe; deaths count for p, without p for the nearest player" },
+    { "enemies:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
+      "all die with score, spark and on_death, in slot order" },
+    { "enemies:remove", enemy_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "all just go" },
 };
 const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

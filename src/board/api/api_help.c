@@ -151,7 +151,7 @@ static bool help_thing(int kind, void (*line)(const char *))
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
-    if (kind != H_GROUP && kind != H_MOTION)
+    if (!handle_kind_group((enum handle_kind)kind) && kind != H_MOTION)
         line("    alive      read  is it there?");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];

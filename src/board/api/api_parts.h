@@ -75,6 +75,55 @@ fx *api_value_column(struct board *b, enum api_names names, int k);
 /* Sets the new thing in slot i to the values that api_arguments put at v. */
 void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v);
 
+/* Has slot i the tag? 0: any. */
+static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
+{
+    return !tag || tags[i] == tag;
+}
+
+/* Pushes the group of things with the tag that is given, or of all. */
+int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
+
+/* What place and shape words name together: everywhere, a circle, a box or a line with a width. */
+enum api_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
+struct api_region {
+    enum api_shape shape;
+    fx x, y;       /* the middle; where a line begins */
+    fx a, b;       /* radius; half width and half height; half the width of a line */
+    fx to_x, to_y; /* where a line ends */
+};
+
+/* Shape words stand behind those of PLACE, in this order. */
+enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
+#define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
+    {                                                                                                                  \
+        "radius", A_FX, must, 0, most, "px", NULL                                                                      \
+    }
+#define SHAPE_BOX_PARAMS(must)                                                                                         \
+    { "w", A_FX, must, 0, 32767, "px", NULL },                                                                         \
+    {                                                                                                                  \
+        "h", A_FX, must, 0, 32767, "px", NULL                                                                          \
+    }
+#define SHAPE_LINE_PARAMS(must)                                                                                        \
+    { "to_x", A_FX, must, -WORLD, WORLD, "px", NULL }, { "to_y", A_FX, must, -WORLD, WORLD, "px", NULL },              \
+    {                                                                                                                  \
+        "width", A_FX, must, 0, WORLD, "px", NULL                                                                      \
+    }
+
+/* Reads REGION_PARAMS values. False: the thing it is placed by is dead, so it is nowhere. */
+bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);
+
+/* Is the point in it? Exactly, its edge included. */
+bool api_region_has(const struct api_region *r, fx x, fx y);
+
+/* bullet.clear and the clears of bullets, shots and their groups. */
+enum { CLEAR_PARAMS = 14, CLEAR_SELF_PARAMS = 2, CLEAR_GROUP_PARAMS = 3 + REGION_PARAMS };
+extern const struct api_param api_clear_params[CLEAR_PARAMS], api_clear_self_params[CLEAR_SELF_PARAMS],
+    api_clear_group_params[CLEAR_GROUP_PARAMS];
+int api_clear(lua_State *L, struct board *b, struct api_value *v);
+int api_clear_self(lua_State *L, struct board *b, struct api_value *v);
+int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
+
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
 

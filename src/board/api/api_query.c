@@ -2,8 +2,7 @@
  * api_query.c - query; and api_place, which reads the place of every fire, spawn and burst.
  */
 #include <string.h>
-#include "../../base/geom.h"
-#include "../api.h"
+#include "api_parts.h"
 
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y)
 {
@@ -28,14 +27,6 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
     return true;
 }
 
-enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG };
-
-static const struct api_param near[] = {
-    { "what", A_STR, REQ, 0, 0, NULL, NULL },      { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, { "radius", A_FX, REQ, 0, 32767, "px", NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-};
-
 /* A pool to ask: its places and tags. */
 struct field {
     enum handle_kind kind;
@@ -45,7 +36,7 @@ struct field {
     const uint8_t *in;
 };
 
-static struct field field_named(lua_State *L, struct board *b, const char *what)
+static struct field field_named(lua_State *L, struct board *b, const char *entry, const char *what)
 {
     if (!strcmp(what, "bullet"))
         return (struct field){ H_BULLET, &b->bullets.s, b->bullets.x, b->bullets.y, b->bullets.tag, NULL };
@@ -54,7 +45,7 @@ static struct field field_named(lua_State *L, struct board *b, const char *what)
     if (!strcmp(what, "enemy"))
         return (struct field){ H_ENEMY, &b->enemies.s, b->enemies.x, b->enemies.y, b->enemies.tag, NULL };
     if (strcmp(what, "player"))
-        api_error(L, "query.near", "what: expected bullet, enemy, shot or player, got \"%s\"", what);
+        api_error(L, entry, "what: expected bullet, enemy, shot or player, got \"%s\"", what);
     return (struct field){ H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL, b->player.in };
 }
 
@@ -102,35 +93,93 @@ static void sort_near(lua_State *L, int list, lua_Integer n, const struct field 
     }
 }
 
-static int query_near(lua_State *L, struct board *b, struct api_value *v)
+/* Pushes the list of what is in the region, nearest to its place first; `there` false: an empty one. */
+static int found(lua_State *L, struct board *b, const struct field *f, uint32_t tag, const struct api_region *r,
+                 bool there)
 {
-    struct field f = field_named(L, b, lua_tostring(L, v[NEAR_WHAT].at));
-    uint32_t tag = v[NEAR_TAG].given ? api_tag(L, "query.near", v[NEAR_TAG].at) : 0;
-    uint32_t end = f.s->used ? f.s->top : f.s->live;
+    uint32_t end = there ? f->s->used ? f->s->top : f->s->live : 0;
     lua_Integer n = 0;
 
     lua_newtable(L);
     int list = lua_gettop(L);
-    for (uint32_t i = slots_next(f.s, 0); i < end; i = slots_next(f.s, i + 1)) {
-        if ((f.in && !f.in[i]) || !board_alive(b, board_handle(b, f.kind, (int32_t)i)) ||
-            (tag && (!f.tag || f.tag[i] != tag)) ||
-            !geom_circles(f.x[i], f.y[i], v[NEAR_X].f, v[NEAR_Y].f, v[NEAR_RADIUS].f))
+    for (uint32_t i = slots_next(f->s, 0); i < end; i = slots_next(f->s, i + 1)) {
+        if ((f->in && !f->in[i]) || !board_alive(b, board_handle(b, f->kind, (int32_t)i)) ||
+            (tag && (!f->tag || f->tag[i] != tag)) || !api_region_has(r, f->x[i], f->y[i]))
             continue;
         lua_pushinteger(L, i);
         lua_rawseti(L, list, ++n);
     }
-    vm_charge(L, f.s->live + 20 * (uint64_t)n);
-    sort_near(L, list, n, &f, v[NEAR_X].f, v[NEAR_Y].f);
+    vm_charge(L, f->s->live + 20 * (uint64_t)n);
+    sort_near(L, list, n, f, r->x, r->y);
     for (lua_Integer i = 1; i <= n; i++) {
         lua_rawgeti(L, list, i);
-        lua_pushinteger(L, board_handle(b, f.kind, (int32_t)lua_tointeger(L, -1)));
+        lua_pushinteger(L, board_handle(b, f->kind, (int32_t)lua_tointeger(L, -1)));
         lua_rawseti(L, list, i);
         lua_pop(L, 1);
     }
     return 1;
 }
 
+static int query(lua_State *L, struct board *b, const char *entry, const struct api_value *what,
+                 const struct api_value *tag, const struct api_value place[REGION_PARAMS])
+{
+    struct field f = field_named(L, b, entry, lua_tostring(L, what->at));
+    uint32_t number = tag->given ? api_tag(L, entry, tag->at) : 0;
+    struct api_region r;
+    bool there = api_region(L, b, entry, place, &r);
+
+    return found(L, b, &f, number, &r, there);
+}
+
+/* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
+enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEAR_DY };
+
+static const struct api_param near[] = {
+    { "what", A_STR, REQ, 0, 0, NULL, NULL },      { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL }, SHAPE_CIRCLE_PARAMS(REQ, 32767),
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },       { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" }, { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+};
+
+static int query_near(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_value place[REGION_PARAMS] = { v[NEAR_X],  v[NEAR_Y],  v[NEAR_FROM],
+                                                    v[NEAR_DX], v[NEAR_DY], v[NEAR_RADIUS] };
+
+    return query(L, b, "query.near", &v[NEAR_WHAT], &v[NEAR_TAG], place);
+}
+
+/* Of query.box and query.line; their shape follows. */
+enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
+#define ASKED { "what", A_STR, REQ, 0, 0, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PLACE
+
+static const struct api_param box[] = { ASKED, SHAPE_BOX_PARAMS(REQ) };
+static const struct api_param line[] = { ASKED, SHAPE_LINE_PARAMS(REQ) };
+
+static int query_box(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct api_value place[REGION_PARAMS] = { { 0 } };
+
+    memcpy(place, v + ARG_PLACE, PLACE_PARAMS * sizeof *v);
+    memcpy(place + REGION_W, v + ARG_SHAPE, 2 * sizeof *v);
+    return query(L, b, "query.box", &v[ARG_WHAT], &v[ARG_TAG], place);
+}
+
+static int query_line(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct api_value place[REGION_PARAMS] = { { 0 } };
+
+    memcpy(place, v + ARG_PLACE, PLACE_PARAMS * sizeof *v);
+    memcpy(place + REGION_TO_X, v + ARG_SHAPE, 3 * sizeof *v);
+    return query(L, b, "query.line", &v[ARG_WHAT], &v[ARG_TAG], place);
+}
+
 static const struct api_entry entries[] = {
-    { "query.near", query_near, PARAMS(near), 0, API_CHANGES, "list", "things within radius of x, y, nearest first" },
+    { "query.near", query_near, PARAMS(near), 0, API_CHANGES, "list",
+      "things within radius of a place, nearest first" },
+    { "query.box", query_box, PARAMS(box), 0, API_CHANGES, "list",
+      "things in a box, w wide and h high, with a place in its middle, nearest to that first" },
+    { "query.line", query_line, PARAMS(line), 0, API_CHANGES, "list",
+      "things within half of width of the line from a place to to_x, to_y, nearest to the place first" },
 };
 const struct api_module api_query = { entries, sizeof entries / sizeof *entries };

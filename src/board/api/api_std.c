@@ -171,7 +171,7 @@ const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
-    api_task_thing, api_motion_thing, api_group_thing;
+    api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -180,4 +180,6 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_sprite_thing,
                                                       &api_task_thing,
                                                       &api_motion_thing,
-                                                      &api_group_thing };
+                                                      &api_group_thing,
+                                                      &api_shots_thing,
+                                                      &api_enemies_thing };

@@ -275,12 +275,14 @@ static void judge_walk(struct check *c, const char *path, const struct symbol_wa
     if ((handle == NULL && !handed) || is_changed(c, space, w->of.name) || is_changed(c, NULL, w->how))
         return;
     space = space != NULL ? space : "";
+    bool group = handle != NULL && strcmp(handle, "group") == 0;
     if (handed)
         diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s hands to its function is a thing, not a table",
                         w->how, space, dot, w->of.name);
     else
-        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s", w->how, space, dot,
-                        w->of.name, handle, strcmp(handle, "group") == 0 ? " (bullet.each visits one by one)" : "");
+        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s%s%s", w->how, space,
+                        dot, w->of.name, handle, group ? " (" : "", group ? space : "",
+                        group ? ".each visits one by one)" : "");
 }
 
 static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)

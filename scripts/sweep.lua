@@ -1,0 +1,51 @@
+-- sweep.lua - bullet.sweep: a clear in a circle that grows, a frame at a time. It goes on in a task of the caller's owner.
+local sys = ...
+
+local EDGE = 16383 -- px: the world's, which no place is beyond
+
+local function within(v) return math.max(-EDGE, math.min(EDGE, v)) end
+
+-- Where it is: the arguments of bullet.clear and query.near that say so, or nil when the thing it starts at is dead.
+local function placed(a)
+  local xy, ways = a.x ~= nil and a.y ~= nil, 0
+  for _, way in ipairs { a.x or a.y or false, a.from or false, a.follow or false } do
+    if way then ways = ways + 1 end
+  end
+  if ways ~= 1 or not (xy or a.from or a.follow) then
+    sys.fail("bullet.sweep", "place: expected x and y, or from (a thing), or follow (a thing)")
+  end
+  if a.follow then return a.follow.alive and { from = a.follow, dx = a.dx, dy = a.dy } end
+  if xy then return { x = within(a.x + a.dx), y = within(a.y + a.dy) } end
+  return a.from.alive and { x = within(a.from.x + a.dx), y = within(a.from.y + a.dy) }
+end
+
+-- Hurts those that stand in the circle and were not met before.
+local function hurt(a, circle, met)
+  circle.what = "enemy"
+  for _, e in ipairs(query.near(circle)) do
+    if not met[e] then
+      met[e] = true
+      e:hurt(a.hurt, a.by)
+    end
+  end
+end
+
+local function sweep(a, circle)
+  local met = {}
+  for k = 1, a.over do
+    if a.follow and not a.follow.alive then return end
+    circle.radius = a.radius + (a.radius_to - a.radius) * k / a.over
+    circle.what, circle.tag, circle.spark, circle.all = nil, a.tag, a.spark, a.all
+    bullet.clear(circle)
+    circle.tag, circle.spark, circle.all = nil, nil, nil
+    if a.hurt > 0 then hurt(a, circle, met) end
+    wait(1)
+  end
+end
+
+function bullet.sweep(args)
+  local a = sys.check("bullet.sweep", args)
+  local circle = placed(a)
+  if not circle then return task.own(a.from or a.follow, sweep) end -- a dead task
+  return task.go(sweep, a, circle)
+end

@@ -1,0 +1,204 @@
+/*
+ * api_region.c - the regions that place and shape words name, and the clears of bullets and shots in them.
+ */
+#include "../../base/geom.h"
+#include "../../chips/sparks.h"
+#include "api_parts.h"
+
+static bool all_given(const struct api_value *v, int first, int n)
+{
+    for (int i = first; i < first + n; i++)
+        if (!v[i].given)
+            return false;
+    return true;
+}
+
+static bool any_given(const struct api_value *v, int first, int n)
+{
+    for (int i = first; i < first + n; i++)
+        if (v[i].given)
+            return true;
+    return false;
+}
+
+enum { BOX_WORDS = 2, LINE_WORDS = 3 };
+
+/* The shape whose words are given; raises if they are those of several, or not all of one's. */
+static enum api_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
+{
+    bool circle = v[REGION_RADIUS].given, box = any_given(v, REGION_W, BOX_WORDS),
+         line = any_given(v, REGION_TO_X, LINE_WORDS);
+
+    if (circle + box + line > 1)
+        api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got words of %s",
+                  !box      ? "a circle and a line"
+                  : !line   ? "a circle and a box"
+                  : !circle ? "a box and a line"
+                            : "all three");
+    if (box && !all_given(v, REGION_W, BOX_WORDS))
+        api_error(L, entry, "shape: w and h go together, got %s alone", v[REGION_W].given ? "w" : "h");
+    if (line && !all_given(v, REGION_TO_X, LINE_WORDS))
+        api_error(L, entry, "shape: to_x, to_y and width go together, got no %s",
+                  !v[REGION_TO_X].given   ? "to_x"
+                  : !v[REGION_TO_Y].given ? "to_y"
+                                          : "width");
+    return circle ? REGION_CIRCLE : box ? REGION_BOX : line ? REGION_LINE : REGION_ALL;
+}
+
+bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r)
+{
+    *r = (struct api_region){ .shape = shape_given(L, entry, v) };
+    if (r->shape == REGION_ALL) {
+        if (any_given(v, 0, PLACE_PARAMS))
+            api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got a place alone");
+        return true;
+    }
+    if (!api_place(L, b, entry, v, &r->x, &r->y))
+        return false;
+    r->a = r->shape == REGION_CIRCLE ? v[REGION_RADIUS].f : v[r->shape == REGION_BOX ? REGION_W : REGION_WIDTH].f / 2;
+    r->b = v[REGION_H].f / 2;
+    r->to_x = v[REGION_TO_X].f;
+    r->to_y = v[REGION_TO_Y].f;
+    return true;
+}
+
+bool api_region_has(const struct api_region *r, fx x, fx y)
+{
+    switch (r->shape) {
+    case REGION_CIRCLE:
+        return geom_circles(x, y, r->x, r->y, r->a);
+    case REGION_BOX:
+        return geom_boxes(r->x, r->y, r->a, r->b, x, y, 0, 0);
+    case REGION_LINE:
+        return geom_capsule_circle(r->x, r->y, r->to_x, r->to_y, r->a, x, y, 0);
+    default:
+        return true;
+    }
+}
+
+/* ---- clears ---- */
+
+static const struct bullet_kinds *kinds_of(const struct board *b, const struct bullets *s)
+{
+    return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
+}
+
+/* The spark that a cleared bullet leaves: `given` (an argument), or its kind's. */
+static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
+{
+    const struct bullet_kinds *kinds = kinds_of(b, s);
+    uint16_t vanish = kinds->vanish[bullets_kind(s, kinds, i)];
+
+    if (given->given)
+        vanish = (uint16_t)(given->i + 1);
+    if (vanish)
+        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(vanish - 1), .n = 1 });
+}
+
+/* What a clear takes: with the tag (0: any), in the region, and clearable unless `all`. */
+struct clearing {
+    struct api_region region;
+    const struct api_value *spark;
+    uint32_t tag;
+    bool all;
+};
+
+static bool takes(const struct board *b, const struct bullets *s, const struct clearing *c, uint32_t i)
+{
+    const struct bullet_kinds *kinds = kinds_of(b, s);
+
+    return api_has_tag(s->tag, i, c->tag) && api_region_has(&c->region, s->x[i], s->y[i]) &&
+           (c->all || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
+}
+
+/* Removes what the clear takes; returns how many. What is held has left the field in this frame: what it touched is
+ * spared, and it is not counted. */
+static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const struct clearing *c)
+{
+    lua_Integer n = 0;
+
+    vm_charge(L, s->s.live);
+    EACH_LIVE (i, &s->s) {
+        if (!takes(b, s, c, i))
+            continue;
+        leave_spark(b, s, c->spark, i);
+        bullets_drop(s, i);
+        n++;
+    }
+    EACH_HELD (i, &s->s)
+        if (takes(b, s, c, i))
+            bullets_release(s, i);
+    return n;
+}
+
+/* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
+enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_FROM, C_DX, C_DY, C_W, C_H, C_TO_X, C_TO_Y, C_WIDTH, C_ALL };
+
+const struct api_param api_clear_params[CLEAR_PARAMS] = {
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    SHAPE_BOX_PARAMS(OPT),
+    SHAPE_LINE_PARAMS(OPT),
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+};
+
+int api_clear(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_value place[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
+                                                    v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
+    struct clearing c = { .spark = &v[C_SPARK], .all = v[C_ALL].i };
+
+    if (v[C_TAG].given)
+        c.tag = api_tag(L, "bullet.clear", v[C_TAG].at);
+    bool there = api_region(L, b, "bullet.clear", place, &c.region);
+    lua_pushinteger(L, there ? clear(L, b, &b->bullets, &c) : 0);
+    return 1;
+}
+
+enum { ARG_SELF, ARG_SPARK, ARG_PLACE, ARG_ALL = ARG_PLACE + REGION_PARAMS };
+
+const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
+    { "self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+};
+
+int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
+{
+    int64_t h = v[ARG_SELF].i;
+    uint32_t i = handle_slot(h);
+    struct bullets *s = handle_kind(h) == H_SHOT ? &b->shots : &b->bullets;
+
+    (void)L;
+    if (board_alive(b, h)) {
+        leave_spark(b, s, &v[ARG_SPARK], i);
+        bullets_drop(s, i);
+    } else if (board_there(b, h))
+        bullets_release(s, handle_slot(h));
+    return 0;
+}
+
+const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
+    { "self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    PLACE,
+    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
+    SHAPE_BOX_PARAMS(OPT),
+    SHAPE_LINE_PARAMS(OPT),
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+};
+
+int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    bool shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
+    struct clearing c = { .spark = &v[ARG_SPARK], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i };
+    bool there = api_region(L, b, shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
+
+    lua_pushinteger(L, there ? clear(L, b, shots ? &b->shots : &b->bullets, &c) : 0);
+    return 1;
+}
