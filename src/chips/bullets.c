@@ -13,7 +13,8 @@
 #include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),      COLUMN(bullet_kinds, b),
+    COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),
+    COLUMN(bullet_kinds, b),      COLUMN(bullet_kinds, x),     COLUMN(bullet_kinds, y),
     COLUMN(bullet_kinds, flags),  COLUMN(bullet_kinds, bank),  COLUMN(bullet_kinds, damage),
 };
 

@@ -43,7 +43,7 @@ struct bullet_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b;
+    fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
     uint8_t *flags;
     uint8_t *bank;
     int32_t *damage; /* of a shot */

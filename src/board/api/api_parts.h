@@ -42,8 +42,21 @@ enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
 /* What they may be, in words. */
 extern const char *const api_hit_forms[];
 
-/* Reads a hit shape at `at`: SHAPE_ and what motion.h says of a and b. */
-uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b);
+/* A hit shape as rows of kinds (motion.h). */
+struct api_shape {
+    uint8_t shape;
+    uint32_t rows;
+    struct {
+        fx a, b, x, y;
+    } row[SHAPE_PARTS];
+};
+
+/* Reads the hit shape at `at`. */
+struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose);
+
+/* Declares a kind of that shape; returns its index. */
+int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
+                 const struct api_shape *s);
 
 /* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
  * that come during the calls are not visited. */
