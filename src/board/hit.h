@@ -13,6 +13,20 @@
 
 #include "machine.h"
 
+/* A thing this frame: its shape, where it is now, and its move of the frame. */
+struct body {
+    uint8_t shape;
+    fx a, b;
+    fx x, y, mx, my;
+    fx c; /* a capsule that is a piece: (b, c) leads from its middle to one end of its bar */
+};
+
+/* Takes a body apart into circles, boxes and capsules, as the thing is turned now; returns how many. The bar of a
+ * bullet's capsule goes to the points that trig_polar gives; each circle's place is turned by two of its vectors. */
+uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                           struct body piece[SHAPE_PARTS]);
+uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS]);
+
 /* The broad phase that bullets_move does for hit_run: the bullets near each player. The players have moved already. */
 void hit_queries(struct board *b, struct bullets_query query[PADS]);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "../base/int.h"
 #include "api.h"
+#include "hit.h"
 #include "machine.h"
 
 static int32_t to_screen(fx v, int corner)
@@ -28,16 +29,34 @@ static struct inspect_body body_at(const struct board *b, enum inspect_kind kind
     };
 }
 
-static void set_shape(struct inspect_body *body, uint8_t shape, fx a, fx b)
+static void set_circles(const struct board *b, struct inspect_body *body, const struct body *piece, uint32_t n)
 {
-    static const enum inspect_shape shapes[] = { [SHAPE_NONE] = INSPECT_NONE,
-                                                 [SHAPE_CIRCLE] = INSPECT_CIRCLE,
-                                                 [SHAPE_BOX] = INSPECT_BOX,
-                                                 [SHAPE_CAPSULE] = INSPECT_CAPSULE };
+    body->shape = INSPECT_CIRCLES;
+    body->n = (int32_t)n;
+    for (uint32_t i = 0; i < n; i++) {
+        body->circle[i].x = to_screen(piece[i].x, b->cart.m.field_x);
+        body->circle[i].y = to_screen(piece[i].y, b->cart.m.field_y);
+        body->circle[i].r = piece[i].a;
+        body->a = fx_max(body->a, fx_abs(body->circle[i].x - body->x) + piece[i].a);
+        body->b = fx_max(body->b, fx_abs(body->circle[i].y - body->y) + piece[i].a);
+    }
+}
 
-    body->shape = shapes[shape];
-    body->a = shape == SHAPE_NONE ? 0 : a;
-    body->b = shape == SHAPE_BOX || shape == SHAPE_CAPSULE ? b : 0;
+/* By the pieces that the hit tests see. */
+static void set_shape(const struct board *b, struct inspect_body *body, uint8_t shape, const struct body *piece,
+                      uint32_t n)
+{
+    if (shape == SHAPE_CIRCLES) {
+        set_circles(b, body, piece, n);
+        return;
+    }
+    body->shape = shape == SHAPE_CIRCLE    ? INSPECT_CIRCLE
+                  : shape == SHAPE_BOX     ? INSPECT_BOX
+                  : shape == SHAPE_CAPSULE ? INSPECT_CAPSULE
+                                           : INSPECT_NONE;
+    body->a = shape == SHAPE_NONE ? 0 : piece->a;
+    body->b = shape == SHAPE_BOX || shape == SHAPE_CAPSULE ? piece->b : 0;
+    body->c = piece->c;
 }
 
 static bool can_be_grazed(const struct board *b, uint32_t i)
@@ -56,10 +75,10 @@ static struct inspect_body flying_body(const struct board *b, enum inspect_kind 
     const struct bullet_kinds *k = kind == INSPECT_BULLET ? &b->bullet_kinds : &b->shot_kinds;
     struct inspect_body body = body_at(b, kind, i, s->x[i], s->y[i]);
 
-    set_shape(&body, s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]], k->a[s->kind[i]],
-              k->b[s->kind[i]]);
-    if (body.shape == INSPECT_CAPSULE)
-        trig_polar(body.b, s->dir[i], &body.b, &body.c);
+    struct body piece[SHAPE_PARTS];
+    uint8_t shape = s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]];
+
+    set_shape(b, &body, shape, piece, hit_bullet_pieces(s, k, i, piece));
     body.spent = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
@@ -70,7 +89,9 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
     const struct enemy_kinds *k = &b->enemy_kinds;
     struct inspect_body body = body_at(b, INSPECT_ENEMY, i, e->x[i], e->y[i]);
 
-    set_shape(&body, k->shape[e->kind[i]], k->a[e->kind[i]], k->b[e->kind[i]]);
+    struct body piece[SHAPE_PARTS];
+
+    set_shape(b, &body, k->shape[e->kind[i]], piece, hit_enemy_pieces(b, i, piece));
     body.spent = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
     return body;
 }
@@ -80,7 +101,8 @@ static struct inspect_body player_body(const struct board *b, uint32_t i)
     const struct player *p = &b->player;
     struct inspect_body body = body_at(b, INSPECT_PLAYER, i, p->x[i], p->y[i]);
 
-    set_shape(&body, SHAPE_CIRCLE, b->player_kinds.radius[p->kind[i]], 0);
+    body.shape = INSPECT_CIRCLE;
+    body.a = b->player_kinds.radius[p->kind[i]];
     body.graze = b->player_kinds.graze[p->kind[i]];
     body.spent = p->safe[i] > 0 || b->start.practice.invincible;
     return body;
@@ -243,15 +265,15 @@ static bool better(const struct fit *a, const struct fit *b)
 static void consider(void *context, const struct inspect_body *body)
 {
     struct search *s = context;
-    bool bar = body->shape == INSPECT_CAPSULE;
+    bool bar = body->shape == INSPECT_CAPSULE, box = body->shape == INSPECT_BOX || body->shape == INSPECT_CIRCLES;
     fx w = bar ? body->a + fx_abs(body->b) : body->a;
-    fx h = bar ? body->a + fx_abs(body->c) : body->shape == INSPECT_BOX ? body->b : body->a;
+    fx h = bar ? body->a + fx_abs(body->c) : box ? body->b : body->a;
     int64_t dx = int64_abs((int64_t)body->x - s->x), dy = int64_abs((int64_t)body->y - s->y);
 
     if (dx > (int64_t)w + s->within || dy > (int64_t)h + s->within)
         return;
     fx far = fx_hypot((fx)dx, (fx)dy), gap = far - w;
-    if (body->shape == INSPECT_BOX || bar)
+    if (box || bar)
         gap = fx_hypot(fx_max((fx)dx - w, 0), fx_max((fx)dy - h, 0));
     struct fit fit = { fx_max(gap, 0), fx_max(w, h), far };
     if (fit.gap > s->within || (s->found.kind != INSPECT_NOTHING && !better(&fit, &s->best)))

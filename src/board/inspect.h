@@ -10,18 +10,23 @@
 #define BOARD_INSPECT_H
 
 #include "board.h"
+#include "../chips/motion.h"
 
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER };
-enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE };
+enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
 
 /* A thing as the hit tests see it. */
 struct inspect_body {
     enum inspect_kind kind;
     uint32_t slot;
     enum inspect_shape shape;
-    int32_t x, y;  /* its middle, on the screen */
-    int32_t a, b;  /* a circle: a is the radius; a box: half its width and height */
-    int32_t c;     /* a capsule: all within a of a bar from (x - b, y - c) to (x + b, y + c) */
+    int32_t x, y; /* its middle, on the screen */
+    int32_t a, b; /* a circle: a is the radius; a box: half its width and height */
+    int32_t c;    /* a capsule: all within a of a bar from (x - b, y - c) to (x + b, y + c) */
+    int32_t n;    /* several circles; a, b: half the width and height of the box round (x, y) that they lie in */
+    struct {
+        int32_t x, y, r;
+    } circle[SHAPE_PARTS];
     int32_t graze; /* radius of a player's graze ring; else 0 */
     bool spent;    /* a bullet that no player in the game can graze (any more), an enemy whose touch is harmless or that
                       is dying, a player that is safe */

@@ -14,9 +14,9 @@
 
 static const struct column kind_columns[] = {
     COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),
-    COLUMN(bullet_kinds, b),      COLUMN(bullet_kinds, flags), COLUMN(bullet_kinds, bank),
-    COLUMN(bullet_kinds, damage), COLUMN(bullet_kinds, spin),  COLUMN(bullet_kinds, order),
-    COLUMN(bullet_kinds, vanish),
+    COLUMN(bullet_kinds, b),      COLUMN(bullet_kinds, x),     COLUMN(bullet_kinds, y),
+    COLUMN(bullet_kinds, flags),  COLUMN(bullet_kinds, bank),  COLUMN(bullet_kinds, damage),
+    COLUMN(bullet_kinds, spin),   COLUMN(bullet_kinds, order), COLUMN(bullet_kinds, vanish),
 };
 
 static const struct column columns[] = {
@@ -125,7 +125,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = (uint16_t)(shape->kind + shape->clouded);
+    b->kind[i] = (uint16_t)(shape->kind - shape->clouded);
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -281,7 +281,7 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 {
     bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
 
-    b->kind[i] = (uint16_t)(kind + cloud);
+    b->kind[i] = (uint16_t)(kind - cloud);
     b->bank[i] = kinds->bank[kind];
 }
 

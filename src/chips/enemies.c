@@ -5,8 +5,8 @@
 #include "enemies.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, shape), COLUMN(enemy_kinds, a),
-    COLUMN(enemy_kinds, b),      COLUMN(enemy_kinds, hp),    COLUMN(enemy_kinds, score),
+    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, shape), COLUMN(enemy_kinds, a),     COLUMN(enemy_kinds, b),
+    COLUMN(enemy_kinds, x),      COLUMN(enemy_kinds, y),     COLUMN(enemy_kinds, hp),    COLUMN(enemy_kinds, score),
     COLUMN(enemy_kinds, bank),   COLUMN(enemy_kinds, flags), COLUMN(enemy_kinds, spark),
 };
 

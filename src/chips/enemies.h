@@ -32,7 +32,7 @@ struct enemy_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b; /* of the shape */
+    fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
     int32_t *hp;
     int64_t *score;
     uint8_t *bank;

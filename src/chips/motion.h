@@ -22,10 +22,19 @@ enum {
 /* The hit shape of a kind. */
 enum {
     SHAPE_NONE,
-    SHAPE_CIRCLE,     /* a: radius */
-    SHAPE_BOX,        /* a, b: half width and half height */
-    SHAPE_CAPSULE = 4 /* of bullets: all within a of a bar that lies along dir and reaches b to either side; the number
-                         is above any | of those before */
+    SHAPE_CIRCLE,      /* a: radius */
+    SHAPE_BOX,         /* a, b: half width and half height */
+    SHAPE_CAPSULE = 4, /* all within a of a bar, of which one end is at (x, y) and the other at (-x, -y), or, of
+                          bullets, which lies along dir and reaches b to either side */
+    SHAPE_CIRCLES = 8, /* a circle of radius a at (x, y), and b more, which are the next rows of the kinds */
+    SHAPE_PLAIN = 3,   /* neither of those two is in any | of the others */
+    SHAPE_PARTS = 4    /* most circles */
+};
+
+/* The columns of kinds that say what touches. */
+struct shape_columns {
+    uint8_t *shape;
+    fx *a, *b, *x, *y;
 };
 
 /* Groups of columns (slots.h) that a manifest switches on for bullets, shots and enemies. */

@@ -14,6 +14,7 @@ bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })
 bullet.def("spore", { sprite = "dart", hit = { circle = 3 }, cloud = "dot", spin = 9.1, clearable = false })
 bullet.def("pin", { sprite = "dart", hit = { capsule = { 7.5, 1.25 } }, turns = true })
+bullet.def("axe", { sprite = "dart", hit = { circles = { { -2, 0.5, 1 }, { 3, 0, 1.5 } } }, turns = true })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
   { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 },
@@ -28,7 +29,7 @@ enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 17
         speed = 1.7 }
     end
   end })
-enemy.def("king", { sprite = "dot", hit = { box = { 12, 12 } }, score = 9000, spark = "pop" })
+enemy.def("king", { sprite = "dot", hit = { circles = { { -5, 0, 5 }, { 5, 0, 5 } } }, score = 9000, spark = "pop" })
 local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 },
   { x = 75, y = 5, over = 41, ease = "both" } }
 boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
@@ -86,7 +87,9 @@ task.go(function()
     library(i)
     bullet.fire { kind = "ghost", x = rng.number(0, 64), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(),
       motion = "spin" }
-    if i % 7 == 0 then bullet.fire { kind = "pin", x = rng.number(0, 64), y = 0, speed = 2.5, aim = true } end
+    if i % 7 == 0 then
+      bullet.fire { kind = i % 2 == 0 and "pin" or "axe", x = rng.number(0, 64), y = 0, speed = 2.5, aim = true }
+    end
     if i % 50 == 0 then
       petals.speed, petals.bank = 0.5, 6
       bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)

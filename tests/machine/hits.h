@@ -10,10 +10,40 @@
 
 __extension__ typedef __int128 wide;
 
+/* Makes row k of some kinds a shape that is not plain, `most` far at most; several circles: and the rows after it, up
+ * to `last`, which are for no other kind. A capsule as of enemies has a bar of its own. */
+static inline void draw_pieces(struct rng *rng, const struct shape_columns *c, uint32_t k, uint32_t last, bool bar,
+                               fx most)
+{
+    uint32_t n = last - k + 1 < SHAPE_PARTS ? last - k + 1 : SHAPE_PARTS;
+    int32_t left = (int32_t)rng_below(rng, n);
+
+    if (!left) {
+        c->shape[k] = SHAPE_CAPSULE;
+        c->a[k] = (fx)rng_below(rng, (uint64_t)most + 1);
+        c->b[k] = (fx)rng_below(rng, (uint64_t)(most - c->a[k]) + 1);
+        c->x[k] = c->y[k] = 0;
+        if (bar) {
+            trig_polar(c->b[k], (ang)rng_next(rng) << (rng_below(rng, 3) ? 0 : 30), &c->x[k], &c->y[k]);
+            c->b[k] = 0;
+        }
+        return;
+    }
+    for (; left >= 0; left--, k++) {
+        int64_t a = (int64_t)rng_below(rng, (uint64_t)most + 1), rest = most - a > 2 ? most - a - 2 : 0;
+        int64_t x = (int64_t)rng_below(rng, (uint64_t)rest + 1), y = (int64_t)rng_below(rng, (uint64_t)(rest - x) + 1);
+        c->shape[k] = SHAPE_CIRCLES;
+        c->a[k] = (fx)a;
+        c->b[k] = left;
+        c->x[k] = (fx)(rng_below(rng, 2) ? x : -x);
+        c->y[k] = (fx)(rng_below(rng, 2) ? y : -y);
+    }
+}
+
 /* What the reference has come across. */
 static struct {
     long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties;
-    long capsule_hits, capsule_shots;
+    long capsule_hits, capsule_shots, circles_hits, circles_shots, long_foes, long_touches;
 } seen;
 
 static wide square(wide v)
@@ -83,38 +113,67 @@ struct thing {
     wide bar_x, bar_y; /* half of a capsule's */
 };
 
-static struct thing flier(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+/* A thing in pieces. */
+struct whole {
+    int n;
+    struct thing piece[SHAPE_PARTS];
+};
+
+static struct whole whole_of(struct thing t, const struct shape_columns *k, uint16_t kind, bool turns, ang dir)
 {
+    struct whole w = { .n = 1, .piece = { t } };
+
+    if (t.shape != SHAPE_CIRCLES)
+        return w;
+    for (w.n = 0; w.n == 0 || k->b[kind + w.n - 1]; w.n++) {
+        fx x = k->x[kind + w.n], y = k->y[kind + w.n], cx = x, cy = 0, sx = 0, sy = y;
+        if (turns) {
+            trig_polar(x, dir, &cx, &cy);
+            trig_polar(y, dir + (1u << 30), &sx, &sy);
+        }
+        struct thing *p = &w.piece[w.n];
+        *p = t;
+        p->shape = SHAPE_CIRCLE;
+        p->a = k->a[kind + w.n];
+        p->x += (wide)cx + sx;
+        p->was_x += (wide)cx + sx;
+        p->y += (wide)cy + sy;
+        p->was_y += (wide)cy + sy;
+    }
+    return w;
+}
+
+static struct whole flier(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    const struct shape_columns shapes = { k->shape, k->a, k->b, k->x, k->y };
     uint16_t kind = s->kind[i];
     wide x = s->x[i], y = s->y[i];
-
     fx bar_x = 0, bar_y = 0;
+
     if (k->shape[kind] == SHAPE_CAPSULE)
         trig_polar(k->b[kind], s->dir[i], &bar_x, &bar_y);
-    return (struct thing){ k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i], bar_x, bar_y };
+    struct thing t = { k->shape[kind], k->a[kind], k->b[kind], x, y, x - s->vx[i], y - s->vy[i], bar_x, bar_y };
+    return whole_of(t, &shapes, kind, k->flags[kind] & KIND_TURNS, s->dir[i]);
 }
 
-static struct thing foe(const struct board *b, uint32_t i)
+static struct whole foe(const struct board *b, uint32_t i)
 {
     const struct enemies *e = &b->enemies;
-    uint16_t k = e->kind[i];
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    const struct shape_columns shapes = { k->shape, k->a, k->b, k->x, k->y };
+    uint16_t kind = e->kind[i];
+    bool bar = k->shape[kind] == SHAPE_CAPSULE;
+    struct thing t = { k->shape[kind], k->a[kind],           k->b[kind],          e->x[i], e->y[i], e->was_x[i],
+                       e->was_y[i],    bar ? k->x[kind] : 0, bar ? k->y[kind] : 0 };
 
-    return (struct thing){ b->enemy_kinds.shape[k],
-                           b->enemy_kinds.a[k],
-                           b->enemy_kinds.b[k],
-                           e->x[i],
-                           e->y[i],
-                           e->was_x[i],
-                           e->was_y[i],
-                           0,
-                           0 };
+    return whole_of(t, &shapes, kind, false, 0);
 }
 
-static struct thing pilot(const struct board *b, uint32_t p, wide r)
+static struct whole pilot(const struct board *b, uint32_t p, wide r)
 {
     const struct player *pl = &b->player;
 
-    return (struct thing){ SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p], 0, 0 };
+    return (struct whole){ 1, { { SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p], 0, 0 } } };
 }
 
 /* On one axis: is the way from v to e more than half away from 0? */
@@ -169,7 +228,7 @@ static bool sum_near_box(wide x, wide y, const struct stretch *s, int n, wide hw
 }
 
 /* The sum of the two shapes as a box with round corners, around the origin; the difference of their places moves. */
-static bool meets(struct thing p, struct thing q, bool swept)
+static bool pieces_meet(struct thing p, struct thing q, bool swept)
 {
     wide hw = (p.shape == SHAPE_BOX ? p.a : 0) + (q.shape == SHAPE_BOX ? q.a : 0);
     wide hh = (p.shape == SHAPE_BOX ? p.b : 0) + (q.shape == SHAPE_BOX ? q.b : 0);
@@ -190,6 +249,14 @@ static bool meets(struct thing p, struct thing q, bool swept)
     if (passes_by(x, ex, hw + r) || passes_by(y, ey, hh + r))
         return false;
     return segment_near_box(x, y, ex - x, ey - y, hw, hh, r);
+}
+
+static bool meets(struct whole p, struct whole q, bool swept)
+{
+    for (int i = 0; i < p.n * q.n; i++)
+        if (pieces_meet(p.piece[i / q.n], q.piece[i % q.n], swept))
+            return true;
+    return false;
 }
 
 /* hit_run after things were put in places by hand, without a move that found who is near. */
@@ -225,12 +292,13 @@ static inline void player_reference(const struct board *b, uint32_t p)
         if (b->bullet_kinds.shape[k] == SHAPE_NONE)
             continue;
         bool swept = b->bullet_kinds.flags[k] & KIND_SWEPT;
-        struct thing bullet = flier(&b->bullets, &b->bullet_kinds, i);
+        struct whole bullet = flier(&b->bullets, &b->bullet_kinds, i);
         if (meets(bullet, pilot(b, p, b->player_kinds.radius[kind]), swept)) {
             expect(b, EV_HIT, H_PLAYER, p, H_BULLET, i);
             seen.hits++;
             seen.box_hits += b->bullet_kinds.shape[k] == SHAPE_BOX;
             seen.capsule_hits += b->bullet_kinds.shape[k] == SHAPE_CAPSULE;
+            seen.circles_hits += b->bullet_kinds.shape[k] == SHAPE_CIRCLES;
             seen.standing += !swept;
         } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
                    meets(bullet, pilot(b, p, b->player_kinds.graze[kind]), swept)) {
@@ -246,6 +314,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
         if (meets(foe(b, e), pilot(b, p, b->player_kinds.radius[kind]), b->enemy_kinds.flags[k] & ENEMY_SWEPT)) {
             expect(b, EV_HIT, H_PLAYER, p, H_ENEMY, e);
             seen.touches++;
+            seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_PLAIN;
         } else
             seen.touch_misses++;
     }
@@ -258,12 +327,13 @@ static inline void reference(const struct board *b)
         if (b->player.in[p])
             player_reference(b, p);
     EACH_LIVE (i, &b->shots.s) {
-        struct thing shot = flier(&b->shots, &b->shot_kinds, i);
+        struct whole shot = flier(&b->shots, &b->shot_kinds, i);
         wide best = -1, apart;
         uint32_t found = 0;
         EACH_LIVE (e, &b->enemies.s) {
-            struct thing f = foe(b, e);
-            apart = square(shot.was_x - f.was_x) + square(shot.was_y - f.was_y);
+            struct whole f = foe(b, e);
+            apart = square((wide)b->shots.x[i] - b->shots.vx[i] - b->enemies.was_x[e]) +
+                    square((wide)b->shots.y[i] - b->shots.vy[i] - b->enemies.was_y[e]);
             if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING)
                 continue;
             if (!meets(shot, f, b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT)) {
@@ -279,7 +349,9 @@ static inline void reference(const struct board *b)
         if (best >= 0) {
             expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, found);
             seen.shots++;
-            seen.capsule_shots += shot.shape == SHAPE_CAPSULE;
+            seen.capsule_shots += b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_CAPSULE;
+            seen.circles_shots += b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_CIRCLES;
+            seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_PLAIN;
         }
     }
 }

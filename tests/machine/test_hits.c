@@ -4,7 +4,7 @@
  */
 #include "hits.h"
 
-enum { BULLETS = 192, SHOTS = 48, FOES = 24, KINDS = 8 };
+enum { BULLETS = 192, SHOTS = 48, FOES = 24, KINDS = 14, PIECES = 8 /* kinds from there on */ };
 
 static struct rig_game g;
 static struct rig rig;
@@ -50,7 +50,9 @@ static void draw_kinds(struct board *b, fx scale)
             of[i]->b[k] = of[i]->shape[k] == SHAPE_CIRCLE ? 0 : length(scale);
             if (of[i]->shape[k] == SHAPE_CAPSULE)
                 of[i]->b[k] = clamped(of[i]->b[k], fastest - of[i]->a[k]);
-            of[i]->flags[k] = (uint8_t)((one_in(5) ? 0 : KIND_GRAZE) | (one_in(4) ? 0 : KIND_SWEPT));
+            of[i]->flags[k] =
+                (uint8_t)((one_in(5) ? 0 : KIND_GRAZE) | (one_in(4) ? 0 : KIND_SWEPT) | (one_in(2) ? KIND_TURNS : 0));
+            of[i]->x[k] = of[i]->y[k] = 0;
             if (of[i]->shape[k] == SHAPE_NONE)
                 of[i]->a[k] = of[i]->b[k] = 0;
         }
@@ -59,6 +61,14 @@ static void draw_kinds(struct board *b, fx scale)
         b->enemy_kinds.b[k] = length(scale);
         b->enemy_kinds.flags[k] = (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? 0 : ENEMY_SWEPT));
     }
+    struct shape_columns all[] = {
+        { b->bullet_kinds.shape, b->bullet_kinds.a, b->bullet_kinds.b, b->bullet_kinds.x, b->bullet_kinds.y },
+        { b->shot_kinds.shape, b->shot_kinds.a, b->shot_kinds.b, b->shot_kinds.x, b->shot_kinds.y },
+        { b->enemy_kinds.shape, b->enemy_kinds.a, b->enemy_kinds.b, b->enemy_kinds.x, b->enemy_kinds.y },
+    };
+    for (int i = 0; i < 3; i++)
+        for (uint32_t k = PIECES; k < KINDS; k += 3)
+            draw_pieces(&rng, &all[i], k, k + 2, i == 2, length(scale));
     b->player_kinds.s.live = 2;
     for (int k = 0; k < 2; k++) {
         b->player_kinds.radius[k] = length(scale);
@@ -86,13 +96,14 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
 {
     struct bullets *s = &b->bullets;
     uint16_t kind = b->player.kind[p], k = s->kind[i];
+    bool bar = b->bullet_kinds.shape[k] == SHAPE_CAPSULE;
     int64_t r = (int64_t)b->bullet_kinds.a[k] +
                 (one_in(2) ? b->player_kinds.radius[kind] : b->player_kinds.graze[kind]) + within(3);
     fx ux, uy;
     int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.was_x[p]),
             wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.was_y[p]);
 
-    if (b->bullet_kinds.shape[k] == SHAPE_CAPSULE && one_in(2)) /* square to its bar */
+    if (bar && one_in(2)) /* square to its bar */
         trig_polar(FX_ONE, s->dir[i] + 0x40000000, &ux, &uy);
     else if (one_in(3) || (!wx && !wy)) /* anywhere around */
         trig_normalise(within(FX_ONE), within(FX_ONE), &ux, &uy);
@@ -102,7 +113,7 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
         ux = -ux, uy = -uy;
     int64_t back = (int64_t)rng_below(&rng, FX_ONE + 1);
     fx bar_x = 0, bar_y = 0;
-    if (b->bullet_kinds.shape[k] == SHAPE_CAPSULE) /* some place of it */
+    if (bar) /* some place of it */
         trig_polar(within(b->bullet_kinds.b[k]), s->dir[i], &bar_x, &bar_y);
     s->x[i] = clamped(b->player.x[p] + (ux * r >> 16) + (wx * back >> 16) + bar_x, edge + (edge >> 4));
     s->y[i] = clamped(b->player.y[p] + (uy * r >> 16) + (wy * back >> 16) + bar_y, edge + (edge >> 4));
@@ -201,11 +212,15 @@ static void test_random(void **state)
     const long least = 10000;
     if (seen.hits < least || seen.bullet_misses < least || seen.grazes < least || seen.box_hits < least ||
         seen.standing < least / 4 || seen.touches < least / 2 || seen.touch_misses < least / 2 || seen.shots < least ||
-        seen.capsule_hits < least || seen.capsule_shots < least / 4 || seen.shot_misses < least)
-        fail_msg("too few: hits %ld (boxes %ld, capsules %ld and %ld of shots) grazes %ld misses %ld, touches %ld "
+        seen.capsule_hits < least || seen.capsule_shots < least / 4 || seen.circles_hits < least / 2 ||
+        seen.circles_shots < least / 8 || seen.long_foes < least / 4 || seen.long_touches < least / 4 ||
+        seen.shot_misses < least)
+        fail_msg("too few: hits %ld (boxes %ld, capsules %ld and %ld of shots, circles %ld and %ld, foes %ld, %ld) "
+                 "grazes %ld misses %ld, touches %ld "
                  "misses %ld, shots %ld misses %ld",
-                 seen.hits, seen.box_hits, seen.capsule_hits, seen.capsule_shots, seen.grazes, seen.bullet_misses,
-                 seen.touches, seen.touch_misses, seen.shots, seen.shot_misses);
+                 seen.hits, seen.box_hits, seen.capsule_hits, seen.capsule_shots, seen.circles_hits, seen.circles_shots,
+                 seen.long_foes, seen.long_touches, seen.grazes, seen.bullet_misses, seen.touches, seen.touch_misses,
+                 seen.shots, seen.shot_misses);
 }
 
 /* ---- by hand ---- */
@@ -217,6 +232,11 @@ static const char game[] =
     "bullet.def('late', { sprite = 'dot', hit = { circle = 4 }, swept = false })\n"
     "bullet.def('pin', { sprite = 'dot', hit = { capsule = { 40, 3 } } })\n"
     "bullet.def('late pin', { sprite = 'dot', hit = { capsule = { 40, 3 } }, swept = false })\n"
+    "bullet.def('ring', { sprite = 'dot', hit = { circles = { { -10, 0, 1 }, { 10, 0, 1 } } } })\n"
+    "bullet.def('fan', { sprite = 'dot', hit = { circles = { { 10, 0, 1 }, { 0, 5, 1 } } }, turns = true })\n"
+    "enemy.def('eyes', { sprite = 'dot', hit = { circles = { { -20, 0, 5 }, { 20, 0, 5 }, { 20, 1, 4 } } } })\n"
+    "enemy.def('rod', { sprite = 'dot', hit = { capsule = { 40, 2, 0 } } })\n"
+    "enemy.def('pole', { sprite = 'dot', hit = { capsule = { 40, 2 } } })\n"
     "shot.def('lance', { sprite = 'dot', hit = { capsule = { 30, 2 } } })\n"
     "shot.def('slow', { sprite = 'dot', hit = { box = { 4, 8 } }, swept = false })\n"
     "enemy.def('globe', { sprite = 'dot', hit = { circle = 5 }, swept = false })\n"
@@ -348,6 +368,28 @@ static void test_by_hand(void **state)
     scene("enemy.spawn { kind = 'globe', x = 100, y = 70 } "
           "shot.fire { kind = 'lance', x = 78 - 1 / 65536, y = 70, speed = 0, dir = 0 }",
           1, "");
+    /* several circles: of a kind that turns, about its dir; of others, and of enemies, as they are given */
+    scene("bullet.fire { kind = 'ring', x = 60 - 13, y = 200, speed = 0, dir = 90 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'ring', x = 60 - 13 - 1 / 65536, y = 200, speed = 0, dir = 90 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'ring', x = 60, y = 200 - 13, speed = 0, dir = 90 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'fan', x = 60, y = 200 - 13, speed = 0, dir = 90 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'fan', x = 60, y = 200 + 13, speed = 0, dir = 90 }", 1, "g1 ");
+    scene("bullet.fire { kind = 'fan', x = 60, y = 200 + 13, speed = 0, dir = 270 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'fan', x = 60, y = 200 - 5, speed = 0, dir = 0 }", 1, "h1 ");
+    scene("bullet.fire { kind = 'fan', x = 60, y = 200, speed = 0, dir = 0 }", 1, "g1 ");
+    scene("enemy.spawn { kind = 'eyes', x = 60 - 24, y = 200 }", 2, "h1 ");
+    scene("enemy.spawn { kind = 'eyes', x = 60, y = 200 }", 2, "");
+    scene("enemy.spawn { kind = 'eyes', x = 100, y = 100 } shot.fire { kind = 'bolt', x = 80, y = 160, speed = 90 }", 1,
+          "k0 ");
+    scene("enemy.spawn { kind = 'eyes', x = 100, y = 100 } shot.fire { kind = 'bolt', x = 100, y = 160, speed = 90 }",
+          1, "");
+    scene("enemy.spawn { kind = 'rod', x = 60 - 20, y = 200 }", 2, "h1 ");
+    scene("enemy.spawn { kind = 'rod', x = 60 - 24 - 1 / 65536, y = 200 }", 2, "");
+    scene("enemy.spawn { kind = 'pole', x = 60, y = 224 }", 2, "h1 ");
+    scene("enemy.spawn { kind = 'pole', x = 60, y = 224 + 1 / 65536 }", 2, "");
+    scene("enemy.spawn { kind = 'rod', x = 100, y = 70 } "
+          "shot.fire { kind = 'lance', x = 80, y = 74, speed = 0, dir = 0 }",
+          1, "k0 ");
     /* the ring: once a bullet and player, however long it stays; not for those without graze, nor for those that hit */
     scene("bullet.fire { kind = 'ball', x = 80, y = 200, speed = 0 }", 9, "g1 ");
     scene("bullet.fire { kind = 'ball', x = 80 + 1 / 65536, y = 200, speed = 0 }", 9, "");
@@ -405,8 +447,20 @@ static void refused(const char *script, const char *says)
 static void test_refused(void **state)
 {
     (void)state;
-    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
-            "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } } or \"none\"");
+    refused(
+        "bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
+        "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } }, { circles = { { x, y, r "
+        "}, .. } } or \"none\"");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "it lies along the bullet's dir");
+    refused("bullet.def('a', { sprite = 'dot', hit = { circles = {} } })",
+            "hit.circles: expected a list of 1 to 4, as { { x, y, r }, .. }");
+    refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 1, 2 } } } })", "hit.circles r: expected");
+    refused("enemy.def('a', { sprite = 'dot', hit = { circles = { 3 } } })", "hit: expected { circle = r }");
+    refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 8000, -100, 100 } } } })", "hit: it reaches 8200");
+    refused("enemy.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 'x' } } })", "hit.capsule dir: expected");
+    refused("for i = 1, 257 do bullet.def('a' .. i, { sprite = 'dot', hit = { circles = { {0, 0, 1}, {0, 0, 1}, {0, 0, "
+            "1}, {0, 0, 1} } } }) end",
+            "or 1024 kinds are declared");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4 } } })", "hit.capsule radius: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { -4, 1 } } })", "hit.capsule length: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4192 } } })",

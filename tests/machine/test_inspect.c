@@ -115,15 +115,21 @@ static void capsules_lie_as_they_fly(void **state)
     rig_script(&g, NULL,
                "bullet.def('pin', { sprite = 'dot', hit = { capsule = { 40, 3 } } })\n"
                "bullet.fire { kind = 'pin', x = 50, y = 60, dir = 0, speed = 0 }\n"
-               "bullet.fire { kind = 'pin', x = 150, y = 60, dir = 90, speed = 0 }\n");
+               "bullet.fire { kind = 'pin', x = 150, y = 60, dir = 90, speed = 0 }\n"
+               "bullet.def('duo', { sprite = 'dot', hit = { circles = { { 0, 0, 1 }, { 10, 0, 3 } } },\n"
+               "  turns = true })\n"
+               "bullet.fire { kind = 'duo', x = 150, y = 150, dir = 90, speed = 0 }\n");
     rig_power(&r, &g, NULL);
     rig_run(&r, 1);
     inspect_bodies(r.b, add, &l);
-    assert_int_equal(l.n, 2);
+    assert_int_equal(l.n, 3);
+    assert_true(l.body[2].shape == INSPECT_CIRCLES && l.body[2].n == 2 && l.body[2].a == PX(3));
+    assert_true(l.body[2].b == PX(13) && l.body[2].circle[1].y == PX(160) && l.body[2].circle[1].r == PX(3));
     assert_true(l.body[0].shape == INSPECT_CAPSULE && l.body[0].a == PX(3));
     assert_true(l.body[0].b == PX(20) && l.body[0].c == 0 && l.body[1].b == 0 && l.body[1].c == PX(20));
     assert_true(inspect_at(r.b, 72, 60, 0, &thing) && thing.body.slot == 0);
     assert_true(inspect_at(r.b, 150, 82, 0, &thing) && thing.body.slot == 1);
+    assert_true(inspect_at(r.b, 150, 161, 0, &thing) && thing.body.slot == 2);
     assert_false(inspect_at(r.b, 50, 66, 0, &thing));
     rig_free(&r);
     rig_game_free(&g);

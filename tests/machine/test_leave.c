@@ -111,8 +111,8 @@ static void ask_player(int p)
     ring.a = 16 * 65536;
     for (int i = 0; i < model.bullets; i++) {
         struct mine *m = &model.bullet[i];
-        bool hit = meets(m->t, body, m->swept);
-        if (!hit && !(m->grazes && meets(m->t, ring, m->swept)))
+        bool hit = pieces_meet(m->t, body, m->swept);
+        if (!hit && !(m->grazes && pieces_meet(m->t, ring, m->swept)))
             continue;
         tried.both += m->leaves && m->touched;
         m->touched = true;
@@ -122,7 +122,7 @@ static void ask_player(int p)
     }
     for (int i = 0; i < model.foes; i++) {
         struct mine *m = &model.foe[i];
-        if (m->touches && meets(m->t, body, m->swept)) {
+        if (m->touches && pieces_meet(m->t, body, m->swept)) {
             push('h', p, m, NULL);
             tried.leave_touch += m->leaves;
         }
@@ -140,7 +140,7 @@ static void ask_shots(void)
         struct mine *shot = &model.shot[i], *best = NULL;
         for (int k = 0; k < model.foes; k++) {
             struct mine *f = &model.foe[k];
-            if ((!best || before(shot, f) < before(shot, best)) && meets(shot->t, f->t, shot->swept))
+            if ((!best || before(shot, f) < before(shot, best)) && pieces_meet(shot->t, f->t, shot->swept))
                 best = f;
         }
         if (best)

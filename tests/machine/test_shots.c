@@ -71,6 +71,7 @@ static void draw_kinds(struct board *b, const struct field *f, uint64_t n)
     struct bullet_kinds *s = &b->shot_kinds;
     struct enemy_kinds *e = &b->enemy_kinds;
     bool all_swept = one_in(2);
+    const struct shape_columns of[] = { { s->shape, s->a, s->b, s->x, s->y }, { e->shape, e->a, e->b, e->x, e->y } };
 
     s->s.live = e->s.live = KINDS;
     for (uint32_t k = 0; k < KINDS; k++) {
@@ -82,11 +83,16 @@ static void draw_kinds(struct board *b, const struct field *f, uint64_t n)
         s->b[k] = s->shape[k] != SHAPE_CIRCLE ? extent(f, 4 * n) : 0;
         if (s->shape[k] == SHAPE_CAPSULE)
             s->b[k] = clamped(s->b[k], fastest - s->a[k]);
-        s->flags[k] = (uint8_t)(all_swept || one_in(2) ? KIND_SWEPT : 0);
+        s->flags[k] = (uint8_t)((all_swept || one_in(2) ? KIND_SWEPT : 0) | (one_in(2) ? KIND_TURNS : 0));
         e->shape[k] = (uint8_t)(one_in(12) ? SHAPE_NONE : one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX);
         e->a[k] = extent(f, n);
         e->b[k] = e->shape[k] == SHAPE_BOX ? extent(f, n) : 0;
+        s->x[k] = s->y[k] = e->x[k] = e->y[k] = 0;
     }
+    for (uint32_t k = 0; k < KINDS; k += KINDS / 2)
+        for (int i = 0; i < 2; i++)
+            if (one_in(3))
+                draw_pieces(&rng, &of[i], k, k + KINDS / 2 - 1, i == 1, extent(f, i == 0 ? 4 * n : n));
 }
 
 static void draw_enemies(struct board *b, const struct field *f, uint64_t n, uint32_t kinds)

@@ -36,11 +36,12 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
     return v.f;
 }
 
-#define HIT_PLAIN "{ circle = r }, { box = { w, h } }"
+#define HIT_MANY "{ circles = { { x, y, r }, .. } }"
 const char *const api_hit_forms[] = {
     [HIT_PLAYERS] = "{ circle = r }",
-    [HIT_ENEMIES] = HIT_PLAIN " or \"none\"",
-    [HIT_BULLETS] = HIT_PLAIN ", { capsule = { length, radius } } or \"none\"",
+    [HIT_ENEMIES] =
+        "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
+    [HIT_BULLETS] = "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_MANY " or \"none\"",
 };
 
 /* The one key of the table at `at`; it has no other. */
@@ -51,8 +52,9 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     lua_pushnil(L);
     for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
         key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
-        bool known = !strcmp(key, "circle") || (whose != HIT_PLAYERS && !strcmp(key, "box")) ||
-                     (whose == HIT_BULLETS && !strcmp(key, "capsule"));
+        bool known =
+            !strcmp(key, "circle") ||
+            (whose != HIT_PLAYERS && (!strcmp(key, "box") || !strcmp(key, "capsule") || !strcmp(key, "circles")));
         if (!known || keys++)
             api_error(L, entry, "hit: expected %s, got one with \"%s\"", api_hit_forms[whose], key);
     }
@@ -61,19 +63,30 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     return key;
 }
 
-/* The two lengths of { KEY = { length, length } }, named first and second in messages. */
-static void two_extents(lua_State *L, const char *entry, enum hit_whose whose, const char *first, const char *second,
-                        fx *a, fx *b)
+/* Item i of the list on top of the stack (which stays there), a number of px or degrees. */
+static struct api_value item(lua_State *L, const char *entry, enum hit_whose whose, int i, const struct api_param *p)
 {
+    struct api_value v = { 0 };
     int list = lua_gettop(L);
 
     if (lua_type(L, list) != LUA_TTABLE)
         api_error(L, entry, "hit: expected %s", api_hit_forms[whose]);
-    lua_rawgeti(L, list, 1);
-    lua_rawgeti(L, list, 2);
-    *a = extent(L, entry, first, list + 1);
-    *b = extent(L, entry, second, list + 2);
+    lua_rawgeti(L, list, i);
+    api_check(L, entry, p, list + 1, &v);
+    lua_settop(L, list);
+    return v;
 }
+
+#define LENGTH(name)                                                                                                   \
+    &(const struct api_param)                                                                                          \
+    {                                                                                                                  \
+        name, A_FX, REQ, 0, MAX_SPEED, "px", NULL                                                                      \
+    }
+#define OFFSET(name)                                                                                                   \
+    &(const struct api_param)                                                                                          \
+    {                                                                                                                  \
+        name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL                                                             \
+    }
 
 /* A shape reaches no further than a radius may. */
 static void check_reach(lua_State *L, const char *entry, int64_t reach)
@@ -82,32 +95,92 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
         api_error(L, entry, "hit: it reaches %d px from its place; expected at most %d", (int)(reach >> 16), MAX_SPEED);
 }
 
-uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b)
+/* A bullet's bar lies along its dir; an enemy, which has none, gives one. */
+static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
 {
-    fx length;
+    const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90" };
+    fx half = item(L, entry, whose, 1, LENGTH("hit.capsule length")).f / 2;
 
-    *a = *b = 0;
+    s->shape = SHAPE_CAPSULE;
+    s->row[0].a = item(L, entry, whose, 2, LENGTH("hit.capsule radius")).f;
+    check_reach(L, entry, (int64_t)s->row[0].a + half);
+    if (whose == HIT_BULLETS) {
+        if (lua_rawgeti(L, -1, 3) != LUA_TNIL)
+            api_error(L, entry,
+                      "hit.capsule: expected { length, radius }, got a third; it lies along the bullet's dir");
+        s->row[0].b = half;
+        return;
+    }
+    struct api_value v = item(L, entry, whose, 3, &dir);
+    trig_polar(half, v.given ? v.a : 0x40000000, &s->row[0].x, &s->row[0].y);
+}
+
+static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
+{
+    uint32_t n = lua_type(L, -1) == LUA_TTABLE ? (uint32_t)lua_rawlen(L, -1) : 0;
+
+    if (n < 1 || n > SHAPE_PARTS)
+        api_error(L, entry, "hit.circles: expected a list of 1 to %d, as { { x, y, r }, .. }", SHAPE_PARTS);
+    s->shape = SHAPE_CIRCLES;
+    s->rows = n;
+    for (uint32_t i = 0; i < n; i++) {
+        lua_rawgeti(L, -1, (int)i + 1);
+        s->row[i].x = item(L, entry, whose, 1, OFFSET("hit.circles x")).f;
+        s->row[i].y = item(L, entry, whose, 2, OFFSET("hit.circles y")).f;
+        s->row[i].a = item(L, entry, whose, 3, LENGTH("hit.circles r")).f;
+        s->row[i].b = (fx)(n - 1 - i);
+        check_reach(L, entry, (int64_t)fx_abs(s->row[i].x) + fx_abs(s->row[i].y) + s->row[i].a + 2);
+        lua_pop(L, 1);
+    }
+}
+
+struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose)
+{
+    struct api_shape s = { .shape = SHAPE_NONE, .rows = 1 };
+    int top = lua_gettop(L);
+
     if (lua_type(L, at) == LUA_TSTRING) {
         if (whose == HIT_PLAYERS || strcmp(lua_tostring(L, at), "none"))
             api_error(L, entry, "hit: expected %s, got \"%s\"", api_hit_forms[whose], lua_tostring(L, at));
-        return SHAPE_NONE;
+        return s;
     }
     const char *key = hit_key(L, entry, at, whose);
     lua_getfield(L, at, key);
     if (!strcmp(key, "circle")) {
-        *a = extent(L, entry, "hit.circle", lua_gettop(L));
-        return SHAPE_CIRCLE;
+        s.shape = SHAPE_CIRCLE;
+        s.row[0].a = extent(L, entry, "hit.circle", lua_gettop(L));
+    } else if (!strcmp(key, "capsule"))
+        read_capsule(L, entry, whose, &s);
+    else if (!strcmp(key, "circles"))
+        read_circles(L, entry, whose, &s);
+    else {
+        s.shape = SHAPE_BOX;
+        s.row[0].a = item(L, entry, whose, 1, LENGTH("hit.box width")).f / 2;
+        s.row[0].b = item(L, entry, whose, 2, LENGTH("hit.box height")).f / 2;
     }
-    if (!strcmp(key, "capsule")) {
-        two_extents(L, entry, whose, "hit.capsule length", "hit.capsule radius", &length, a);
-        *b = length / 2;
-        check_reach(L, entry, (int64_t)*a + *b);
-        return SHAPE_CAPSULE;
+    lua_settop(L, top);
+    return s;
+}
+
+int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
+                 const struct api_shape *s)
+{
+    int32_t first = (int32_t)kinds->live;
+
+    for (uint32_t i = 0; i < s->rows; i++) {
+        int32_t row = slots_append(kinds);
+        if (row == NO_SLOT)
+            api_error(L, entry,
+                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (several "
+                      "circles count as a kind each)",
+                      MAX_KINDS);
+        k->shape[row] = s->shape;
+        k->a[row] = s->row[i].a;
+        k->b[row] = s->row[i].b;
+        k->x[row] = s->row[i].x;
+        k->y[row] = s->row[i].y;
     }
-    two_extents(L, entry, whose, "hit.box width", "hit.box height", a, b);
-    *a /= 2;
-    *b /= 2;
-    return SHAPE_BOX;
+    return first;
 }
 
 /* ---- kinds ---- */
@@ -138,44 +211,38 @@ static const struct api_param shot_def[] = {
     { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
 };
 
-static int32_t new_kind(lua_State *L, struct bullet_kinds *k, const char *entry)
+/* The cloud of the kind that is declared next: a kind without a name and a shape. */
+static void declare_cloud(lua_State *L, struct bullet_kinds *k)
 {
-    int32_t i = slots_append(&k->s);
+    const struct api_shape none = { .shape = SHAPE_NONE, .rows = 1 };
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
-    if (i == NO_SLOT)
-        api_error(L, entry, "no room: rom.lua gives this chip no capacity, or %d kinds are declared", MAX_KINDS);
-    return i;
+    api_kind(L, "bullet.def", &k->s, &columns, &none);
 }
 
-/* The cloud of kind i: a kind without a name, that is declared after it. */
-static void define_cloud(lua_State *L, struct bullet_kinds *k, int32_t i, uint16_t sprite)
+/* Sets the cloud of kind i, which stands before it. */
+static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 {
-    int32_t cloud = new_kind(L, k, "bullet.def");
-
-    k->sprite[cloud] = sprite;
-    k->shape[cloud] = SHAPE_NONE;
-    k->bank[cloud] = k->bank[i];
-    k->order[cloud] = k->order[i];
-    k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
+    k->sprite[i - 1] = sprite;
+    k->bank[i - 1] = k->bank[i];
+    k->order[i - 1] = k->order[i];
+    k->flags[i - 1] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_CLOUDED;
 }
 
 /* Declares a kind of bullets or shots but for graze and damage; returns its index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
 {
-    fx a, b;
-    uint8_t shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS, &a, &b);
+    const struct api_shape shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS);
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
     if (v[D_SPIN].a && vm_board(L)->pictures[v[D_SPRITE].i].rotations == 1)
         api_error(L, entry, "spin: sprite \"%s\" has no turned copies (rotations in rom.lua)",
                   lua_tostring(L, v[D_SPRITE].at));
-    int32_t i = new_kind(L, k, entry);
+    int32_t i = api_kind(L, entry, &k->s, &columns, &shape);
 
     api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->shape[i] = shape;
-    k->a[i] = a;
-    k->b[i] = b;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->spin[i] = v[D_SPIN].a;
     k->order[i] = (int8_t)v[D_ORDER].i;
@@ -186,6 +253,8 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
 
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
+    if (v[D_CLOUD].given)
+        declare_cloud(L, &b->bullet_kinds);
     int i = define(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
 
     if (v[D_GRAZE].i)
@@ -194,7 +263,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
     b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     if (v[D_CLOUD].given)
-        define_cloud(L, &b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
+        set_cloud(&b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
     return 0;
 }
 
@@ -1020,7 +1089,8 @@ static const struct api_entry entries[] = {
     { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
       "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
-      "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w and h about it, "
+      "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
+      "and h about it, "
       "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
       "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "

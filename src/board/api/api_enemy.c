@@ -43,20 +43,14 @@ static void keep_function(lua_State *L, const struct api_value *v, int32_t kind,
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
-    fx x, y;
 
     if (v[D_DROPS].given)
         return api_error(L, "enemy.def", "drops: this board has no items yet");
-    uint8_t shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES, &x, &y);
-    int32_t i = slots_append(&k->s);
-    if (i == NO_SLOT)
-        return api_error(L, "enemy.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
-                         MAX_KINDS);
+    const struct api_shape shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
+    int32_t i = api_kind(L, "enemy.def", &k->s, &columns, &shape);
     api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->shape[i] = shape;
-    k->a[i] = x;
-    k->b[i] = y;
     k->hp[i] = (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;

@@ -50,8 +50,21 @@ extern const char *const api_hit_forms[];
  * there, down, and of a shot up. */
 ang api_aim(const struct board *b, bool shot, fx x, fx y);
 
-/* Reads a hit shape at `at`: SHAPE_ and what motion.h says of a and b. */
-uint8_t api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose, fx *a, fx *b);
+/* A hit shape as rows of kinds (motion.h). */
+struct api_shape {
+    uint8_t shape;
+    uint32_t rows;
+    struct {
+        fx a, b, x, y;
+    } row[SHAPE_PARTS];
+};
+
+/* Reads the hit shape at `at`. */
+struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose);
+
+/* Declares a kind of that shape; returns its index. */
+int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
+                 const struct api_shape *s);
 
 /* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
  * that come during the calls are not visited. */
@@ -85,9 +98,9 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
 
 /* What place and shape words name together: everywhere, a circle, a box or a line with a width. */
-enum api_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
+enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
 struct api_region {
-    enum api_shape shape;
+    enum api_region_shape shape;
     fx x, y;       /* the middle; where a line begins */
     fx a, b;       /* radius; half width and half height; half the width of a line */
     fx to_x, to_y; /* where a line ends */

@@ -131,9 +131,8 @@ static void keep_run(lua_State *L, int32_t kind, int at)
 static int player_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
-    fx r, unused;
 
-    api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS, &r, &unused);
+    fx r = api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);

@@ -24,7 +24,7 @@ static bool any_given(const struct api_value *v, int first, int n)
 enum { BOX_WORDS = 2, LINE_WORDS = 3 };
 
 /* The shape whose words are given; raises if they are those of several, or not all of one's. */
-static enum api_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
+static enum api_region_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
 {
     bool circle = v[REGION_RADIUS].given, box = any_given(v, REGION_W, BOX_WORDS),
          line = any_given(v, REGION_TO_X, LINE_WORDS);

@@ -19,12 +19,13 @@
 /* How far from the player a bullet that touches it can end its move, but for the bullet's own movement. */
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
-    const struct bullet_kinds *k = &b->bullet_kinds;
+    const struct shape_columns shapes = hit_bullet_shapes(&b->bullet_kinds);
     fx most = 0;
 
-    for (uint32_t i = 0; i < k->s.live; i++)
-        most = fx_max(most, fx_max(hit_half_width(k->shape[i], k->a[i], k->b[i]),
-                                   hit_half_height(k->shape[i], k->a[i], k->b[i])));
+    for (uint32_t i = 0; i < b->bullet_kinds.s.live; i++) {
+        struct extent e = hit_extent(&shapes, i);
+        most = fx_max(most, fx_max(e.x, e.y));
+    }
     return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
@@ -46,11 +47,11 @@ static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *
     if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED)
         return MISS;
     b->counts.tested++;
-    if (hit_bullet_touches(&b->bullets, i, &bullet, c, flags & KIND_SWEPT))
+    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, flags & KIND_SWEPT))
         return HIT;
     ring.a = b->player_kinds.graze[b->player.kind[p]];
     if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
-        hit_bullet_touches(&b->bullets, i, &bullet, &ring, flags & KIND_SWEPT))
+        hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, flags & KIND_SWEPT))
         return GRAZE;
     return MISS;
 }
@@ -80,7 +81,7 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
             if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
                 continue;
             struct body e = hit_enemy_body(b, i);
-            if (hit_touches(&e, c, flags & ENEMY_SWEPT))
+            if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
                 board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
         }
 }

@@ -6,15 +6,7 @@
 #define BOARD_HIT_PARTS_H
 
 #include "../../base/geom.h"
-#include "../machine.h"
-
-/* A thing this frame: its shape, where it is now, and its move of the frame. */
-struct body {
-    uint8_t shape;
-    fx a, b; /* as of its kind; a capsule's bar, as hit_capsule turned it: (b, c) to one end */
-    fx x, y, mx, my;
-    fx c;
-};
+#include "../hit.h"
 
 /* Do two circles or boxes touch on their paths of the frame or, not swept, where they are now? */
 static inline bool hit_touches(const struct body *p, const struct body *q, bool swept)
@@ -33,37 +25,7 @@ static inline bool hit_touches(const struct body *p, const struct body *q, bool 
     return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
 }
 
-/* A capsule's bar comes to lie along dir: its ends are the points that trig_polar gives. */
-void hit_capsule(struct body *p, ang dir);
-
-/* hit_touches for any shapes; of bodies of bullets, hit_capsule has turned the capsules. */
-bool hit_any_touch(const struct body *p, const struct body *q, bool swept);
-
-/* The same, by dir, of the body of bullet or shot i. */
-static inline bool hit_bullet_touches(const struct bullets *s, uint32_t i, const struct body *bullet,
-                                      const struct body *q, bool swept)
-{
-    struct body turned;
-
-    if (bullet->shape < SHAPE_CAPSULE)
-        return hit_touches(bullet, q, swept);
-    turned = *bullet;
-    hit_capsule(&turned, s->dir[i]);
-    return hit_any_touch(&turned, q, swept);
-}
-
-/* How far a shape reaches from its place at most, on either axis, whatever its dir. */
-static inline fx hit_half_width(uint8_t shape, fx a, fx b)
-{
-    return shape < SHAPE_CAPSULE ? a : a + b;
-}
-
-static inline fx hit_half_height(uint8_t shape, fx a, fx b)
-{
-    return shape == SHAPE_BOX ? b : hit_half_width(shape, a, b);
-}
-
-/* The body of bullet, shot or enemy i. */
+/* The body of bullet, shot or enemy i, in one piece. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
     uint16_t kind = s->kind[i];
@@ -79,6 +41,72 @@ static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
 
     return (struct body){ k->shape[kind],        k->a[kind], k->b[kind], e->x[i], e->y[i], e->x[i] - e->was_x[i],
                           e->y[i] - e->was_y[i], 0 };
+}
+
+/* Does one of n pieces touch one of m? */
+bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
+
+/* hit_touches of a bullet of any shape and a circle. */
+static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                                      const struct body *bullet, const struct body *circle, bool swept)
+{
+    struct body piece[SHAPE_PARTS];
+
+    if (bullet->shape <= SHAPE_PLAIN)
+        return hit_touches(bullet, circle, swept);
+    return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
+}
+
+/* The same of an enemy and a circle. */
+static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const struct body *enemy,
+                                     const struct body *circle, bool swept)
+{
+    struct body piece[SHAPE_PARTS];
+
+    if (enemy->shape <= SHAPE_PLAIN)
+        return hit_touches(enemy, circle, swept);
+    return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
+}
+
+/* The same of shot i and an enemy. */
+static inline bool hit_shot_touches(const struct board *b, uint32_t i, const struct body *shot, uint32_t foe,
+                                    const struct body *enemy, bool swept)
+{
+    struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
+
+    if ((shot->shape | enemy->shape) <= SHAPE_PLAIN)
+        return hit_touches(shot, enemy, swept);
+    return hit_pieces_touch(p, hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p), q, hit_enemy_pieces(b, foe, q),
+                            swept);
+}
+
+/*
+ * How far a shape reaches from its place at most, however it is turned. inner: two shapes touch if their places are no
+ * further apart than the sum of their inner: the radius of a circle round its place that lies in it, or,
+ * below 0, how far the nearest circle is from its place.
+ */
+struct extent {
+    fx x, y, inner;
+};
+struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind);
+
+static inline struct extent hit_extent(const struct shape_columns *k, uint32_t kind)
+{
+    fx a = k->a[kind], h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
+
+    if (k->shape[kind] > SHAPE_PLAIN)
+        return hit_pieces_extent(k, kind);
+    return (struct extent){ a, h, fx_min(a, h) };
+}
+
+static inline struct shape_columns hit_bullet_shapes(const struct bullet_kinds *k)
+{
+    return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
+}
+
+static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
+{
+    return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
 }
 
 /* Shots against enemies: raises an event for each shot that hits. */

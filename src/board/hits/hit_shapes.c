@@ -4,12 +4,83 @@
 #include "hit_parts.h"
 #include "../../base/trig.h"
 
-void hit_capsule(struct body *p, ang dir)
+/* (x, y) turned by dir: each of the two makes a vector, which is rounded once. */
+static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
 {
-    trig_polar(p->b, dir, &p->b, &p->c);
+    fx across_x, across_y;
+
+    trig_polar(x, dir, tx, ty);
+    trig_polar(y, dir + 0x40000000, &across_x, &across_y);
+    *tx += across_x;
+    *ty += across_y;
 }
 
-bool hit_any_touch(const struct body *p, const struct body *q, bool swept)
+/* The circles of the body in piece[0], which becomes the first of them. */
+static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns, ang dir,
+                        struct body piece[SHAPE_PARTS])
+{
+    const struct body at = piece[0];
+    uint32_t n = (uint32_t)at.b + 1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        fx x = k->x[kind + i], y = k->y[kind + i];
+        if (turns)
+            turn(x, y, dir, &x, &y);
+        piece[i] = at;
+        piece[i].shape = SHAPE_CIRCLE;
+        piece[i].a = k->a[kind + i];
+        piece[i].x += x;
+        piece[i].y += y;
+    }
+    return n;
+}
+
+uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                           struct body piece[SHAPE_PARTS])
+{
+    const struct shape_columns shapes = hit_bullet_shapes(k);
+
+    piece[0] = hit_bullet_body(s, k, i);
+    if (piece[0].shape == SHAPE_CIRCLES)
+        return circles(&shapes, s->kind[i], k->flags[s->kind[i]] & KIND_TURNS, s->dir[i], piece);
+    if (piece[0].shape == SHAPE_CAPSULE)
+        trig_polar(piece[0].b, s->dir[i], &piece[0].b, &piece[0].c);
+    return 1;
+}
+
+uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS])
+{
+    const struct shape_columns shapes = hit_enemy_shapes(&b->enemy_kinds);
+    uint16_t kind = b->enemies.kind[i];
+
+    piece[0] = hit_enemy_body(b, i);
+    if (piece[0].shape == SHAPE_CIRCLES)
+        return circles(&shapes, kind, false, 0, piece);
+    if (piece[0].shape == SHAPE_CAPSULE) {
+        piece[0].b = shapes.x[kind];
+        piece[0].c = shapes.y[kind];
+    }
+    return 1;
+}
+
+struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
+{
+    const fx slack = 2; /* of a turned place */
+    struct extent e = { 0, 0, FX_MIN };
+
+    if (k->shape[kind] == SHAPE_CAPSULE) {
+        fx x = fx_abs(k->x[kind]), y = fx_abs(k->y[kind]), a = k->a[kind];
+        return (struct extent){ a + k->b[kind] + x, a + k->b[kind] + y, a };
+    }
+    for (uint32_t i = kind, end = kind + (uint32_t)k->b[kind] + 1; i < end; i++) {
+        fx away = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
+        e.x = e.y = fx_max(e.x, away + k->a[i]);
+        e.inner = fx_max(e.inner, k->a[i] - away);
+    }
+    return e;
+}
+
+static bool pieces_touch(const struct body *p, const struct body *q, bool swept)
 {
     const struct body *bar = p->shape == SHAPE_CAPSULE ? p : q, *other = bar == p ? q : p;
     int64_t wx = swept ? (int64_t)bar->mx - other->mx : 0, wy = swept ? (int64_t)bar->my - other->my : 0;
@@ -27,4 +98,13 @@ bool hit_any_touch(const struct body *p, const struct body *q, bool swept)
     default:
         return geom_swept_capsules(dx, dy, wx, wy, bar->b, bar->c, other->b, other->c, (int64_t)bar->a + other->a);
     }
+}
+
+bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept)
+{
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t k = 0; k < m; k++)
+            if (pieces_touch(&p[i], &q[k], swept))
+                return true;
+    return false;
 }

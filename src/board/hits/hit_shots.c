@@ -60,7 +60,8 @@ struct grid {
 struct search {
     const struct board *b;
     const struct grid *g;
-    struct body shot; /* a capsule is turned */
+    struct body shot;
+    uint32_t slot; /* of the shot */
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
@@ -97,6 +98,7 @@ static void gather(struct grid *g, const struct board *b)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
+    const struct shape_columns shapes = hit_enemy_shapes(k);
     fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
     int64_t reach_x = 0, reach_y = 0, inner = FX_MAX;
     uint32_t n = 0;
@@ -106,8 +108,8 @@ static void gather(struct grid *g, const struct board *b)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
-            fx x = e->was_x[i], y = e->was_y[i], a = k->a[kind];
-            fx h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
+            fx x = e->was_x[i], y = e->was_y[i];
+            struct extent of = hit_extent(&shapes, kind);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
                 continue;
             g->slot[n++] = (uint16_t)i;
@@ -115,9 +117,9 @@ static void gather(struct grid *g, const struct board *b)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            inner = int64_min(inner, a < h ? a : h);
-            reach_x = int64_max(reach_x, a + int64_abs((int64_t)e->x[i] - x));
-            reach_y = int64_max(reach_y, h + int64_abs((int64_t)e->y[i] - y));
+            inner = int64_min(inner, of.inner);
+            reach_x = int64_max(reach_x, of.x + int64_abs((int64_t)e->x[i] - x));
+            reach_y = int64_max(reach_y, of.y + int64_abs((int64_t)e->y[i] - y));
         }
     g->n = n;
     g->left = left;
@@ -213,8 +215,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
         if (d > s->best || (d == s->best && slot > s->found))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
-        if (s->shot.shape < SHAPE_CAPSULE ? hit_touches(&s->shot, &e, s->swept)
-                                          : hit_any_touch(&s->shot, &e, s->swept)) {
+        if (hit_shot_touches(s->b, s->slot, &s->shot, slot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
         }
@@ -226,8 +227,10 @@ static bool set_bounds(struct search *s)
 {
     const struct grid *g = s->g;
     const struct body *p = &s->shot;
-    int64_t x = p->x - g->left, ex = hit_half_width(p->shape, p->a, p->b) + g->reach_x;
-    int64_t y = p->y - g->top, ey = hit_half_height(p->shape, p->a, p->b) + g->reach_y;
+    const struct shape_columns shapes = hit_bullet_shapes(&s->b->shot_kinds);
+    const struct extent e = hit_extent(&shapes, s->b->shots.kind[s->slot]);
+    int64_t x = p->x - g->left, ex = e.x + g->reach_x;
+    int64_t y = p->y - g->top, ey = e.y + g->reach_y;
 
     s->x = x - p->mx;
     s->y = y - p->my;
@@ -282,14 +285,12 @@ static void search_rings(struct search *s)
 
 static uint32_t target_by_rings(const struct board *b, const struct grid *g, uint32_t i)
 {
-    struct search s = { .b = b, .g = g, .best = UINT64_MAX, .found = NO_ENEMY };
+    struct search s = { .b = b, .g = g, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY };
 
     s.shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
     s.swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
     if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
         return NO_ENEMY;
-    if (s.shot.shape == SHAPE_CAPSULE)
-        hit_capsule(&s.shot, b->shots.dir[i]);
     search_rings(&s);
     return s.found;
 }
@@ -373,17 +374,17 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     if (d < g->sure[s->kind[i]])
         return slot;
     struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
-    return hit_bullet_touches(s, i, &shot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
+    return hit_shot_touches(b, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
 }
 
-/* Sure hits: a circle fits into each shape, and a swept shot touches every enemy that its circle touched before the
- * move. */
+/* Sure hits, by the extents' inner: for a swept shot touches every enemy that it touched before the move. */
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
+    const struct shape_columns shapes = hit_bullet_shapes(k);
+
     for (uint32_t i = 0; i < k->s.live; i++) {
-        int64_t inner = k->shape[i] == SHAPE_BOX ? int64_min(k->a[i], k->b[i]) : k->a[i];
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
-        int64_t r = sure ? int64_min(inner + g->inner, FX_MAX) : 0;
+        int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner + g->inner, 0, FX_MAX) : 0;
         g->sure[i] = r * r;
     }
 }

@@ -254,6 +254,9 @@ static void draw_shape(const struct canvas *canvas, const struct inspect_body *s
         canvas_ring(canvas, s->x, s->y, s->a, c);
     else if (s->shape == INSPECT_BOX)
         canvas_box(canvas, s->x, s->y, s->a, s->b, c);
+    else if (s->shape == INSPECT_CIRCLES)
+        for (int i = 0; i < s->n; i++)
+            canvas_ring(canvas, s->circle[i].x, s->circle[i].y, s->circle[i].r, c);
     else if (s->shape == INSPECT_CAPSULE)
         canvas_capsule(canvas, s->x, s->y, s->b, s->c, s->a, c);
     else
@@ -281,6 +284,8 @@ static void draw_shade(void *context, const struct inspect_body *s)
     struct inspect_body around = *s;
     around.a += WIDER;
     around.b += s->shape == INSPECT_CAPSULE ? 0 : WIDER;
+    for (int i = 0; i < s->n; i++)
+        around.circle[i].r += WIDER;
     around.shape = s->shape == INSPECT_NONE ? INSPECT_BOX : s->shape;
     draw_shape(context, &around, CANVAS_DARK);
     if (s->graze)
