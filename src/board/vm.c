@@ -386,6 +386,35 @@ static void load_std(lua_State *L, const char *name, int sys)
     lua_pop(L, 2);
 }
 
+/* The __index of table pattern: runs @std/figure, which adds what pattern.lua has not; once. Upvalue 1: sys. */
+static int add_figures(lua_State *L)
+{
+    lua_settop(L, 2);
+    lua_pushnil(L);
+    lua_setmetatable(L, 1);
+    vm_load(L, "@std/figure");
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_pushvalue(L, 1);
+    lua_call(L, 2, 0);
+    lua_rawget(L, 1);
+    return 1;
+}
+
+/* A game that uses no figure shall not pay for them. One with its own pattern.lua, which shares nothing, has none. */
+static void await_figures(lua_State *L, int sys)
+{
+    bool shares = lua_getfield(L, sys, "pattern") == LUA_TTABLE;
+
+    if (lua_getglobal(L, "pattern") == LUA_TTABLE && shares) {
+        lua_createtable(L, 0, 1);
+        lua_pushvalue(L, sys);
+        lua_pushcclosure(L, add_figures, 1);
+        lua_setfield(L, -2, "__index");
+        lua_setmetatable(L, -2);
+    }
+    lua_settop(L, sys);
+}
+
 /* Lua's block for a text is a header and the text; the header's size differs between hosts. */
 static void limit_texts(lua_State *L)
 {
@@ -420,6 +449,8 @@ static int open_libraries(lua_State *L)
 int vm_boot(lua_State *L)
 {
     struct board *b = vm_board(L);
+    const char *text;
+    size_t size;
 
     lua_gc(L, LUA_GCINC, 100, 400, 13);
     lua_gc(L, LUA_GCSTOP);
@@ -429,6 +460,8 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
         load_std(L, std_modules[i], sys);
+    if (cart_script(&b->cart, "@std/figure", &text, &size)) /* no ROM packed before there were figures has it */
+        await_figures(L, sys);
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);

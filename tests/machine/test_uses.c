@@ -160,7 +160,7 @@ static void patch_all(lua_State *L)
         }
         lua_pushstring(L, dot ? dot + 1 : name);
         lua_pushvalue(L, -1);
-        lua_rawget(L, -3);
+        lua_gettable(L, -3); /* not raw: figure.lua is run when the first of its functions is asked for */
         wrap(L, count_lua, i);
         lua_rawset(L, -3);
         lua_settop(L, 0);

@@ -122,10 +122,18 @@ void name_set_close(struct name_set *s)
     *s = (struct name_set){ 0 };
 }
 
+/* Does the library's script of that name hand something to games? figure.lua adds to what pattern.lua hands out. */
+static bool hands_out(const char *script)
+{
+    return strcmp(script, "figure") != 0;
+}
+
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)
 {
     const char *space = strcmp(script, "prelude") == 0 ? NULL : script;
 
+    if (!hands_out(script))
+        return true;
     if (space != NULL)
         name_set_add(s, NULL, space);
     for (int i = 0; i < f->n_keys; i++)
@@ -157,7 +165,7 @@ bool builtins_global(const char *name)
         if (strcmp(others[i], name) == 0)
             return true;
     for (int i = 0; i < std_script_count; i++)
-        if (strcmp(std_scripts[i].name, name) == 0)
+        if (strcmp(std_scripts[i].name, name) == 0 && hands_out(name))
             return true;
     for (int i = 0; i < api_count(); i++)
         if (strncmp(api_entry(i)->name, name, n) == 0 && strchr(".", api_entry(i)->name[n]) != NULL)
