@@ -186,7 +186,7 @@ static void test_none_is_there(void **state)
                 fail_msg("%s %c %s is there: it is no name for later", of, how, word);
             assert_true(api_reserved(of, how, word));
         }
-    assert_true(n > 90);
+    assert_true(n > 60);
     assert_true(is_there("", '.', "bullet"));
     assert_true(is_there("bullet", '.', "fire"));
     assert_true(is_there("bullet", ':', "aim"));
