@@ -17,7 +17,7 @@ local function fly(kind)
         bullet.clear { spark = "ping" }
       end
       if pad.repeated("special", p) then p.x, p.y = p.x + p.index, p.y - 1 end
-      if p.focus and p.safe == 0 and p.grazes % 7 == 3 then p.lives = math.min(9, p.lives + 1) end
+      if p.focus and p.safe == 0 and p.lives < 2 and p.grazes % 7 == 3 then p.lives = math.min(9, p.lives + 1) end
       board.note(p.score + p.lives + p.power)
       board.note(p.kind)
       board.note(pad.take("bomb", 2, p))

@@ -85,6 +85,12 @@ local function groups()
     if n % 6 == 5 then g:shift(2, -1.5) end
     if n % 17 == 8 then g:clear { x = 112, y = 60, w = 90, h = 40, spark = "ping" } end
     if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
+    if n % 6 == 1 then
+      local nut = bullet.fire { kind = n % 4 == 1 and "nut" or "shield", x = 30 + n * 7 % 170, y = 40, speed = 0.6, delay = n % 9, tag = "hard" }
+      board.note(nut.alive and nut.hp or 0)
+      if n % 5 == 2 then nut.hp = n % 3 == 0 and forever or n % 3 end
+    end
+    if n % 31 == 7 then bullet.group("hard").hp = 2 bullet.group("hard").kind = n % 2 == 0 and "nut" or "dot" end
     if n % 10 == 3 then pattern.fan { x = 112, y = 60, kind = "saw", n = 3, spread = 100, speed = 0.4, tag = "b" .. n % 5 } end
     if n % 50 == 49 then board.note(bullet.clear { all = n % 100 == 49 }) end
     if n % 24 == 13 then
@@ -106,7 +112,7 @@ local function shots()
     for i, s in ipairs(near) do
       board.note(s.x + s.y + s.dir + s.speed + s.vx + s.vy + s.age + (s.by and s.by.index or 0))
       board.note(s.kind .. s.bank .. (s.tag or ""))
-      if i == 1 then s:aim() end
+      if i == 1 then s:aim() s.kind = "wiper" end
       if i == 2 then s:turn(3) end
       if i == 3 then s:remove() end
       if i == 4 then s.x, s.y, s.bank = s.x, s.y - 2, 6 end

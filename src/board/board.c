@@ -62,7 +62,7 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(input_chip, input, PADS, 0)                                                                                   \
     PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
     PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
-    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, 0)                                               \
+    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
     PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
     PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, 0)                                                     \
     PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
@@ -110,7 +110,8 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* Two players may graze and be hit by every bullet, every shot may hit, every enemy may touch, die and leave. */
+/* Two players may graze and be hit by every bullet, every shot may hit one thing, every enemy may touch, die and leave.
+ */
 static uint64_t event_room(const struct manifest *m)
 {
     return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
@@ -352,12 +353,13 @@ void board_move(struct board *b)
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
     struct bullets_query query[PADS];
+    const bool solid = hit_solid_possible(b);
 
     player_move(&b->player, &b->player_kinds, held, &b->area);
     enemies_move(&b->enemies, &b->keep);
-    bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0);
+    bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep, query, false);
+    bullets_move(&b->bullets, &w, &b->keep, query, solid);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }
@@ -593,6 +595,15 @@ void board_score(struct board *b, uint32_t i, int64_t points)
         b->player.lives[i]++;
         board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)i), 0);
     }
+}
+
+void board_vanish(struct board *b, uint32_t i)
+{
+    const struct bullets *s = &b->bullets;
+    uint16_t spark = b->bullet_kinds.vanish[bullets_kind(s, &b->bullet_kinds, i)];
+
+    if (spark)
+        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(spark - 1), .n = 1 });
 }
 
 static const struct slots *pool(const struct board *b, enum handle_kind kind)

@@ -2,7 +2,7 @@
  * events_run.c - see events_run.h.
  *
  * Handlers are in the Lua registry: a list of functions for each event, and a table of functions by enemy kind ("on_hit
- * 3") or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant). A handler may raise
+ * 3"), by bullet kind ("bullet's on_death 3"), or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant). A handler may raise
  * further events; they are applied in the same frame, after those raised before.
  */
 #include "events_run.h"
@@ -144,17 +144,13 @@ static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
     return events_push_function(L, kind, "on_death");
 }
 
-static void enemy_sparks(struct board *b, uint32_t i)
+/* spark: its kind + 1, 0: none. */
+static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
 {
-    uint16_t spark = b->enemy_kinds.spark[b->enemies.kind[i]];
-
     if (spark)
-        board_sparks(b, &(struct spark_burst){ .x = b->enemies.x[i],
-                                               .y = b->enemies.y[i],
-                                               .speed = 2 << 16,
-                                               .spread = UINT32_MAX,
-                                               .kind = (uint16_t)(spark - 1),
-                                               .n = 12 });
+        board_sparks(
+            b, &(struct spark_burst){
+                   .x = x, .y = y, .speed = 2 << 16, .spread = UINT32_MAX, .kind = (uint16_t)(spark - 1), .n = 12 });
 }
 
 /* Calls an enemy's own handler with the n values on top of the stack (popped). */
@@ -176,7 +172,7 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
     b->enemies.flags[i] |= ENEMY_DYING;
     if (player)
         board_score(b, player - 1, b->enemy_kinds.score[kind]);
-    enemy_sparks(b, i);
+    death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
     board_event(b, EV_KILL, h, p);
     b->enemies.hp[i] = 0;
     if (push_death(L, i, kind)) { /* it can still read where it died */
@@ -207,18 +203,71 @@ static bool counts(const struct board *b, int64_t h)
     return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
 }
 
+/* Takes a bullet or shot away that is live or held. */
+static void take_away(struct board *b, struct bullets *s, int64_t h)
+{
+    if (board_alive(b, h))
+        bullets_drop(s, handle_slot(h));
+    else
+        bullets_release(s, handle_slot(h));
+}
+
+/* A bullet's hp are at 0. Its on_death can read it, but it is not alive. */
+static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player)
+{
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    uint32_t i = handle_slot(h);
+    uint16_t kind = b->bullets.kind[i];
+
+    if (board_alive(b, h))
+        slots_hold(&b->bullets.s, b->bullets.leaving, i);
+    if (player)
+        board_score(b, player - 1, k->score[kind]);
+    death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
+    if (events_push_function(L, kind, "bullet's on_death")) {
+        push_thing(L, h);
+        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+        lua_call(L, 2, 0);
+    }
+    if (board_there(b, h))
+        bullets_release(&b->bullets, i);
+}
+
+/* A shot hits a bullet that has hp, or cancels one that has none. An earlier event may have changed either. */
+static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
+{
+    const struct bullets *s = &b->bullets;
+    uint32_t shot = handle_slot(e->a), i = handle_slot(e->b), player = b->shots.player[shot];
+    int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
+    bool cancels = b->shot_kinds.flags[b->shots.kind[shot]] & KIND_CANCELS;
+
+    if (s->hp && s->hp[i]) {
+        take_away(b, &b->shots, e->a);
+        if (s->hp[i] == HP_FOREVER)
+            return;
+        s->hp[i] = damage >= s->hp[i] ? 0 : s->hp[i] - damage;
+        if (s->hp[i] == 0)
+            bullet_die(b, L, e->b, player);
+    } else if (cancels && !(b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED)) {
+        take_away(b, &b->shots, e->a);
+        board_vanish(b, i);
+        take_away(b, &b->bullets, e->b);
+    }
+}
+
 /* A shot hits: it is used up by an enemy that is still there, safe or not. */
 static void apply_shot(struct board *b, lua_State *L, const struct event *e)
 {
     if (!counts(b, e->a) || !counts(b, e->b))
         return;
+    if (handle_kind(e->b) == H_BULLET) {
+        shoot_bullet(b, L, e);
+        return;
+    }
     uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
-    if (board_alive(b, e->a))
-        bullets_drop(&b->shots, shot);
-    else
-        bullets_release(&b->shots, shot);
+    take_away(b, &b->shots, e->a);
     if (!events_enemy_hurt(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);

@@ -4,8 +4,8 @@
  * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each
- * with the enemy it touches: of several, the one that was nearest to it before they moved, and of those the lowest
- * slot; then the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move outside of
+ * with the enemy it touches, or the bullet that shots can hit: of several, the one that was nearest to it before they
+ * moved, and of those an enemy, then the lowest slot; then the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move outside of
  * the field and its margin are tested as all others.
  */
 #ifndef BOARD_HIT_H
@@ -29,6 +29,9 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
 
 /* The broad phase that bullets_move does for hit_run: the bullets near each player. The players have moved already. */
 void hit_queries(struct board *b, struct bullets_query query[PADS]);
+
+/* Can a shot of this frame hit a bullet? Then what leaves the field must be held by the moves. */
+bool hit_solid_possible(const struct board *b);
 
 /* Raises the events of this frame's hits. */
 void hit_run(struct board *b);

@@ -145,6 +145,9 @@ static inline enum press_side board_presses(const struct board *b)
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
+/* The spark that bullet i's kind leaves when the bullet is cleared. */
+void board_vanish(struct board *b, uint32_t i);
+
 /* To be called after a pool refused something; a run's first refusal is logged. */
 void board_full(struct board *b, const struct slots *s);
 

@@ -13,10 +13,21 @@
 #include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(bullet_kinds, sprite), COLUMN(bullet_kinds, shape), COLUMN(bullet_kinds, a),
-    COLUMN(bullet_kinds, b),      COLUMN(bullet_kinds, x),     COLUMN(bullet_kinds, y),
-    COLUMN(bullet_kinds, flags),  COLUMN(bullet_kinds, bank),  COLUMN(bullet_kinds, damage),
-    COLUMN(bullet_kinds, spin),   COLUMN(bullet_kinds, order), COLUMN(bullet_kinds, vanish),
+    COLUMN(bullet_kinds, sprite),
+    COLUMN(bullet_kinds, shape),
+    COLUMN(bullet_kinds, a),
+    COLUMN(bullet_kinds, b),
+    COLUMN(bullet_kinds, x),
+    COLUMN(bullet_kinds, y),
+    COLUMN(bullet_kinds, flags),
+    COLUMN(bullet_kinds, bank),
+    COLUMN(bullet_kinds, damage),
+    COLUMN(bullet_kinds, spin),
+    COLUMN(bullet_kinds, order),
+    COLUMN(bullet_kinds, vanish),
+    GROUP_COLUMN(bullet_kinds, hp, GROUP_HP),
+    GROUP_COLUMN(bullet_kinds, score, GROUP_HP),
+    GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
 };
 
 static const struct column columns[] = {
@@ -51,11 +62,13 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, begun2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, begun3, GROUP_VALUE + 2),
     GROUP_COLUMN(bullets, begun4, GROUP_VALUE + 3),
+    GROUP_COLUMN(bullets, hp, GROUP_HP),
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "nothing is held between frames"),
+    GROUP_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hits read it"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
     DERIVED_REGISTERS(bullets, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
@@ -138,6 +151,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
         bullets_value(b, k)[i] = b->value_start[k];
         bullets_begun(b, k)[i] = 0;
     }
+    if (b->hp)
+        b->hp[i] = shape->hp;
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     if (shape->delay)
         wait_until(b, (uint32_t)i, clock + shape->delay);
@@ -283,6 +298,8 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 
     b->kind[i] = (uint16_t)(kind - cloud);
     b->bank[i] = kinds->bank[kind];
+    if (b->hp)
+        b->hp[i] = kinds->hp[kind];
 }
 
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
@@ -375,10 +392,8 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
 {
     const struct steps *s = w->steps;
 
-    if (s->does[st] & DOES_KIND && w->kinds) {
-        b->kind[i] = s->kind[st];
-        b->bank[i] = w->kinds->bank[s->kind[st]];
-    }
+    if (s->does[st] & DOES_KIND && w->kinds)
+        bullets_set_kind(b, w->kinds, i, s->kind[st]);
     if (s->does[st] & DOES_BANK)
         b->bank[i] = s->bank[st];
 }
@@ -771,6 +786,42 @@ void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++)
         for (uint32_t p = 0; p < PADS; p++)
             find_near_block(b, &query[p], block, p);
+}
+
+/* The bullets of a block that are live, or left in this frame's move. */
+static uint64_t live_or_held(const struct slots *s, uint32_t block)
+{
+    return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
+}
+
+uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
+{
+    struct range r = near_range(&(struct bullets_query){ .x = x, .y = y, .reach = reach }, b->fastest);
+    uint32_t first = block * SLOTS_BLOCK;
+    uint8_t out[SLOTS_BLOCK];
+
+    return near_block(b->x + first, b->y + first, out, &r) ? slots_gather(out) & live_or_held(&b->s, block) : 0;
+}
+
+static uint64_t solid_block(const int32_t *restrict hp, const uint8_t *restrict flags)
+{
+    uint8_t out[SLOTS_BLOCK];
+
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        out[i] = (uint8_t)((hp[i] != 0) & !(flags[i] & BULLET_DELAYED));
+    return slots_gather(out);
+}
+
+bool bullets_find_solid(struct bullets *b)
+{
+    uint64_t any = 0;
+
+    for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
+        uint32_t first = block * SLOTS_BLOCK;
+        b->solid[block] = solid_block(b->hp + first, b->flags + first) & live_or_held(&b->s, block);
+        any |= b->solid[block];
+    }
+    return any != 0;
 }
 
 /* Of those that a moved block names, drops the ones outside keep, but holds those that are near a player or, with

@@ -29,6 +29,9 @@ enum {
     KIND_CLOUDED = 1 << 5, /* the kind before is its cloud */
     KIND_CLOUD = 1 << 6,   /* what a delayed bullet of the next kind looks like; no name, no shape */
     KIND_FIXED = 1 << 7,   /* a clear passes it over, unless it takes all */
+    KIND_CANCELS = 1 << 8, /* of a shot: it takes clearable bullets away */
+
+    HP_FOREVER = -1, /* shots hit it and do it no harm */
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
@@ -54,6 +57,9 @@ struct bullet_kinds {
     ang *spin;        /* what the picture turns a frame */
     int8_t *order;    /* higher ones are drawn over lower ones */
     uint16_t *vanish; /* spark kind + 1 that a clear leaves, 0: none */
+    int32_t *hp;      /* of a bullet when it is fired; this and what follows: NULL if the game has no hp for bullets */
+    int64_t *score;   /* for a player's shot that takes the last of it */
+    uint16_t *spark;  /* kind + 1 that it leaves then, 0: none */
 };
 
 struct bullets {
@@ -80,6 +86,7 @@ struct bullets {
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
     fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
     fx value_start[MAX_VALUES];            /* what they are in a new bullet */
+    int32_t *hp;                           /* 0: shots pass it; HP_FOREVER; NULL: not asked for */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -87,6 +94,7 @@ struct bullets {
     uint64_t *near;    /* PADS words: may be near that player this frame, or what `narrow` kept of them */
     uint64_t *grazes;  /* PADS words: those of near that `narrow` marked */
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
+    uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
     fx fastest;        /* no |vx| or |vy| is above it */
     uint32_t moved;    /* bullets moved this frame */
@@ -130,6 +138,7 @@ struct bullet_shape {
     bool fine;      /* the motion is */
     bool clouded;   /* its kind has a cloud, and there is a delay */
     uint32_t delay; /* frames */
+    int32_t hp;
     uint32_t by;
 };
 
@@ -181,6 +190,13 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
 
 /* Sets `near` alone, from where the bullets are. */
 void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]);
+
+/* Sets `solid`. False: no bullet is. */
+bool bullets_find_solid(struct bullets *b);
+
+/* Those of a block, live or held, that ended the last move within reach and their own speed of (x, y), on both axes; and
+ * maybe some others. */
+uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach);
 
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);

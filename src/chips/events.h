@@ -11,7 +11,7 @@
 enum event_kind {
     EV_GRAZE, /* a: player, b: bullet handle */
     EV_HIT,   /* a: player, b: handle of what hit it */
-    EV_SHOT,  /* a: shot handle, b: enemy handle: takes the shot's damage */
+    EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes the shot's damage */
     EV_DEATH, /* a: player */
     EV_GAME_OVER,
     EV_KILL,   /* a: enemy handle, b: player or 0 */

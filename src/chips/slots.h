@@ -69,6 +69,10 @@ struct column {
 #define GROUP_COLUMN(chip, name, group)                                                                                \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_GAME, NULL, group }
 
+/* A derived column of a group, with a value a block. */
+#define GROUP_BLOCKS(chip, name, group, why)                                                                           \
+    { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, true, COL_DERIVED, why, group }
+
 /* A register: one value, or an array. */
 #define REGISTER(chip, name)                                                                                           \
     COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_GAME, NULL)

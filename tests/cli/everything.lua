@@ -5,10 +5,12 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
     while true do
       wait(4)
       p.power = p.power + 1
+      if p.power % 8 == 0 then shot.fire { kind = "brush", from = p, speed = 5, by = p } end
       shot.fire { kind = "bolt", from = p, speed = 6.5, dir = 270 + 13 * rng.number(-1, 1), by = p }
     end
   end })
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
+shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })

@@ -42,7 +42,8 @@ static inline void draw_pieces(struct rng *rng, const struct shape_columns *c, u
 
 /* What the reference has come across. */
 static struct {
-    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties;
+    long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties, solids,
+        solid_ties;
     long capsule_hits, capsule_shots, circles_hits, circles_shots, long_foes, long_touches;
 } seen;
 
@@ -320,6 +321,38 @@ static inline void player_reference(const struct board *b, uint32_t p)
     }
 }
 
+/* The bullets that a shot could hit: those with hp, and for one that cancels, those that are clearable. */
+static inline bool is_solid(const struct board *b, uint32_t i, bool cancels)
+{
+    const struct bullets *s = &b->bullets;
+
+    if (s->flags[i] & BULLET_DELAYED)
+        return false;
+    return (s->hp && s->hp[i] != 0) || (cancels && !(b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED));
+}
+
+/* The bullet nearer than `best` (-1: any) that the shot hits, or NO_SLOT. */
+static inline int32_t solid_reference(const struct board *b, uint32_t i, struct whole shot, wide best)
+{
+    const uint16_t flags = b->shot_kinds.flags[b->shots.kind[i]];
+    int32_t found = NO_SLOT;
+
+    EACH_LIVE (k, &b->bullets.s) {
+        const struct bullets *s = &b->bullets, *t = &b->shots;
+        struct whole bullet = flier(s, &b->bullet_kinds, k);
+        wide apart = square((wide)t->x[i] - t->vx[i] - ((wide)s->x[k] - s->vx[k])) +
+                     square((wide)t->y[i] - t->vy[i] - ((wide)s->y[k] - s->vy[k]));
+        if (!is_solid(b, k, flags & KIND_CANCELS) || !meets(shot, bullet, flags & KIND_SWEPT))
+            continue;
+        seen.solid_ties += apart == best;
+        if (best >= 0 && apart >= best)
+            continue;
+        best = apart;
+        found = (int32_t)k;
+    }
+    return found;
+}
+
 static inline void reference(const struct board *b)
 {
     expected_n = 0;
@@ -346,7 +379,11 @@ static inline void reference(const struct board *b)
                 found = e;
             }
         }
-        if (best >= 0) {
+        int32_t bullet = solid_reference(b, i, shot, best);
+        if (bullet != NO_SLOT) {
+            expect(b, EV_SHOT, H_SHOT, i, H_BULLET, (uint32_t)bullet);
+            seen.solids++;
+        } else if (best >= 0) {
             expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, found);
             seen.shots++;
             seen.capsule_shots += b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_CAPSULE;

@@ -320,10 +320,10 @@ struct reached {
     bool fine;
 };
 
-static void look_at_kind(struct reached *at, int pool, uint8_t shape, unsigned flags)
+static void look_at_kind(struct reached *at, int pool, uint8_t shape, uint16_t flags)
 {
     at->shapes[pool] |= 1u << shape;
-    at->flags[pool] |= (flags & 0xff) | (~flags & 0xff) << 8;
+    at->flags[pool] |= flags | (unsigned)(uint16_t)~flags << 16;
 }
 
 static void look_at_bullets(struct reached *at, int pool, const struct bullets *s, const struct bullet_kinds *k)
@@ -476,7 +476,7 @@ static void test_models(void **state)
     for (int pool = 0; pool < 3; pool++) {
         assert_int_equal(at.shapes[pool], 1u << SHAPE_NONE | 1u << SHAPE_CIRCLE | 1u << SHAPE_BOX);
         assert_int_equal(at.flags[pool] & choices[pool], choices[pool]);
-        assert_int_equal(at.flags[pool] >> 8 & choices[pool], choices[pool]);
+        assert_int_equal(at.flags[pool] >> 16 & choices[pool], choices[pool]);
     }
     assert_true(at.fine);
 }

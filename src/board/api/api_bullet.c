@@ -7,6 +7,7 @@
 #include "../../base/int.h"
 #include "../../base/edit.h"
 #include "api_parts.h"
+#include "../events_run.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
 static int64_t q32(double v)
@@ -189,9 +190,14 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH };
+
+/* Of shot_def alone. */
+enum { D_CANCELS = D_ORDER + 1 };
 
 enum { MOST_ORDER = 100 };
+
+static const char NO_HP[] = "this game has no room for it; rom.lua asks for it: board = { hp = true }";
 
 static const struct api_param bullet_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
@@ -200,7 +206,9 @@ static const struct api_param bullet_def[] = {
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },
+    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
+    { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
@@ -209,6 +217,7 @@ static const struct api_param shot_def[] = {
     { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },   { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
+    { "cancels", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 /* The cloud of the kind that is declared next: a kind without a name and a shape. */
@@ -251,6 +260,27 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     return i;
 }
 
+/* hp and what is told of their end. */
+static void define_hp(lua_State *L, struct board *b, int i, const struct api_value *v)
+{
+    struct bullet_kinds *k = &b->bullet_kinds;
+
+    for (int p = D_SCORE; p <= D_ON_DEATH; p++)
+        if (v[p].given && !v[D_HP].given)
+            api_error(L, "bullet.def", "%s: only of a bullet that has hp", bullet_def[p].name);
+    if (!v[D_HP].given)
+        return;
+    if (!k->hp)
+        api_error(L, "bullet.def", "hp: %s", NO_HP);
+    k->hp[i] = v[D_HP].i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v[D_HP].i;
+    k->score[i] = v[D_SCORE].i;
+    k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
+    if (!v[D_ON_DEATH].given)
+        return;
+    lua_pushvalue(L, v[D_ON_DEATH].at);
+    events_set_function(L, (uint16_t)i, "bullet's on_death");
+}
+
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[D_CLOUD].given)
@@ -262,6 +292,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
     if (!v[D_CLEARABLE].i)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
     b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
+    define_hp(L, b, i, v);
     if (v[D_CLOUD].given)
         set_cloud(&b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
     return 0;
@@ -272,6 +303,8 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
     int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
 
     b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
+    if (v[D_CANCELS].i)
+        b->shot_kinds.flags[i] |= KIND_CANCELS;
     return 0;
 }
 
@@ -334,6 +367,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.dir = api_aim(b, shot, s.x, s.y) + (v[F_DIR].given ? v[F_DIR].a : 0);
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
+    s.hp = kinds->hp ? kinds->hp[s.kind] : 0;
     s.clouded = s.delay && kinds->flags[s.kind] & KIND_CLOUDED;
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i == NO_SLOT)
@@ -440,7 +474,7 @@ static const struct api_param bullet_sweep[] = {
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST, P_DELAY = P_LAST };
+enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST, P_DELAY = P_LAST, P_HP };
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
@@ -463,9 +497,16 @@ enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_
         { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired, or since its delay was over"   \
     }
 
+#define HP_PROP                                                                                                        \
+    {                                                                                                                  \
+        { "hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL }, PROP_WRITE,                                                  \
+            "damage it takes until it goes, or forever; 0: shots pass it"                                              \
+    }
+
 static const struct api_prop bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND),
     { { "delay", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames until it flies; 0 when it does" },
+    HP_PROP,
 };
 static const struct api_prop shot_props[] = {
     FLIGHT_PROPS(A_SHOT_KIND),
@@ -588,19 +629,32 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
     }
 }
 
+/* The column of hp; a fault where there is none. */
+static int32_t *hp_of(lua_State *L, struct board *b)
+{
+    if (!b->bullets.hp)
+        vm_fault(L, FAULT_SCRIPT, "bullet: hp: %s", NO_HP);
+    return b->bullets.hp;
+}
+
 static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct bullets *s = &b->bullets;
 
     if (p == P_DELAY)
         lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
+    else if (p == P_HP)
+        lua_pushinteger(L, hp_of(L, b)[i] == HP_FOREVER ? LUA_MAXINTEGER : s->hp[i]);
     else
         get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
 
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
+    if (p == P_HP)
+        hp_of(L, b)[i] = v->i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v->i;
+    else
+        set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
 
 static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
@@ -620,7 +674,7 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
         { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ,                                                          \
             "how many live " what " have the tag; the one thing to read"                                               \
     }
-static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets") };
+static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets"), HP_PROP };
 static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND), COUNT_PROP("shots") };
 
 static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
@@ -663,9 +717,9 @@ static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const 
             set_shot(L, b, i, p, v);
 }
 
-const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_LAST + 1, get_bullet, set_bullet };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_HP + 1, get_bullet, set_bullet };
 const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
-const struct api_thing api_group_thing = { "group", group_props, P_LAST + 1, get_group, set_group };
+const struct api_thing api_group_thing = { "group", group_props, P_HP + 1, get_group, set_group };
 const struct api_thing api_shots_thing = { "shots", shots_props, P_LAST + 1, get_shots, set_shots };
 
 /* ---- verbs of bullets, shots and groups ---- */

@@ -86,13 +86,10 @@ static const struct bullet_kinds *kinds_of(const struct board *b, const struct b
 /* The spark that a cleared bullet leaves: `given` (an argument), or its kind's. */
 static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
 {
-    const struct bullet_kinds *kinds = kinds_of(b, s);
-    uint16_t vanish = kinds->vanish[bullets_kind(s, kinds, i)];
-
     if (given->given)
-        vanish = (uint16_t)(given->i + 1);
-    if (vanish)
-        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(vanish - 1), .n = 1 });
+        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)given->i, .n = 1 });
+    else if (s == &b->bullets)
+        board_vanish(b, i);
 }
 
 /* What a clear takes: with the tag (0: any), in the region, and clearable unless `all`. */

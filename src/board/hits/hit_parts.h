@@ -109,7 +109,20 @@ static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
     return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
 }
 
-/* Shots against enemies: raises an event for each shot that hits. */
+/* What a shot could hit of the bullets, this frame. */
+struct hit_solids {
+    bool some;     /* any shot can hit some of them */
+    int64_t reach; /* most that a bullet extends from where it is */
+};
+
+/* False: no shot can hit any. */
+bool hit_find_solids(struct board *b, struct hit_solids *f);
+
+/* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot; nearer
+ * than *apart, a squared distance, which becomes the bullet's. */
+int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint64_t *apart);
+
+/* Shots against enemies and bullets: raises an event for each shot that hits. */
 void hit_shots(struct board *b);
 
 #endif

@@ -18,6 +18,7 @@
 #include <assert.h>
 #include <string.h>
 #include "../../base/int.h"
+#include "../hit.h"
 
 enum {
     GRID_MIN = 4,                     /* with fewer shots, the grid is one cell */
@@ -390,10 +391,10 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 }
 
 /* Raises the event as board_event does, which it calls only when there is no room. */
-static inline void raise_shot(struct board *b, uint32_t shot, uint32_t foe)
+static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 {
     struct events *e = &b->events;
-    int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot), whom = handle_of(H_ENEMY, b->enemies.s.gen[foe], foe);
+    int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
 
     if (e->n < e->cap)
         e->list[e->n++] = (struct event){ .kind = EV_SHOT, .a = who, .b = whom };
@@ -415,8 +416,24 @@ static inline uint32_t target(const struct board *b, const struct grid *g, const
     return slot == NO_ENEMY ? target_by_rings(b, g, i) : slot;
 }
 
-/* Finds the enemy that each shot hits. A shot that left the field and hit none is released. */
-static void target_all(struct board *b, const struct grid *g)
+/* Raises shot i's event with the bullet that it hits, if that was nearer than the enemy that it touches (NO_ENEMY: none).
+ */
+static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
+{
+    const struct bullets *s = &b->shots;
+    const struct enemies *e = &b->enemies;
+    uint64_t apart = UINT64_MAX;
+
+    if (foe != NO_ENEMY)
+        apart = squares((int64_t)s->x[i] - s->vx[i] - e->was_x[foe], (int64_t)s->y[i] - s->vy[i] - e->was_y[foe]);
+    int32_t bullet = hit_solid(b, f, i, &apart);
+    if (bullet != NO_SLOT)
+        raise_shot(b, i, board_handle(b, H_BULLET, bullet));
+    return bullet != NO_SLOT;
+}
+
+/* Finds what each shot hits. A shot that left the field and hit nothing is released. solids: NULL if there are none. */
+static void target_all(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;
     struct starts f;
@@ -426,9 +443,11 @@ static void target_all(struct board *b, const struct grid *g)
         if (g->dense)
             locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
         for (uint64_t bits = live_or_held(s, word); bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + bits_lowest(bits), slot = target(b, g, &f, i);
+            uint32_t i = word * 64 + bits_lowest(bits), slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
+            if (solids && raise_solid(b, solids, i, slot))
+                continue;
             if (slot != NO_ENEMY)
-                raise_shot(b, i, slot);
+                raise_shot(b, i, handle_of(H_ENEMY, b->enemies.s.gen[slot], slot));
             else
                 missed |= bits & -bits;
         }
@@ -440,18 +459,23 @@ static void target_all(struct board *b, const struct grid *g)
 void hit_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
+    struct hit_solids solids;
     struct grid g;
+    bool some = hit_solid_possible(b) && hit_find_solids(b, &solids);
 
     g.n = 0;
+    g.dense = false;
     if ((s->live || s->holding) && b->enemies.s.live)
         gather(&g, b);
-    if (!g.n) {
+    if (!g.n && !some) {
         bullets_release_all(&b->shots);
         return;
     }
-    set_cells(&g, s->live + s->holding, b->enemies.s.top);
-    sort(&g, &b->enemies);
-    if (g.dense)
-        find_sure_radii(&g, &b->shot_kinds);
-    target_all(b, &g);
+    if (g.n) {
+        set_cells(&g, s->live + s->holding, b->enemies.s.top);
+        sort(&g, &b->enemies);
+        if (g.dense)
+            find_sure_radii(&g, &b->shot_kinds);
+    }
+    target_all(b, &g, some ? &solids : NULL);
 }
