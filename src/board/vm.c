@@ -12,6 +12,7 @@
 #include "lualib.h"
 #include "machine.h"
 #include "script.h"
+#include "std.h"
 
 struct board *vm_board(lua_State *L)
 {
@@ -331,6 +332,8 @@ static int undeclared(lua_State *L)
 
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (std_of(name) >= 0)
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
 
@@ -356,14 +359,17 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-static const char *const std_modules[] = { "prelude", "pattern", "path", "stage", "boss", "hud", "menu", "boot" };
-
-/* Runs @std/NAME with sys and binds what it returns: prelude's entries one by one, the others under their name. */
+/* Runs @std/NAME, if the ROM has it, with sys and binds what it returns: prelude's entries one by one, the others under
+ * their name. */
 static void load_std(lua_State *L, const char *name, int sys)
 {
     char path[64];
+    const char *text;
+    size_t size;
 
     snprintf(path, sizeof path, "@std/%s", name);
+    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        return;
     vm_load(L, path);
     lua_pushvalue(L, sys);
     lua_call(L, 1, 1);
@@ -425,8 +431,8 @@ int vm_boot(lua_State *L)
     open_libraries(L);
     api_open(L); /* leaves the sys table */
     int sys = lua_gettop(L);
-    for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
-        load_std(L, std_modules[i], sys);
+    for (int i = 0; i < STD_MODULES; i++)
+        load_std(L, std_module(i), sys);
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
