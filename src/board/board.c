@@ -216,6 +216,17 @@ static bool practice_fits(const struct practice *p, char *err, size_t err_size)
     return false;
 }
 
+static bool lang_fits(const char *lang, char *err, size_t err_size)
+{
+    for (; *lang; lang++) {
+        if (*lang < 32 || *lang > 126) {
+            snprintf(err, err_size, "a language: expected printable ASCII, got the byte %d", (unsigned char)*lang);
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Is what the start asks for in the manifest? */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
@@ -235,8 +246,11 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
 }
 
 /* The caller's texts may have no NUL. */
-static void end_texts(struct practice *p)
+static void end_texts(struct board_start *start)
 {
+    struct practice *p = &start->practice;
+
+    start->lang[sizeof start->lang - 1] = 0;
     p->section[sizeof p->section - 1] = 0;
     for (int i = 0; i < PRACTICE_REGISTERS; i++)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
@@ -263,9 +277,9 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
-    end_texts(&b->start.practice);
+    end_texts(&b->start);
     b->vm.counting = count;
-    if (!start_fits(&b->cart.m, start, err, err_size))
+    if (!start_fits(&b->cart.m, start, err, err_size) || !lang_fits(b->start.lang, err, err_size))
         return NULL;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);

@@ -382,9 +382,10 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     if (r == -2)
         return api_error(L, "score.enter", "all %d score tables are taken", NV_TABLES);
     if (r < 0)
-        lua_pushnil(L);
-    else
-        lua_pushinteger(L, r + 1);
+        return lua_pushnil(L), 1;
+    if (!board_lists(b))
+        board_add_marker(b, MARKER_ROW, lua_tostring(L, v[ENTER_TABLE].at), "", "", r + 1);
+    lua_pushinteger(L, r + 1);
     return 1;
 }
 
