@@ -50,7 +50,7 @@ enum { MAX_PLAYER_KINDS = 64 };
     PART(sprites_chip, sprites, m->sprites)                                                                            \
     PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL))                                             \
     PART(pal_chip, pal, COLOURS)                                                                                       \
-    PART(nvram_chip, nvram, NV_BYTES)                                                                                  \
+    PART(nvram_chip, nvram, m->nvram_kib * 1024)                                                                       \
     PART(sparks_chip, sparks, m->sparks)                                                                               \
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0)
 
@@ -141,7 +141,7 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->nvram.s };
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s };
     for (size_t i = 0; i < sizeof full / sizeof *full; i++)
         full[i]->live = full[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
@@ -152,7 +152,8 @@ static void set_up(struct board *b)
     tasks_empty(&b->tasks);
 }
 
-/* Lays RAM out and clears the columns of lists, whose entries are read before they are written.
+/* Lays RAM out and clears the columns of lists, whose entries are read before they are written; those of nvram are
+ * not, and stay through a reset.
  *
  * Memory map, from the beginning of RAM; each block is aligned to RAM_ALIGN bytes:
  *
@@ -177,7 +178,7 @@ static void lay_out(struct board *b)
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
         slots_layout(machine_parts[i].chip, chip_at(b, i), cap[i], &next);
-        if (machine_parts[i].chip->list)
+        if (machine_parts[i].chip->list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
     b->pictures = (struct sprite *)next;
@@ -307,17 +308,13 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
 /* board.reset: as after power-on, but frames and nvram go on. */
 static void reset(struct board *b)
 {
-    uint32_t frame = b->core.frame, writes = b->nvram.writes;
+    uint32_t frame = b->core.frame;
     uint64_t digest = b->script.digest;
-    uint8_t *image = b->nvram.bytes;
+    const struct nvram was = b->nvram;
 
-    /* lay_out puts nvram where it was and clears it, so its bytes are kept in the Lua heap's block meanwhile. */
-    memcpy(b->vm.heap, image, NV_BYTES);
-    struct heap *keep = b->vm.heap;
     lay_out(b);
-    assert(b->vm.heap == keep);
-    memcpy(b->nvram.bytes, keep, NV_BYTES);
-    b->nvram.writes = writes;
+    assert(b->nvram.bytes == was.bytes);
+    b->nvram = was;
     b->core.frame = frame;
     script_fold(b, digest);
     b->reset = false;
@@ -472,8 +469,9 @@ void board_restore(struct board *b, const void *buf)
     memset(b->output, 0, sizeof *b->output);
 }
 
-const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed)
 {
+    *size = b->nvram.s.live;
     *changed = b->nvram.writes;
     return b->nvram.bytes;
 }

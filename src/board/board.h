@@ -21,10 +21,10 @@
 #include "../chips/slots.h"
 
 enum {
-    CORE_VERSION = 4,    /* raised whenever the same ROM and demo could give another hash */
-    MAX_PARTS = 64,      /* state hashes in a track: one a part; a set of parts is a uint64_t, 1 << part */
-    NVRAM_BYTES = 32768, /* score tables and saves */
-    MAX_TEXT = 65536     /* bytes of a text in a script; a longer one is FAULT_MEMORY */
+    CORE_VERSION = 4,     /* raised whenever the same ROM and demo could give another hash */
+    MAX_PARTS = 64,       /* state hashes in a track: one a part; a set of parts is a uint64_t, 1 << part */
+    NVRAM_MOST = 1 << 20, /* bytes of an image of score tables and saves (nvram.h); board.nvram says what fits */
+    MAX_TEXT = 65536      /* bytes of a text in a script; a longer one is FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -67,7 +67,7 @@ struct board_start {
     struct practice practice;
     char lang[16];        /* the language of texts, printable ASCII; "": none, as the game is written */
     const uint8_t *nvram; /* NULL: blank */
-    size_t nvram_size;    /* at most NVRAM_BYTES */
+    size_t nvram_size;    /* at most NVRAM_MOST */
 };
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
@@ -188,8 +188,8 @@ size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
 
-/* The nvram image, NVRAM_BYTES, portable between hosts; *changed counts the writes since power-on. */
-const uint8_t *board_nvram(const struct board *b, uint32_t *changed);
+/* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
 
 /* Stops a running tick soon with FAULT_INTERRUPTED; may be called from a signal handler on the thread that ticks. */
 void board_interrupt(struct board *b);

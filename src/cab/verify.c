@@ -554,7 +554,7 @@ enum result verify_run(const struct args *a)
 {
     if (a->bisect)
         return bisect(a);
-    struct verify *v = calloc(1, sizeof *v); /* large for a stack: it holds several nvram images */
+    struct verify *v = calloc(1, sizeof *v); /* large for a stack */
     enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST, "out of memory");
     free(v);
     return result;

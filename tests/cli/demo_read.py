@@ -9,7 +9,7 @@ import struct
 import sys
 import zlib
 
-MOST = {b"H": 65536, b"S": 8904, b"M": 42, b"F": 4, b"E": 8}  # bytes of a payload
+MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 8}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
          "listed", "game", "over", "row"]
 
@@ -41,12 +41,12 @@ class Bytes:
         return raw.decode("ascii")
 
 
-def nvram(packed, size):
+def nvram(packed, size, most):
     out, b = bytearray(), Bytes(packed)
     while b.at < len(packed):
         c = b.num("B")
         out += b.take(c + 1) if c < 128 else b.take(1) * (c - 125)
-    need(len(out) == size <= 32768, "nvram")
+    need(len(out) == size <= most, "nvram")
     return bytes(out)
 
 
@@ -63,8 +63,8 @@ def header(b, form):
     d["parts"] = [b.text(15) for _ in range(b.num("B"))]
     need(1 <= len(d["parts"]) <= (64 if form > 3 else 32) and "script" in d["parts"], "parts")
     size = b.num("I")
-    d.update(nvram=nvram(b.take(len(b.data) - b.at), size), pads=[], prints=[], rows=[], moments=[], flags=0,
-             end=None, open=True)
+    d["nvram"] = nvram(b.take(len(b.data) - b.at), size, 1 << 20 if form > 3 else 32768)
+    d.update(pads=[], prints=[], rows=[], moments=[], flags=0, end=None, open=True)
     return d
 
 

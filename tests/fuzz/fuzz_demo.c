@@ -37,7 +37,7 @@ static void check(const struct demo *d, size_t file_size)
     uint16_t pads[PADS];
     uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
-    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
+    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? NVRAM_MOST : 32768));
     must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= file_size && d->seconds <= file_size);

@@ -305,8 +305,8 @@ static void fill_nvram(uint8_t *p, size_t n, int kind)
 
 static void test_start(void **state)
 {
-    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, NVRAM_BYTES };
-    static uint8_t nvram[NVRAM_BYTES];
+    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, 32768, NVRAM_MOST };
+    static uint8_t nvram[NVRAM_MOST];
     struct board_start start = { .seed = 1, .difficulty = 0, .nvram = nvram };
     struct demo_writer w = { .on = false };
     struct demo d;

@@ -11,8 +11,10 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../chips/enemies.h"
+#include "../../chips/nvram.h"
 
-enum { FORMAT = 1 }; /* the first word of the lump */
+/* The first word of the lump. A lump of format 1, which core versions to 4 wrote, has the first numbers alone. */
+enum { FORMAT = 2, NUMBERS_1 = 17, BYTES_1 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_1) };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -39,6 +41,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.tasks", tasks, 1, 1 << 16),
     NUMBER("board.lua_kib", lua_kib, 256, 262144),
     NUMBER("players", players, 1, 2),
+    NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
 };
 
 void manifest_default(struct manifest *m)
@@ -59,6 +62,7 @@ void manifest_default(struct manifest *m)
     m->motions = 256;
     m->tasks = 1024;
     m->lua_kib = 4096;
+    m->nvram_kib = NV_KIB;
     m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
@@ -282,18 +286,23 @@ static void walk_dip(struct walk *w, struct dip *d)
     w->good = w->good && (number == 0 || number == 1);
 }
 
-static void walk_manifest(struct walk *w, struct manifest *m)
+static void walk_numbers(struct walk *w, struct manifest *m, int from, int to)
 {
-    int32_t format = FORMAT;
+    for (int i = from; i < to; i++)
+        walk_32(w, (int32_t *)(void *)((char *)m + manifest_numbers[i].offset));
+}
+
+static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
+{
+    int32_t format = expected;
 
     walk_32(w, &format);
-    w->good = format == FORMAT;
+    w->good = format == expected;
     walk_text(w, m->id, sizeof m->id);
     walk_text(w, m->title, sizeof m->title);
     walk_text(w, m->author, sizeof m->author);
     walk_text(w, m->entry, sizeof m->entry);
-    for (int i = 0; i < MANIFEST_NUMBERS; i++)
-        walk_32(w, (int32_t *)(void *)((char *)m + manifest_numbers[i].offset));
+    walk_numbers(w, m, 0, NUMBERS_1);
     for (int i = 0; i < MAX_EXTENDS; i++)
         walk_64(w, &m->extends[i]);
     walk_32(w, &m->n_extends);
@@ -303,6 +312,8 @@ static void walk_manifest(struct walk *w, struct manifest *m)
     for (int i = 0; i < MAX_DIPS; i++)
         walk_dip(w, &m->dips[i]);
     walk_32(w, &m->n_dips);
+    if (format > 1)
+        walk_numbers(w, m, NUMBERS_1, MANIFEST_NUMBERS);
 }
 
 void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
@@ -310,7 +321,7 @@ void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
     struct manifest copy = *m;
     struct walk w = { out, NULL, true };
 
-    walk_manifest(&w, &copy);
+    walk_manifest(&w, &copy, FORMAT);
     assert(w.out == out + MANIFEST_BYTES);
 }
 
@@ -329,10 +340,11 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
 {
     struct walk w = { NULL, data, true };
 
-    if (size != MANIFEST_BYTES)
+    if (size != MANIFEST_BYTES && size != BYTES_1)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
-    walk_manifest(&w, m);
+    m->nvram_kib = NV_KIB; /* of format 1 */
+    walk_manifest(&w, m, size == BYTES_1 ? 1 : FORMAT);
     if (!w.good)
         return err_set(err, err_size, "its format is not known");
     if (!manifest_check(m, err, err_size))

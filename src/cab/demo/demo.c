@@ -49,6 +49,7 @@ bool demo_room_marker(struct demo *d)
 
 void demo_free(struct demo *d)
 {
+    free(d->nvram);
     free(d->pads);
     free(d->checksums);
     free(d->track);

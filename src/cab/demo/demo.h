@@ -45,8 +45,8 @@ struct demo {
     uint32_t core;                /* core version that recorded it */
     uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
     char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
-    struct board_start start;     /* .nvram points to nvram below, so a struct demo is not copied by = */
-    uint8_t nvram[NVRAM_BYTES];
+    struct board_start start;     /* .nvram is nvram below, or NULL when that is empty */
+    uint8_t *nvram;
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];

@@ -5,6 +5,7 @@
  * in the file one by one.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
@@ -12,8 +13,9 @@
 #include "demo_parts.h"
 
 enum {
-    MAX_HEADER = 64 << 10,
-    OLD_PARTS = 32, /* the most before format 4 */
+    MAX_HEADER = (64 << 10) + NVRAM_MOST + NVRAM_MOST / 128,
+    OLD_NVRAM = 32768, /* the most before format 4 */
+    OLD_PARTS = 32,    /* the most before format 4 */
     MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
     MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
@@ -184,7 +186,12 @@ static bool read_header(struct parse *p, struct source *s)
     if (script < 0)
         return damaged(p, "no part script");
     d->checksum_parts = d->format > 2 ? UINT64_MAX : (uint64_t)1 << script;
-    if (d->start.nvram_size > NVRAM_BYTES || !take_nvram(s, d->nvram, d->start.nvram_size))
+    if (d->start.nvram_size > (d->format > 3 ? NVRAM_MOST : OLD_NVRAM))
+        return damaged(p, "nvram");
+    d->nvram = malloc(d->start.nvram_size + 1);
+    if (!d->nvram)
+        return err_set(p->err, p->err_size, "too large for the memory there is");
+    if (!take_nvram(s, d->nvram, d->start.nvram_size))
         return damaged(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
     return true;

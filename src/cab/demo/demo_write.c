@@ -357,14 +357,17 @@ static bool take_markers(struct demo *d, const struct board *b)
     return true;
 }
 
-static void take_given_start(struct demo *d, const struct board_start *start)
+static bool take_given_start(struct demo *d, const struct board_start *start)
 {
+    size_t n = start->nvram ? start->nvram_size : 0;
+
     d->start = *start;
-    if (!start->nvram)
-        d->start.nvram_size = 0;
-    if (d->start.nvram_size)
-        memcpy(d->nvram, start->nvram, d->start.nvram_size);
-    d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
+    d->start.nvram_size = n;
+    d->nvram = malloc(n + 1);
+    d->start.nvram = n ? d->nvram : NULL;
+    if (d->nvram && n)
+        memcpy(d->nvram, start->nvram, n);
+    return d->nvram != NULL;
 }
 
 bool demo_keep(struct demo_writer *w, const char *path)
@@ -386,7 +389,8 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     w->on = true;
     d->format = DEMO_FORMAT;
     take_identity(d, cart);
-    take_given_start(d, start);
+    if (!take_given_start(d, start))
+        return out_of_memory(w);
     take_parts(d, b);
     d->flags = flags;
     w->hash_cache = calloc(1, board_hash_cache_size(b));
