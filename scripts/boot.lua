@@ -86,21 +86,21 @@ local function quieten()
   enemy.each(nil, function(e) e:remove() end)
 end
 
--- True if all stages were cleared.
+-- How many stages were cleared.
 local function play_stages(game, stages, players)
   for i, name in ipairs(stages) do
     local title = "STAGE " .. menu.label(name)
     hud.banner({ title }, 150)
-    if not finished(stage.play(name, game)) then return false end
+    if not finished(stage.play(name, game)) then return i - 1 end
     quieten()
     menu.results(title .. " CLEAR", players, stopped)
-    if stopped() then return false end
+    if stopped() then return i end
     if i < #stages then
       sys.wipe()
       hud.refresh()
     end
   end
-  return true
+  return #stages
 end
 
 -- Everybody whose score is among the best enters a name, then sees it in the table.
@@ -117,7 +117,10 @@ end
 
 local function game(a, ships)
   local scope, scores = enter(ships, "QUIT"), {}
-  local all = play_stages(scope, a.stages, #ships)
+  sys.mark("game", ships[1], nil, nil, #ships)
+  local cleared = play_stages(scope, a.stages, #ships)
+  local all = not stopped()
+  sys.mark("over", all and "clear" or quit and "quit" or "over", nil, nil, cleared)
   last_words(all and "ALL STAGES CLEAR" or "GAME OVER")
   for p = 1, #ships do scores[p] = hud.score(p) end
   leave(scope, #ships)

@@ -1,7 +1,7 @@
--- figure.lua - the patterns that are seldom used: figures that grow, chance, points and pictures. The board runs this
--- file when a game first asks for a pattern that pattern.lua does not have, so games that use none have no memory taken
--- by it.
-local sys, pattern = ... -- pattern: the table to add to
+-- figure.lua - the patterns that are seldom used: figures that grow, chance, points and pictures. It adds to the table
+-- of pattern.lua, if that is the library's. Only games that name one of them have this file in their ROM.
+local sys = ...
+if not sys.pattern then return end
 local open, hand, part, around = sys.pattern.open, sys.pattern.hand, sys.pattern.part, sys.pattern.around
 
 function pattern.whip(args)

@@ -27,6 +27,10 @@ struct api_value {
     ang a;
 };
 
+/* Said when board.nvram is full; a number of KiB. */
+#define NO_NVRAM "no room: all %d KiB of nvram are taken (board.nvram in rom.lua)"
+enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price of a VM instruction */ };
+
 #define PARAMS(list) list, sizeof list / sizeof *list
 
 /* Puts the API into the globals and leaves the sys table on the stack. */

@@ -74,7 +74,7 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
     PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), 0)                                          \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
-    PART(nvram_chip, nvram, NV_BYTES, 0)                                                                               \
+    PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)
 
@@ -168,7 +168,7 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->nvram.s };
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s };
     for (size_t i = 0; i < sizeof full / sizeof *full; i++)
         full[i]->live = full[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
@@ -179,7 +179,8 @@ static void set_up(struct board *b)
     tasks_empty(&b->tasks);
 }
 
-/* Lays RAM out and clears the columns of lists, whose entries are read before they are written.
+/* Lays RAM out and clears the columns of lists, whose entries are read before they are written; those of nvram are
+ * not, and stay through a reset.
  *
  * Memory map, from the beginning of RAM; each block is aligned to RAM_ALIGN bytes:
  *
@@ -203,7 +204,7 @@ static void lay_out(struct board *b)
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
         slots_layout(machine_parts[i].chip, chip_at(b, i), l.cap[i], l.groups[i], &next);
-        if (machine_parts[i].chip->list)
+        if (machine_parts[i].chip->list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
     b->pictures = (struct sprite *)next;
@@ -242,6 +243,17 @@ static bool practice_fits(const struct practice *p, char *err, size_t err_size)
     return false;
 }
 
+static bool lang_fits(const char *lang, char *err, size_t err_size)
+{
+    for (; *lang; lang++) {
+        if (*lang < 32 || *lang > 126) {
+            snprintf(err, err_size, "a language: expected printable ASCII, got the byte %d", (unsigned char)*lang);
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Is what the start asks for in the manifest? */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
@@ -261,8 +273,11 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
 }
 
 /* The caller's texts may have no NUL. */
-static void end_texts(struct practice *p)
+static void end_texts(struct board_start *start)
 {
+    struct practice *p = &start->practice;
+
+    start->lang[sizeof start->lang - 1] = 0;
     p->section[sizeof p->section - 1] = 0;
     for (int i = 0; i < PRACTICE_REGISTERS; i++)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
@@ -289,9 +304,9 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
-    end_texts(&b->start.practice);
+    end_texts(&b->start);
     b->vm.counting = count;
-    if (!start_fits(&b->cart.m, start, err, err_size))
+    if (!start_fits(&b->cart.m, start, err, err_size) || !lang_fits(b->start.lang, err, err_size))
         return NULL;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);
@@ -319,17 +334,13 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
 /* board.reset: as after power-on, but frames and nvram go on. */
 static void reset(struct board *b)
 {
-    uint32_t frame = b->core.frame, writes = b->nvram.writes;
+    uint32_t frame = b->core.frame;
     uint64_t digest = b->script.digest;
-    uint8_t *image = b->nvram.bytes;
+    const struct nvram was = b->nvram;
 
-    /* lay_out puts nvram where it was and clears it, so its bytes are kept in the Lua heap's block meanwhile. */
-    memcpy(b->vm.heap, image, NV_BYTES);
-    struct heap *keep = b->vm.heap;
     lay_out(b);
-    assert(b->vm.heap == keep);
-    memcpy(b->nvram.bytes, keep, NV_BYTES);
-    b->nvram.writes = writes;
+    assert(b->nvram.bytes == was.bytes);
+    b->nvram = was;
     b->core.frame = frame;
     script_fold(b, digest);
     b->reset = false;
@@ -485,8 +496,9 @@ void board_restore(struct board *b, const void *buf)
     memset(b->output, 0, sizeof *b->output);
 }
 
-const uint8_t *board_nvram(const struct board *b, uint32_t *changed)
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed)
 {
+    *size = b->nvram.s.live;
     *changed = b->nvram.writes;
     return b->nvram.bytes;
 }

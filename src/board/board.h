@@ -21,10 +21,10 @@
 #include "../chips/slots.h"
 
 enum {
-    CORE_VERSION = 4,    /* raised whenever the same ROM and demo could give another hash */
-    MAX_PARTS = 32,      /* state hashes in a track: one a part */
-    NVRAM_BYTES = 32768, /* score tables and saves */
-    MAX_TEXT = 65536     /* bytes of a text in a script; a longer one is FAULT_MEMORY */
+    CORE_VERSION = 4,     /* raised whenever the same ROM and demo could give another hash */
+    MAX_PARTS = 64,       /* state hashes in a track: one a part; a set of parts is a uint64_t, 1 << part */
+    NVRAM_MOST = 1 << 20, /* bytes of an image of score tables and saves (nvram.h); board.nvram says what fits */
+    MAX_TEXT = 65536      /* bytes of a text in a script; a longer one is FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -65,8 +65,9 @@ struct board_start {
     int32_t dip[16];    /* a value for each DIP of the manifest, in its order */
     int32_t difficulty; /* index into the manifest's list; -1: the manifest's default */
     struct practice practice;
+    char lang[16];        /* the language of texts, printable ASCII; "": none, as the game is written */
     const uint8_t *nvram; /* NULL: blank */
-    size_t nvram_size;    /* at most NVRAM_BYTES */
+    size_t nvram_size;    /* at most NVRAM_MOST */
 };
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
@@ -88,8 +89,19 @@ enum board_marker_kind {
     MARKER_SHIP,     /* the ship practice is played with; its kind, and its lives in all */
     MARKER_REGISTER, /* one of its registers; name and value */
     MARKER_LISTED,   /* the list is complete */
+
+    /* of a run again */
+    MARKER_GAME, /* a game starts; the kind of the first player's ship, value: players */
+    MARKER_OVER, /* it is over; "clear" (all stages), "over" (no lives) or "quit", value: stages that were cleared */
+    MARKER_ROW,  /* a score is entered; the table's name, value: the row, 1 the best */
     MARKER_KINDS
 };
+
+/* Does a marker of that kind say something about a run? Else it is of PRACTICE_LIST. */
+static inline bool board_marks_run(enum board_marker_kind kind)
+{
+    return kind < MARKER_SHIP || kind > MARKER_LISTED;
+}
 
 enum { BOARD_MARKERS = 16 /* of a tick; what is more is not told */ };
 struct board_marker {
@@ -176,8 +188,8 @@ size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
 
-/* The nvram image, NVRAM_BYTES, portable between hosts; *changed counts the writes since power-on. */
-const uint8_t *board_nvram(const struct board *b, uint32_t *changed);
+/* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
 
 /* Stops a running tick soon with FAULT_INTERRUPTED; may be called from a signal handler on the thread that ticks. */
 void board_interrupt(struct board *b);

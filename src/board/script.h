@@ -1,5 +1,5 @@
 /*
- * script.h - what a script must not contain, found in its text before it runs.
+ * script.h - what a script must not contain, and the names in it, found in its text before it runs.
  * floor: board
  */
 #ifndef BOARD_SCRIPT_H
@@ -19,6 +19,15 @@ struct script_place {
     int line; /* of the byte at; the text starts at { 0, 1 } */
 };
 bool script_scan_on(const char *text, size_t n, struct script_place *place, int *line, const char **what);
+
+/* The next name from *at on that may be a global which is read: any but a field's (behind . or :) and one that is
+ * assigned (before =). Comments and strings are skipped. *at moves behind it. False: there is none. Of a Lua text no
+ * global that is read is missed; a local variable, a label or a reserved word may be given. */
+bool script_next_read(const char *text, size_t n, size_t *at, const char **name, size_t *size);
+
+/* The field that is read of the name which ends at `at`: what stands behind a point, of *size bytes. NULL: there is
+ * none, so all that the name stands for may be read. */
+const char *script_field(const char *text, size_t n, size_t at, size_t *size);
 
 /* The syntax check alone; compiled Lua is refused too. As script_check. */
 bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,

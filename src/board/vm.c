@@ -12,6 +12,7 @@
 #include "lualib.h"
 #include "machine.h"
 #include "script.h"
+#include "std.h"
 
 struct board *vm_board(lua_State *L)
 {
@@ -331,6 +332,8 @@ static int undeclared(lua_State *L)
 
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (std_of(name) >= 0)
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
 }
 
@@ -356,16 +359,17 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-static const char *const std_modules[] = {
-    "prelude", "pattern", "sweep", "path", "stage", "boss", "hud", "menu", "boot"
-};
-
-/* Runs @std/NAME with sys and binds what it returns: prelude's entries one by one, the others under their name. */
+/* Runs @std/NAME, if the ROM has it, with sys and binds what it returns: prelude's entries one by one, the others under
+ * their name. */
 static void load_std(lua_State *L, const char *name, int sys)
 {
     char path[64];
+    const char *text;
+    size_t size;
 
     snprintf(path, sizeof path, "@std/%s", name);
+    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        return;
     vm_load(L, path);
     lua_pushvalue(L, sys);
     lua_call(L, 1, 1);
@@ -384,35 +388,6 @@ static void load_std(lua_State *L, const char *name, int sys)
         lua_setfield(L, -2, name);
     }
     lua_pop(L, 2);
-}
-
-/* The __index of table pattern: runs @std/figure, which adds what pattern.lua has not; once. Upvalue 1: sys. */
-static int add_figures(lua_State *L)
-{
-    lua_settop(L, 2);
-    lua_pushnil(L);
-    lua_setmetatable(L, 1);
-    vm_load(L, "@std/figure");
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_pushvalue(L, 1);
-    lua_call(L, 2, 0);
-    lua_rawget(L, 1);
-    return 1;
-}
-
-/* A game that uses no figure shall not pay for them. One with its own pattern.lua, which shares nothing, has none. */
-static void await_figures(lua_State *L, int sys)
-{
-    bool shares = lua_getfield(L, sys, "pattern") == LUA_TTABLE;
-
-    if (lua_getglobal(L, "pattern") == LUA_TTABLE && shares) {
-        lua_createtable(L, 0, 1);
-        lua_pushvalue(L, sys);
-        lua_pushcclosure(L, add_figures, 1);
-        lua_setfield(L, -2, "__index");
-        lua_setmetatable(L, -2);
-    }
-    lua_settop(L, sys);
 }
 
 /* Lua's block for a text is a header and the text; the header's size differs between hosts. */
@@ -449,8 +424,6 @@ static int open_libraries(lua_State *L)
 int vm_boot(lua_State *L)
 {
     struct board *b = vm_board(L);
-    const char *text;
-    size_t size;
 
     lua_gc(L, LUA_GCINC, 100, 400, 13);
     lua_gc(L, LUA_GCSTOP);
@@ -458,10 +431,8 @@ int vm_boot(lua_State *L)
     open_libraries(L);
     api_open(L); /* leaves the sys table */
     int sys = lua_gettop(L);
-    for (size_t i = 0; i < sizeof std_modules / sizeof *std_modules; i++)
-        load_std(L, std_modules[i], sys);
-    if (cart_script(&b->cart, "@std/figure", &text, &size)) /* no ROM packed before there were figures has it */
-        await_figures(L, sys);
+    for (int i = 0; i < STD_MODULES; i++)
+        load_std(L, std_module(i), sys);
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);

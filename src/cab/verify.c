@@ -75,7 +75,7 @@ static void say(const struct verify *v, const char *path, const char *format, ..
 }
 
 /* "input, player" */
-static void list_parts(const struct demo *d, uint32_t parts, char *out, size_t size)
+static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -147,6 +147,7 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
 /* The markers a frame lies in: of each kind the last, or NULL when what came after it ended it. */
 static void markers_at(const struct demo *d, uint32_t frame, const struct demo_marker *in[MARKER_KINDS])
 {
+    enum { RUN = (1 << (MARKER_DEATH + 1)) - 1 };
     static const unsigned ends[MARKER_KINDS] = {
         [MARKER_STAGE] = 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
         [MARKER_MARK] = 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
@@ -155,7 +156,9 @@ static void markers_at(const struct demo *d, uint32_t frame, const struct demo_m
         [MARKER_WON] = 1 << MARKER_PHASE,
         [MARKER_LOST] = 1 << MARKER_PHASE,
         [MARKER_CLEAR] = 1 << MARKER_STAGE | 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
-        [MARKER_START] = (1 << (MARKER_DEATH + 1)) - 1,
+        [MARKER_START] = RUN,
+        [MARKER_GAME] = RUN,
+        [MARKER_OVER] = RUN,
     };
 
     memset(in, 0, sizeof in[0] * MARKER_KINDS);
@@ -229,6 +232,8 @@ static void say_header(const struct demo *d)
            d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
     printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
            d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
+    if (d->start.lang[0])
+        printf(", language %s", d->start.lang);
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? flags[i] : "");
     printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
@@ -549,7 +554,7 @@ enum result verify_run(const struct args *a)
 {
     if (a->bisect)
         return bisect(a);
-    struct verify *v = calloc(1, sizeof *v); /* large for a stack: it holds several nvram images */
+    struct verify *v = calloc(1, sizeof *v); /* large for a stack */
     enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST, "out of memory");
     free(v);
     return result;

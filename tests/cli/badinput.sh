@@ -52,7 +52,7 @@ cp g.rom other.rom
 printf '\143' | dd of=other.rom bs=1 seek=8 conv=notrunc 2>/dev/null
 bad 'ROM of another format' 'other.rom: ROM format 99 is not known (this program reads 1)' hash other.rom
 cp g.rom damaged.rom
-printf '\1' | dd of=damaged.rom bs=1 seek=9000 conv=notrunc 2>/dev/null
+printf '\1' | dd of=damaged.rom bs=1 seek=5000 conv=notrunc 2>/dev/null
 bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
 
 # ---- what is no file, or cannot be read though it has a size ----
@@ -94,14 +94,12 @@ ln -s g.rom link.rom
 same 'pack to a link: it stays one' '0 symbolic link' "$? $(stat -c %F link.rom)"
 mkdir -p taken && mkfifo taken/main.lua
 bad 'unpack where a pipe is' 'taken/main.lua: is already there' unpack g.rom taken
-mkdir -p taken2 && : >taken2/std
-bad 'unpack where a file is, and a folder would be' 'taken2/std: is a file, where a folder for std/boot.lua would be' \
-    unpack g.rom taken2
+mkdir -p taken2 && : >taken2/lumps
+bad 'unpack where a file is, and a folder would be' \
+    'taken2/lumps: is a file, where a folder for lumps/gfx/dart would be' unpack g.rom taken2
 
-# The standard library makes up most of a ROM; a game may replace it.
+# A game that names nothing of the standard library is a small ROM.
 game small <<<''
-mkdir small/std
-for module in "$repo"/scripts/*.lua; do echo 'return {}' >"small/std/$(basename "$module")"; done
 sed -i '/sheets =\|sprites =/d' small/rom.lua
 "$curtain" pack small -o small.rom || not_ok 'the small game is packed'
 size=$(stat -c %s small.rom)

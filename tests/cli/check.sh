@@ -458,7 +458,7 @@ game m <<'LUA'
 print("dot", "dart")
 task.go(function()
   local t = {}
-  for i = 1, 262 do t[i] = ("x"):rep(1000) wait(2) end
+  for i = 1, 262 do t[i] = ("x"):rep(1500) wait(2) end
   wait(forever)
 end)
 LUA

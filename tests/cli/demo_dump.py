@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints a demo of format 3 byte by byte with what each byte is, as docs/demos.md shows one: `demo_dump.py DEMO`."""
+"""Prints a demo of format 4 byte by byte with what each byte is, as docs/demos.md shows one: `demo_dump.py DEMO`."""
 import struct
 import sys
 
@@ -56,7 +56,10 @@ def header(end):
     for _ in range(num("B", "% registers")):
         string("register")
         num("i", "= %")
-    for i in range(num("B", "% parts")):
+    string("language")
+    global parts
+    parts = num("B", "% parts")
+    for i in range(parts):
         string("part %d," % i, part(i))
     num("I", "% bytes of nvram")
     show(end - at, "run-length coded")
@@ -71,7 +74,9 @@ def second(end):
         num("H", "   player 1: $")
         num("H", "   player 2: $")
     for f in range(first + 1, first + n):
-        for i in range(bin(num("I", "frame %d: these parts' prints changed, mask $" % f)).count("1")):
+        mask = int.from_bytes(data[at:at + (parts + 7) // 8], "little")
+        show((parts + 7) // 8, "frame %d: these parts' prints changed, mask %x" % (f, mask))
+        for i in range(bin(mask).count("1")):
             num("H", "   print $")
     for i in range((end - at) // 8 if hashed else 0):
         num("Q", "hash of part %d" % i, part(i))
@@ -81,6 +86,8 @@ def moment(end):
     num("I", "in frame %")
     num("B", "kind %")
     string("name")
+    if at < end:
+        num("i", "value %")
 
 
 show(4, "CDEM")

@@ -9,9 +9,9 @@ import struct
 import sys
 import zlib
 
-MOST = {b"H": 65536, b"S": 4636, b"M": 38, b"F": 4, b"E": 8}  # bytes of a payload
+MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 8}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
-         "listed"]
+         "listed", "game", "over", "row"]
 
 
 class Bad(Exception):
@@ -41,12 +41,12 @@ class Bytes:
         return raw.decode("ascii")
 
 
-def nvram(packed, size):
+def nvram(packed, size, most):
     out, b = bytearray(), Bytes(packed)
     while b.at < len(packed):
         c = b.num("B")
         out += b.take(c + 1) if c < 128 else b.take(1) * (c - 125)
-    need(len(out) == size <= 32768, "nvram")
+    need(len(out) == size <= most, "nvram")
     return bytes(out)
 
 
@@ -59,11 +59,12 @@ def header(b, form):
         d["lives"], d["invincible"], n = b.num("i"), b.num("B"), b.num("B")
         need(0 <= d["lives"] <= 99 and d["invincible"] < 2 and n <= 16, "practice")
         d["registers"] = [(b.text(31), b.num("i")) for _ in range(n)]
+    d["lang"] = b.text(15) if form > 3 else ""
     d["parts"] = [b.text(15) for _ in range(b.num("B"))]
-    need(1 <= len(d["parts"]) <= 32 and "script" in d["parts"], "parts")
+    need(1 <= len(d["parts"]) <= (64 if form > 3 else 32) and "script" in d["parts"], "parts")
     size = b.num("I")
-    d.update(nvram=nvram(b.take(len(b.data) - b.at), size), pads=[], prints=[], rows=[], moments=[], flags=0,
-             end=None, open=True)
+    d["nvram"] = nvram(b.take(len(b.data) - b.at), size, 1 << 20 if form > 3 else 32768)
+    d.update(pads=[], prints=[], rows=[], moments=[], flags=0, end=None, open=True)
     return d
 
 
@@ -79,7 +80,10 @@ def second(b, d):
     need(len(d["pads"]) == first + n, "runs")
     for _ in range(n - 1):
         before = d["prints"][-1] if d["prints"] else [h & 0xffff for h in d["rows"][0]]
-        mask = b.num("I") if d["format"] > 2 else 1 << d["parts"].index("script")
+        if d["format"] > 2:
+            mask = int.from_bytes(b.take((len(d["parts"]) + 7) // 8 if d["format"] > 3 else 4), "little")
+        else:
+            mask = 1 << d["parts"].index("script")
         need(mask >> len(d["parts"]) == 0, "mask")
         d["prints"].append([b.num("H") if mask >> i & 1 else p for i, p in enumerate(before)])
     if hashed:
@@ -92,8 +96,11 @@ def second(b, d):
 def moment(b, d):
     frame, kind, name = b.num("I"), b.num("B"), b.text(31)
     before = d["moments"][-1][0] if d["moments"] else 0
-    need(d["format"] > 2 and d["rows"] and before <= frame <= len(d["pads"]) and kind < len(KINDS), "moment")
-    d["moments"].append((frame, KINDS[kind], name))
+    need(d["format"] > 2 and d["rows"] and before <= frame <= len(d["pads"]), "moment")
+    need(kind < (len(KINDS) if d["format"] > 3 else 13), "moment")
+    value = b.num("i") if d["format"] > 3 and b.at < len(b.data) else None
+    need(value != 0, "moment")
+    d["moments"].append((frame, KINDS[kind], name, value or 0))
 
 
 def end(b, d):
@@ -106,7 +113,7 @@ def end(b, d):
 def read(data):
     need(data[:4] == b"CDEM" and len(data) >= 8, "not a demo")
     form, = struct.unpack("<I", data[4:8])
-    need(form in (2, 3), "format")
+    need(form in (2, 3, 4), "format")
     d, at, crc = None, 8, 0
     while len(data) - at >= 8 and not (d and d["end"] is not None):
         kind, n = data[at:at + 4], struct.unpack("<I", data[at + 4:at + 8])[0]
@@ -132,7 +139,7 @@ def read(data):
 
 
 def lines(d):
-    for key in "format core game rom id lua seed difficulty mark lives invincible flags".split():
+    for key in "format core game rom id lua seed difficulty mark lives invincible lang flags".split():
         yield "%s %s" % (key, "%016x" % d[key] if key in ("game", "rom") else d[key])
     yield "dip " + " ".join(map(str, d["dip"]))
     yield "registers " + " ".join("%s=%d" % r for r in d["registers"])
@@ -144,7 +151,7 @@ def lines(d):
     for f, prints in enumerate(d["prints"]):
         yield "prints %d " % (f + 1) + " ".join("%s=%04x" % p for p in zip(d["parts"], prints))
     for m in d["moments"]:
-        yield "moment %d %s %s" % m
+        yield "moment %d %s %s" % m[:3] + (" = %d" % m[3] if m[3] else "")
     yield "cut short" if d["end"] is None else "end %d fault %d" % (len(d["pads"]), d["end"])
 
 

@@ -18,10 +18,10 @@ print(block.sub(lambda m: m[1] + dump + m[2], text), end="")
 END
 }
 if [ "${1:-}" = --page ]; then
-    page docs/demos.md tests/demos/frozen-tiny.demo >"$scratch/page" && cp "$scratch/page" docs/demos.md
+    page docs/demos.md tests/demos/frozen-4.demo >"$scratch/page" && cp "$scratch/page" docs/demos.md
     exit
 fi
-current() { page "$1" "${2:-tests/demos/frozen-tiny.demo}" | diff "$1" -; }
+current() { page "$1" "${2:-tests/demos/frozen-4.demo}" | diff "$1" -; }
 check 'the demo taken apart on the page' current docs/demos.md
 check 'has been taken apart' grep -q '^0000  43 44 45 4d ' docs/demos.md
 sed 's/player 1: 11/player 1: 10/' docs/demos.md >"$scratch/demos.md"

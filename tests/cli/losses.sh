@@ -52,8 +52,7 @@ saved() { # how often it was counted, at least 30
     "$windowed" hash g --frames 1 >/dev/null && [ -s "$scores" ] && python3 - "$scores" <<'PY'
 import sys
 image = open(sys.argv[1], "rb").read()
-assert len(image) == 32768 and image[:4] == b"NV01"
-assert image[4:6] == b"n\0" and int.from_bytes(image[40:48], "little") >= 30, image[4:60]
+assert len(image) == 16 and image[:8] == b"NV02\1\1\10n" and int.from_bytes(image[8:], "little") >= 30, image[:60]
 PY
 }
 for signal in TERM HUP; do # a shell lets what runs in its background ignore INT
@@ -98,4 +97,26 @@ damaged() { # NAME BYTES
 damaged 'a damaged score file' 500 probe.nv.damaged
 damaged 'another one' 32768 probe.nv.damaged-2
 damaged 'an empty one' 0 probe.nv.damaged-3
+
+# A score file of before: 256 saves and 16 tables, all of which come along.
+cp "$repo/tests/machine/nvram-1.nv" "$scores"
+play_until TERM
+same 'a score file of core version 4: nothing is said' '' "$(grep curtain: err)"
+taken_over() {
+    python3 - "$scores" "$repo/tests/machine/nvram-1.nv" <<'PY'
+import sys
+image, old = (open(name, "rb").read() for name in sys.argv[1:])
+assert image[:4] == b"NV02" and old[:4] == b"NV01"
+at, names = 4, []
+while at < len(image):
+    kind, n, m = image[at:at + 3]
+    names.append((kind == 5, image[at + 3:at + 3 + n]))
+    at += 3 + n + m
+assert at == len(image)
+was = [(False, old[4 + 96 * i:][:32].rstrip(b"\0")) for i in range(256)]
+was += [(True, old[4 + 96 * 256 + 272 * i:][:32].rstrip(b"\0")) for i in range(16)]
+assert names == was + [(False, b"n")], names
+PY
+}
+check 'it is taken over whole, and goes on' taken_over
 finish

@@ -37,7 +37,7 @@ static void check(const struct demo *d, size_t file_size)
     uint16_t pads[PADS];
     uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
-    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= NVRAM_BYTES);
+    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? NVRAM_MOST : 32768));
     must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= file_size && d->seconds <= file_size);
@@ -46,7 +46,9 @@ static void check(const struct demo *d, size_t file_size)
     must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
     for (int i = 0; i < d->start.practice.registers; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
-    must((d->format == 3 && d->checksum_parts == UINT32_MAX) || (d->format == 2 && d->n_markers == 0));
+    must((d->format > 2 && d->checksum_parts == UINT64_MAX) || (d->format == 2 && d->n_markers == 0));
+    must(memchr(d->start.lang, 0, sizeof d->start.lang) != NULL && (d->format > 3 || !d->start.lang[0]));
+    must(d->parts <= (d->format > 3 ? 64 : 32));
     for (uint32_t f = 0; f <= d->frames; f++) {
         must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames));
         demo_pads(d, f, pads);
@@ -58,6 +60,7 @@ static void check(const struct demo *d, size_t file_size)
     for (uint32_t i = 0; i < d->n_markers; i++) {
         must(d->markers[i].frame <= d->frames && (i == 0 || d->markers[i].frame >= d->markers[i - 1].frame));
         must(memchr(d->markers[i].marker.name, 0, sizeof d->markers[i].marker.name) != NULL);
+        must(d->format > 3 || (d->markers[i].marker.kind <= MARKER_LISTED && !d->markers[i].marker.value));
     }
     for (uint32_t i = 0; i < d->seconds; i++)
         must(demo_row_frame(d, i) <= d->frames);

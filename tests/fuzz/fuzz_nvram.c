@@ -1,10 +1,11 @@
 /*
- * fuzz_nvram.c - libFuzzer: any bytes as an image of saves and score tables. Odd inputs are the image; even ones are
- * edits of a blank one, so that most are taken:
+ * fuzz_nvram.c - libFuzzer: any bytes as an image of saves and score tables. The first byte says how much room there
+ * is; if it is odd the others are the image, else they are edits of a blank one of NV01, so that most are taken:
  *
  *     u16 offset (of the image, modulo its size), u8 count 0..63, count bytes
  *
- * An image that is taken stays one whatever is kept in it; one that is not is as good as a blank one.
+ * An image that is taken stays one whatever is kept in it; one that is not is as good as a blank one. Of one of NV01
+ * nothing is lost where there is as much room as there was.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -21,13 +22,13 @@ static void need(bool good)
 
 static void edit(uint8_t *image, const uint8_t *data, size_t size)
 {
-    memset(image, 0, NV_BYTES);
+    memset(image, 0, NV_OLD_BYTES);
     memcpy(image, "NV01", 4);
     for (size_t at = 0; size - at >= 3;) {
-        size_t to = bytes_get16(data + at) % NV_BYTES, n = data[at + 2] % 64u;
+        size_t to = bytes_get16(data + at) % NV_OLD_BYTES, n = data[at + 2] % 64u;
         at += 3;
         n = n < size - at ? n : size - at;
-        n = n < NV_BYTES - to ? n : NV_BYTES - to;
+        n = n < NV_OLD_BYTES - to ? n : NV_OLD_BYTES - to;
         if (n)
             memcpy(image + to, data + at, n);
         at += n;
@@ -42,26 +43,28 @@ static void keep_again(struct nvram *nv, const char *key)
     need(v.type != NV_NONE && v.type <= NV_BOOL && v.length <= NV_STRING);
     need(nvram_set(nv, key, &v));
     struct nv_value back = nvram_get(nv, key);
-    need(back.type == v.type);
-    if (v.type == NV_TEXT)
-        need(back.length == v.length && memcmp(back.text, v.text, v.length) == 0);
-    else
-        need(back.bits == v.bits);
+    need(back.type == v.type && back.length == v.length && back.bits == v.bits);
+    need(memcmp(back.text, v.text, v.length) == 0);
 }
 
-static void use(struct nvram *nv, const uint8_t *image)
+static void use(struct nvram *nv)
 {
     const struct nv_value number = { .type = NV_INT, .bits = 7 };
     char key[NV_KEY + 1], name[NV_NAME + 1];
     int64_t score, above = INT64_MAX;
+    uint32_t size;
 
-    for (int i = 0; i < NV_SAVES; i++) {
-        memcpy(key, image + 4 + i * 96, sizeof key);
-        if (key[0])
+    for (uint32_t at = 4; at < nv->s.live; at += size) {
+        const uint8_t *r = nv->bytes + at;
+        size = 3u + r[1] + r[2];
+        memset(key, 0, sizeof key);
+        memcpy(key, r + 3, r[1]);
+        if (r[0] != NV_TABLE && strlen(key) == r[1])
             keep_again(nv, key);
     }
     bool kept = nvram_set(nv, "one more", &number);
-    need(nvram_get(nv, "one more").type == (kept ? NV_INT : NV_NONE));
+    need(kept || nvram_get(nv, "one more").type != NV_INT || nvram_get(nv, "one more").bits != 7);
+    need(!kept || nvram_get(nv, "one more").bits == 7);
     int row = nvram_enter(nv, "table", "me", 1000);
     need(row >= -2 && row < NV_ROWS);
     if (row >= 0)
@@ -73,12 +76,44 @@ static void use(struct nvram *nv, const uint8_t *image)
     need(above >= 1000);
 }
 
+/* All of an image of NV01 is there: the first record of each key, the rows of the first table of each name. */
+static void compare_old(const struct nvram *nv, const uint8_t *image)
+{
+    for (int i = 0; i < 256; i++) {
+        const uint8_t *r = image + 4 + i * 96;
+        bool first = r[0];
+        for (int k = 0; k < i; k++)
+            first = first && strcmp((const char *)image + 4 + k * 96, (const char *)r);
+        if (!first)
+            continue;
+        struct nv_value v = nvram_get(nv, (const char *)r);
+        need(v.type == (enum nv_type)r[32]);
+        need(v.type != NV_TEXT || (v.length == r[33] && !memcmp(v.text, r + 36, v.length)));
+        need(v.type == NV_TEXT || v.bits == (v.type == NV_BOOL ? bytes_get64(r + 36) != 0 : bytes_get64(r + 36)));
+    }
+    for (int t = 0; t < 16; t++) {
+        const uint8_t *p = image + 4 + 256 * 96 + t * (32 + 240);
+        char name[NV_NAME + 1];
+        int64_t score;
+        bool first = p[0] && p[32];
+        for (int k = 0; k < t; k++) {
+            const uint8_t *q = image + 4 + 256 * 96 + k * (32 + 240);
+            first = first && (!q[32] || strcmp((const char *)q, (const char *)p));
+        }
+        for (int r = 0; first && r < NV_ROWS && p[32 + r * 24]; r++) {
+            need(nvram_row(nv, (const char *)p, r, name, &score));
+            need(!memcmp(name, p + 32 + r * 24, sizeof name) && score == (int64_t)bytes_get64(p + 32 + r * 24 + 16));
+        }
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static uint8_t image[NV_BYTES];
-    struct nvram nv = { .bytes = malloc(NV_BYTES) };
+    static uint8_t image[NV_OLD_BYTES];
+    uint32_t room = size ? 1024u * (1 + data[0] / 2 % 32) : 0;
+    struct nvram nv = { .bytes = malloc(room + 1), .s = { .cap = room } };
     bool whole = size && data[0] % 2;
     uint8_t *copy = malloc(size + 1); /* of exactly the size it has */
 
@@ -91,13 +126,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!whole)
         edit(image, copy, size - 1);
     const uint8_t *from = whole ? copy : image;
-    size_t n = whole ? size - 1 : NV_BYTES;
-    bool good = nvram_valid(from, n);
+    size_t n = whole ? size - 1 : NV_OLD_BYTES;
+    bool good = nvram_valid(from, n), old = n == NV_OLD_BYTES && !memcmp(from, "NV01", 4);
     nvram_load(&nv, from, n);
-    need(nvram_valid(nv.bytes, NV_BYTES) && (!good || memcmp(nv.bytes, from, NV_BYTES) == 0));
+    need(nvram_valid(nv.bytes, nv.s.live) && nv.s.live <= room && nv.s.live >= 4 && (good || nv.s.live == 4));
+    if (good && !old)
+        need(memcmp(nv.bytes, from, nv.s.live) == 0 && (n > room || nv.s.live == n));
+    if (good && old && room == NV_OLD_BYTES)
+        compare_old(&nv, from);
     if (good)
-        use(&nv, from);
-    need(nvram_valid(nv.bytes, NV_BYTES));
+        use(&nv);
+    need(nvram_valid(nv.bytes, nv.s.live) && nv.s.live <= room);
     free(nv.bytes);
     free(copy);
     return 0;

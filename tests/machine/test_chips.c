@@ -954,48 +954,105 @@ static void test_pal(void **state)
 
 /* ---- nvram ---- */
 
-static void test_nvram(void **state)
+/* A board with room for so many KiB. */
+static void nvram_power(struct rig *r, struct rig_game *g, int32_t kib, const struct board_start *start)
 {
-    static uint8_t image[NVRAM_BYTES];
-    struct rig_game g;
-    struct rig r, again;
-    struct nv_value v = { .type = NV_INT, .bits = 42 };
-    char key[NV_KEY + 1], name[NV_NAME + 1];
-    int64_t score;
+    struct manifest m = rig_manifest();
+
+    m.nvram_kib = kib;
+    rig_script(g, &m, "");
+    rig_power(r, g, start);
+}
+
+static void nvram_free(struct rig *r, struct rig_game *g)
+{
+    rig_free(r);
+    rig_game_free(g);
+}
+
+static const uint8_t *nvram_image(const struct rig *r, size_t *size)
+{
     uint32_t changed;
+    const uint8_t *image = board_nvram(r->b, size, &changed);
+
+    assert_true(nvram_valid(image, *size));
+    return image;
+}
+
+static size_t nvram_size(const struct rig *r)
+{
+    size_t size;
+
+    nvram_image(r, &size);
+    return size;
+}
+
+static uint32_t nvram_changed(const struct rig *r)
+{
+    uint32_t changed;
+    size_t size;
+
+    board_nvram(r->b, &size, &changed);
+    return changed;
+}
+
+/* Values of every type under keys of every length; what goes leaves no gap. */
+static void test_nvram_saves(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    struct nv_value v = { .type = NV_INT, .bits = 42 };
 
     (void)state;
-    rig_script(&g, NULL, "");
-    rig_power(&r, &g, NULL);
+    nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
+    assert_int_equal(nvram_size(&r), 4);
     assert_int_equal(nvram_get(nv, "k").type, NV_NONE);
     assert_true(nvram_set(nv, "k", &v));
+    assert_int_equal(r.b->nvram.s.live, nvram_size(&r)); /* what snapshots and hashes have */
     assert_int_equal(nvram_get(nv, "k").bits, 42);
+    assert_int_equal(nvram_size(&r), 4 + 3 + 1 + 8);
     v = (struct nv_value){ .type = NV_TEXT, .text = "a\0b", .length = 3 };
+    assert_true(nvram_set(nv, "other", &v));
     assert_true(nvram_set(nv, "k", &v));
     assert_int_equal(nvram_get(nv, "k").length, 3);
     assert_memory_equal(nvram_get(nv, "k").text, "a\0b", 3);
-    board_nvram(r.b, &changed);
-    assert_int_equal(changed, 2);
+    assert_memory_equal(nvram_get(nv, "other").text, "a\0b", 3);
+    assert_int_equal(nvram_size(&r), 4 + 3 + 1 + 3 + 3 + 5 + 3);
+    assert_int_equal(nvram_changed(&r), 3);
     v = (struct nv_value){ .type = NV_BOOL, .bits = 1 };
-    for (int i = 0; i < NV_SAVES - 1; i++) {
-        snprintf(key, sizeof key, "%031d", i);
-        assert_true(nvram_set(nv, key, &v));
-    }
-    assert_false(nvram_set(nv, "more", &v));
-    assert_true(nvram_set(nv, "k", &v)); /* a key that is there */
+    assert_true(nvram_set(nv, "k", &v) && nvram_get(nv, "k").type == NV_BOOL && nvram_get(nv, "k").bits == 1);
+    v = (struct nv_value){ .type = NV_FLOAT, .bits = 0x3ff8000000000000u };
+    assert_true(nvram_set(nv, "1234567890123456789012345678901", &v));
+    assert_true(nvram_get(nv, "1234567890123456789012345678901").bits == v.bits);
+    assert_int_equal(nvram_get(nv, "123456789012345678901234567890").type, NV_NONE);
     v.type = NV_NONE;
-    assert_true(nvram_set(nv, "k", &v));
-    assert_int_equal(nvram_get(nv, "k").type, NV_NONE);
-    v.type = NV_INT;
-    assert_true(nvram_set(nv, "more", &v));
+    assert_true(nvram_set(nv, "k", &v) && nvram_set(nv, "k", &v) && nvram_set(nv, "other", &v));
+    assert_int_equal(nvram_get(nv, "other").type, NV_NONE);
+    assert_true(nvram_set(nv, "1234567890123456789012345678901", &v));
+    assert_int_equal(nvram_size(&r), 4);
+    nvram_free(&r, &g);
+}
 
-    /* tables: best first, equals behind those before, ten rows */
+/* Best first, equals behind those before, ten rows. */
+static void test_nvram_tables(void **state)
+{
     static const int64_t scores[] = { 50, 70, 50, -3, 900, 70, 60, 10, 20, 30 };
     static const int rows[] = { 0, 0, 2, 3, 0, 2, 3, 6, 6, 6 };
+    struct nv_value v = { .type = NV_INT, .bits = 1 };
+    struct rig_game g;
+    struct rig r;
+    char name[NV_NAME + 1];
+    int64_t score;
+
+    (void)state;
+    nvram_power(&r, &g, 1, NULL);
+    struct nvram *nv = &r.b->nvram;
+    assert_true(nvram_set(nv, "t", &v)); /* a key of the same name is another thing */
     for (int i = 0; i < NV_ROWS; i++) {
         snprintf(name, sizeof name, "n%d", i);
         assert_int_equal(nvram_enter(nv, "t", name, scores[i]), rows[i]);
+        assert_int_equal(nvram_size(&r), 4 + 12 + 4 + 24 * (i + 1));
     }
     assert_int_equal(nvram_enter(nv, "t", "low", -3), -1);
     assert_int_equal(nvram_enter(nv, "t", "fifteen letters", 1), 9);
@@ -1007,36 +1064,155 @@ static void test_nvram(void **state)
     assert_string_equal(name, "n4");
     assert_false(nvram_row(nv, "t", 10, name, &score));
     assert_false(nvram_row(nv, "u", 0, name, &score));
-    for (int i = 1; i < NV_TABLES; i++) {
-        snprintf(key, sizeof key, "t%d", i);
-        assert_int_equal(nvram_enter(nv, key, "a", 1), 0);
-    }
-    assert_int_equal(nvram_enter(nv, "more", "a", 1), -2);
+    assert_int_equal(nvram_get(nv, "t").bits, 1);
+    nvram_free(&r, &g);
+}
 
-    /* the image is the whole of it; a damaged one is blank */
-    memcpy(image, board_nvram(r.b, &changed), NVRAM_BYTES);
-    struct board_start start = { .difficulty = -1, .nvram = image, .nvram_size = NVRAM_BYTES };
-    rig_power(&again, &g, &start);
-    assert_memory_equal(board_nvram(again.b, &changed), image, NVRAM_BYTES);
-    assert_int_equal(changed, 0);
-    assert_true(nvram_row(&again.b->nvram, "t", 0, name, &score));
-    rig_free(&again);
-    start.nvram_size = NVRAM_BYTES - 1;
-    rig_power(&again, &g, &start);
-    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
-    rig_free(&again);
-    start.nvram_size = NVRAM_BYTES;
-    image[0] ^= 1;
-    rig_power(&again, &g, &start);
-    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
-    rig_free(&again);
-    image[0] ^= 1;
-    image[4 + 31] = 'x'; /* a key without an end */
-    rig_power(&again, &g, &start);
-    assert_false(nvram_row(&again.b->nvram, "t", 0, name, &score));
-    rig_free(&again);
-    rig_free(&r);
-    rig_game_free(&g);
+/* As many small records as the manifest has room for; then nothing more fits, and nothing is lost. */
+static void test_nvram_full(void **state)
+{
+    static const int32_t sizes[] = { 1, 32, 256 };
+    struct rig_game g;
+    struct rig r;
+    char key[NV_KEY + 1], name[NV_NAME + 1];
+    int64_t score;
+
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        struct nv_value v = { .type = NV_INT };
+        int tables = sizes[k] == 1 ? 2 : 40, n = 0;
+        nvram_power(&r, &g, sizes[k], NULL);
+        struct nvram *nv = &r.b->nvram;
+        for (int t = 0; t < tables; t++) {
+            snprintf(key, sizeof key, "table %d", t);
+            for (int i = 0; i < NV_ROWS; i++)
+                assert_int_equal(nvram_enter(nv, key, "me", 1000 * t + i), 0);
+        }
+        do
+            v.bits = (uint64_t)n * 7, snprintf(key, sizeof key, "boss/spell %d", n);
+        while (nvram_set(nv, key, &v) && ++n);
+        print_message("# %d KiB: %d tables of ten rows, and %d records\n", (int)sizes[k], tables, n);
+        assert_true(n > (sizes[k] - 1) * 1024 / 26 - tables * 252 / 26);
+        assert_int_equal(nvram_get(nv, key).type, NV_NONE);
+        assert_true(nvram_size(&r) + 3 + strlen(key) + 8 > (size_t)sizes[k] * 1024);
+        assert_int_equal(nvram_enter(nv, "one table more", "me", 1), -2);
+        assert_int_equal(nvram_enter(nv, "table 1", "you", 5000000), 0); /* in place of the last */
+        v = (struct nv_value){ .type = NV_TEXT, .length = NV_STRING };
+        assert_false(nvram_set(nv, "boss/spell 3", &v)); /* a longer one */
+        for (int i = 0; i < n; i++) {
+            snprintf(key, sizeof key, "boss/spell %d", i);
+            assert_int_equal(nvram_get(nv, key).bits, 7 * i);
+        }
+        assert_true(nvram_row(nv, "table 1", 1, name, &score) && score == 1009);
+        nvram_free(&r, &g);
+    }
+}
+
+/* The image is the whole of it; a damaged one is blank; of one for which there is no room comes what fits. */
+static void test_nvram_image(void **state)
+{
+    static uint8_t image[64 << 10];
+    struct board_start start = { .difficulty = -1, .nvram = image };
+    struct nv_value v = { .type = NV_TEXT, .text = "text", .length = 4 };
+    struct rig_game g;
+    struct rig r;
+    char key[NV_KEY + 1];
+    size_t size;
+
+    (void)state;
+    nvram_power(&r, &g, 64, NULL);
+    for (int i = 0; i < 900; i++) {
+        snprintf(key, sizeof key, "%d", i);
+        assert_true(nvram_set(&r.b->nvram, key, &v));
+    }
+    assert_int_equal(nvram_enter(&r.b->nvram, "t", "me", 5), 0);
+    memcpy(image, nvram_image(&r, &start.nvram_size), nvram_size(&r));
+    nvram_free(&r, &g);
+    nvram_power(&r, &g, 64, &start);
+    assert_int_equal(nvram_size(&r), start.nvram_size);
+    assert_memory_equal(nvram_image(&r, &size), image, start.nvram_size);
+    assert_int_equal(nvram_changed(&r), 0);
+    nvram_free(&r, &g);
+    nvram_power(&r, &g, 1, &start);
+    assert_true(nvram_size(&r) <= 1024 && nvram_size(&r) > 1024 - 11);
+    assert_memory_equal(nvram_image(&r, &size), image, nvram_size(&r));
+    nvram_free(&r, &g);
+    static const struct {
+        size_t at;
+        uint8_t is;
+    } lies[] = { { 0, 'X' }, { 3, '3' }, { 4, 0 },  { 4, 6 },  { 4, 1 },
+                 { 4, 4 },   { 4, 5 },   { 5, 32 }, { 6, 61 }, { 6, 5 } };
+    for (size_t i = 0; i < sizeof lies / sizeof *lies; i++) {
+        uint8_t was = image[lies[i].at];
+        image[lies[i].at] = lies[i].is;
+        nvram_power(&r, &g, 64, &start);
+        assert_int_equal(nvram_size(&r), 4);
+        nvram_free(&r, &g);
+        image[lies[i].at] = was;
+    }
+    start.nvram_size--;
+    nvram_power(&r, &g, 64, &start);
+    assert_int_equal(nvram_size(&r), 4);
+    nvram_free(&r, &g);
+}
+
+/* nvram-1.nv was saved by a program of core version 4, full: 256 keys, 16 tables. All of it is there, and as much of
+ * it comes into less room as fits. */
+static void test_nvram_old(void **state)
+{
+    static uint8_t image[NV_OLD_BYTES];
+    struct board_start start = { .difficulty = -1, .nvram = image, .nvram_size = sizeof image };
+    struct rig_game g;
+    struct rig r;
+    FILE *f = fopen("tests/machine/nvram-1.nv", "rb");
+
+    (void)state;
+    assert_true(f && fread(image, 1, sizeof image, f) == sizeof image && fgetc(f) == EOF && !fclose(f));
+    assert_true(nvram_valid(image, sizeof image));
+    nvram_power(&r, &g, NV_KIB, &start);
+    for (int i = 0; i < 256; i++) { /* as the script that kept them did */
+        char key[64];
+        int n = snprintf(key, sizeof key, "key %d ", i);
+        for (; n < 31; n++)
+            key[n] = 'k';
+        key[7 + i % 25] = 0;
+        struct nv_value v = nvram_get(&r.b->nvram, key);
+        double d = i / 8.0;
+        if (i % 4 == 0)
+            assert_true(v.type == NV_INT && (int64_t)v.bits == (int64_t)i * i - 300);
+        else if (i % 4 == 1)
+            assert_true(v.type == NV_TEXT && v.length == (size_t)i % 61 && strspn(v.text, "v") >= v.length);
+        else if (i % 4 == 2)
+            assert_true(v.type == NV_FLOAT && !memcmp(&d, &v.bits, sizeof d));
+        else
+            assert_true(v.type == NV_BOOL && v.bits == (i % 8 == 3));
+    }
+    for (int t = 0; t < 16; t++)
+        for (int row = 0; row < NV_ROWS; row++) {
+            char table[32], name[NV_NAME + 1], want[32];
+            int64_t score;
+            snprintf(table, sizeof table, "table %d", t);
+            snprintf(want, sizeof want, "row %d", row);
+            bool there = t >= 10 || row <= t; /* the script's loop counted from 0 */
+            assert_int_equal(nvram_row(&r.b->nvram, table, row, name, &score), there);
+            if (there)
+                assert_string_equal(name, want);
+            if (there)
+                assert_true(score == t * INT64_C(1000000007) - row * 5);
+        }
+    size_t whole = nvram_size(&r);
+    nvram_free(&r, &g);
+    nvram_power(&r, &g, 4, &start);
+    assert_true(nvram_size(&r) < whole && nvram_size(&r) > 3000 && nvram_get(&r.b->nvram, "key 0 k").type == NV_INT);
+    nvram_free(&r, &g);
+    static const int at[] = { 0, 4 + 31, 4 + 32, 4 + 33, 4 + 256 * 96 + 31, 4 + 256 * 96 + 32 + 15 };
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) { /* a key without an end, a type that is none ... */
+        image[at[i]] ^= 0x7f;
+        nvram_power(&r, &g, NV_KIB, &start);
+        assert_int_equal(nvram_size(&r), 4);
+        nvram_free(&r, &g);
+        image[at[i]] ^= 0x7f;
+    }
 }
 
 int main(void)
@@ -1057,7 +1233,11 @@ int main(void)
         cmocka_unit_test(test_sparks),
         cmocka_unit_test(test_fix),
         cmocka_unit_test(test_pal),
-        cmocka_unit_test(test_nvram),
+        cmocka_unit_test(test_nvram_saves),
+        cmocka_unit_test(test_nvram_tables),
+        cmocka_unit_test(test_nvram_full),
+        cmocka_unit_test(test_nvram_image),
+        cmocka_unit_test(test_nvram_old),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -110,7 +110,7 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
     rig_power(&r, g, start);
     for (uint32_t f = 0; f <= d->frames && wrong < 0; f++) {
         board_hashes(r.b, hashes);
-        uint32_t differ = demo_differs(d, f, hashes);
+        uint64_t differ = demo_differs(d, f, hashes);
         for (int i = d->parts - 1; i >= 0; i--)
             if (differ >> i & 1) {
                 wrong = (int)f;

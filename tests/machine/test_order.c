@@ -360,7 +360,8 @@ static void test_reset(void **state)
     assert_int_equal(r.b->core.clock, 0);
     assert_int_equal(nvram_get(&r.b->nvram, "n").bits, 2);
     uint32_t changed;
-    board_nvram(r.b, &changed);
+    size_t size;
+    board_nvram(r.b, &size, &changed);
     assert_int_equal(changed, 2);
     rig_run(&r, 9);
     rig_free(&r);

@@ -312,13 +312,72 @@ static void test_both_invincible(void **state)
     rig_game_free(&own);
 }
 
+/* ---- games ---- */
+
+/* Plays with pads until a game is told to be over and its score has been entered, or frames are up: the markers of
+ * games and rows, "kind name value" a line. */
+static void tell_games(const char *text, const uint16_t pads[4], uint32_t frames, char *out, size_t size)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1 };
+    struct rig_game g;
+    struct rig r;
+    size_t n = 0;
+
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, &start);
+    out[0] = 0;
+    for (uint32_t f = 0; f < frames; f++) {
+        const uint16_t held[PADS] = { f % 20 < 2 ? pads[f / 20 % 4] : 0, 0 };
+        rig_tick(&r, held);
+        const struct board_out *o = board_last(r.b);
+        for (int i = 0; i < o->markers; i++)
+            if (o->marker[i].kind > MARKER_LISTED)
+                n += (size_t)snprintf(out + n, size - n, "%d %s %d\n", (int)o->marker[i].kind - MARKER_GAME,
+                                      o->marker[i].name, (int)o->marker[i].value);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* Stage "two" comes to its end, or a player who stands still dies there and has no life left. */
+static const char a_game[] =
+    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, lives = 1 })\n"
+    "stage.def('one', function() wait(10) score.add(500) end)\n"
+    "stage.def('two', function() wait(10) end)\n"
+    "stage.def('end', function() while true do bullet.fire { kind = 'orb', x = 120, y = 0, aim = true, speed = 4 } "
+    "wait(5) end end)\n";
+
+/* The beginning and the end of a game, and its row in the table. */
+static void test_games(void **state)
+{
+    static const struct {
+        const char *stages, *want;
+        uint16_t pads[4];
+    } games[] = {
+        { "'one', 'two'", "0 ship 1\n1 clear 2\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
+        { "'one', 'end'", "0 ship 1\n1 over 1\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
+        { "'end'", "0 ship 1\n1 quit 0\n0 ship 1\n", { PAD_FIRE, PAD_START, PAD_DOWN, PAD_FIRE } },
+    };
+    char text[1024], out[1024];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof games / sizeof *games; i++) {
+        snprintf(text, sizeof text, "%sboot.run { stages = { %s }, players = { 'ship' } }", a_game, games[i].stages);
+        tell_games(text, games[i].pads, 4000, out, sizeof out);
+        if (strncmp(out, games[i].want, strlen(games[i].want)))
+            fail_msg("%s: told:\n%s", games[i].stages, out);
+    }
+}
+
 /* ---- what the cabinet is told ---- */
 
 /* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
 static void tell(const char *mark, int frames, char *out, size_t size)
 {
-    static const char *const kinds[MARKER_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
-                                                     "won",   "lost",  "start", "ship", "register", "listed" };
+    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
+                                                     "clear",  "won",   "lost", "start", "ship",  "register",
+                                                     "listed", "game",  "over", "row" };
     struct board_start start = start_at(mark);
     struct rig r;
     size_t n = 0;
@@ -856,6 +915,7 @@ int main(void)
         cmocka_unit_test(test_marks),
         cmocka_unit_test(test_list),
         cmocka_unit_test(test_lists_of_games),
+        cmocka_unit_test(test_games),
         cmocka_unit_test(test_list_of_none),
         cmocka_unit_test(test_list_starts),
         cmocka_unit_test(test_endless),

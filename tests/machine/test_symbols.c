@@ -427,6 +427,25 @@ static bool list_globals(const char *path, struct counts *c)
     return pclose(listing) == 0 && any;
 }
 
+/* Is the name, or one that names all, among those that script_next_read gives? */
+static bool gives(const char *text, size_t n, const char *name)
+{
+    static const char *const words[] = { "_ENV", "_G" };
+    char *copy = malloc(n + (n == 0));
+    const char *word;
+    size_t at = 0, size;
+    bool given = false;
+
+    memcpy(copy, text, n);
+    while (!given && script_next_read(copy, n, &at, &word, &size)) {
+        given = strlen(name) == size && memcmp(word, name, size) == 0;
+        for (int i = 0; i < 2; i++)
+            given = given || (strlen(words[i]) == size && memcmp(word, words[i], size) == 0);
+    }
+    free(copy);
+    return given;
+}
+
 static void compare_with_luac(const char *path, const char *text, size_t n)
 {
     static struct counts want, got;
@@ -451,6 +470,8 @@ static void compare_with_luac(const char *path, const char *text, size_t n)
                           g->reads, g->writes);
         assert_int_equal(w->reads, g->reads);
         assert_int_equal(w->writes, g->writes);
+        if (w->reads && !gives(text, n, w->name))
+            fail_msg("%s: %s is read, and not given", path, w->name);
     }
     assert_int_equal(got.n, want.n);
 }
@@ -819,6 +840,10 @@ static void test_spoilt(void **state)
         if (compiled && !whole)
             print_message("%.*s\n", (int)w.n, w.text);
         assert_true(whole || !compiled);
+        for (int i = 0; compiled && i < f.n_globals; i++) {
+            if (f.globals[i].use != USE_WRITE && !gives(w.text, w.n, f.globals[i].name))
+                fail_msg("%s is read, and not given:\n%.*s", f.globals[i].name, (int)w.n, w.text);
+        }
         good += compiled;
         symbols_free(&f);
     }

@@ -297,7 +297,7 @@ static void test_demo_holds(void **state)
     rig_power(&r, &g, &d.start);
     for (uint32_t f = 0; f <= d.frames; f++) {
         board_hashes(r.b, hashes);
-        uint32_t differ = demo_differs(&d, f, hashes);
+        uint64_t differ = demo_differs(&d, f, hashes);
         if (differ)
             fail_msg("frame %u: part %s differs (CURTAIN_UPDATE=1 records the demo anew)", f,
                      d.part[bits_lowest(differ)]);

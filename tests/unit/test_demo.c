@@ -137,6 +137,7 @@ static void same(const struct demo *a, const struct demo *b)
     assert_memory_equal(a->start.dip, b->start.dip, sizeof a->start.dip);
     assert_int_equal(a->start.difficulty, b->start.difficulty);
     assert_memory_equal(&a->start.practice, &b->start.practice, sizeof a->start.practice);
+    assert_string_equal(a->start.lang, b->start.lang);
     assert_int_equal(a->start.nvram_size, b->start.nvram_size);
     assert_memory_equal(a->nvram, b->nvram, a->start.nvram_size);
     assert_int_equal(a->flags, b->flags);
@@ -146,7 +147,7 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
         assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
-    assert_int_equal(a->checksum_parts, b->checksum_parts);
+    assert_true(a->checksum_parts == b->checksum_parts);
     assert_int_equal(a->checksum_frames, b->checksum_frames);
     if (a->checksum_frames)
         assert_memory_equal(a->checksums, b->checksums, a->checksum_frames * (size_t)a->parts * sizeof a->checksums[0]);
@@ -155,6 +156,7 @@ static void same(const struct demo *a, const struct demo *b)
         assert_int_equal(a->markers[i].frame, b->markers[i].frame);
         assert_int_equal(a->markers[i].marker.kind, b->markers[i].marker.kind);
         assert_string_equal(a->markers[i].marker.name, b->markers[i].marker.name);
+        assert_int_equal(a->markers[i].marker.value, b->markers[i].marker.value);
     }
     assert_int_equal(a->seconds, b->seconds);
     if (a->seconds)
@@ -303,8 +305,8 @@ static void fill_nvram(uint8_t *p, size_t n, int kind)
 
 static void test_start(void **state)
 {
-    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, NVRAM_BYTES };
-    static uint8_t nvram[NVRAM_BYTES];
+    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, 32768, NVRAM_MOST };
+    static uint8_t nvram[NVRAM_MOST];
     struct board_start start = { .seed = 1, .difficulty = 0, .nvram = nvram };
     struct demo_writer w = { .on = false };
     struct demo d;
@@ -602,7 +604,8 @@ static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
         board_tick(b, none);
         uint32_t f = board_frame(b);
         if (f % 7 == 0)
-            board_add_marker(b, (enum board_marker_kind)(f / 7 % MARKER_KINDS), name + f / 7 % sizeof name, "", "", 0);
+            board_add_marker(b, (enum board_marker_kind)(f / 7 % MARKER_KINDS), name + f / 7 % sizeof name, "", "",
+                             f % 14 == 0 ? (int32_t)(f * 0x1234567u) : 0);
         if (f % 21 == 0)
             board_add_marker(b, MARKER_DEATH, "2", "", "", 0);
         assert_true(demo_frame(w, b, none));
@@ -749,7 +752,140 @@ static void test_marker_lies(void **state)
     refused_with(n, record_at(1), 'M', "damaged"); /* before the first second */
     file[4] = 2;
     refused(n, "damaged");
+    file[4] = 3; /* has no sets of parts of three bytes, either */
+    refused(n, "damaged");
     demo_free(&w.demo);
+}
+
+/* Values of moments: any but 0, which is not written. */
+static void test_values(void **state)
+{
+    static const int32_t values[] = { 1, 10, -1, INT32_MIN, INT32_MAX };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct board *b = power(&start);
+    struct demo d;
+
+    (void)state;
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    static const uint16_t none[PADS];
+    for (int i = 0; i < 5; i++) {
+        board_tick(b, none);
+        board_add_marker(b, MARKER_ROW, "normal", "", "", values[i]);
+        board_add_marker(b, MARKER_GAME, "heron", "", "", 0);
+        assert_true(demo_frame(&w, b, none));
+    }
+    assert_true(demo_end(&w, b));
+    loads(&d);
+    same(&d, &w.demo);
+    for (uint32_t i = 0; i < 10; i++) {
+        assert_int_equal(d.markers[i].marker.kind, i % 2 ? MARKER_GAME : MARKER_ROW);
+        assert_int_equal(d.markers[i].marker.value, i % 2 ? 0 : values[i / 2]);
+    }
+    size_t n = file_bytes(), value = record_at(3) + 8 + 4 + 1 + 1 + strlen("normal");
+    assert_int_equal(bytes_get32(file + value), 1);
+    refused_with(n, value, 0, "damaged (a moment)");
+    refused(resize(3, -1), "damaged");
+    refused(resize(4, 1), "damaged");
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* The language of a start, of any length there is room for. */
+static void test_lang(void **state)
+{
+    static const char *const langs[] = { "", "d", "deutsch", "123456789 abcde" };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof langs / sizeof *langs; i++) {
+        snprintf(start.lang, sizeof start.lang, "%s", langs[i]);
+        record(&w, &start, 10);
+        loads(&d);
+        same(&d, &w.demo);
+        assert_string_equal(d.start.lang, langs[i]);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+    size_t n = file_bytes(), at = find(langs[3]);
+    refused_with(n, at, 31, "damaged (header)");
+    refused_with(n, at + 14, 127, "damaged (header)");
+    refused_with(n, at - 1, 16, "damaged");
+    static const char bad[] = { '\n', 127, (char)0xe9 };
+    for (size_t i = 0; i < sizeof bad; i++) {
+        start.lang[1] = bad[i];
+        assert_null(board_power(ram, ram_size, &rom, &start, false, err, sizeof err));
+        assert_non_null(strstr(err, "a language: expected printable ASCII"));
+    }
+}
+
+/* As many parts as there may be, and sets of them of 1 to 8 bytes. */
+static void test_many_parts(void **state)
+{
+    static const int counts[] = { 1, 7, 8, 9, 31, 32, 33, 56, 57, 63, 64 };
+    static uint64_t track[2 * 64];
+    static uint16_t checksums[59 * 64];
+    static struct demo d, again;
+    uint16_t pads[59][PADS] = { { 0 } };
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 64);
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        int parts = counts[k];
+        d = (struct demo){ .core = 9, .id = "many", .lua = "5.4", .parts = parts, .complete = true, .frames = 59 };
+        d.start.difficulty = -1;
+        d.checksum_parts = UINT64_MAX;
+        d.checksum_frames = 59;
+        d.seconds = 2;
+        d.pads = pads;
+        d.track = track;
+        d.checksums = checksums;
+        for (int i = 0; i < parts; i++)
+            snprintf(d.part[i], sizeof d.part[i], i ? "part%d" : "script", i);
+        for (int i = 0; i < 2 * parts; i++)
+            track[i] = rng_next(&r);
+        for (int i = 0; i < 58 * parts; i++) /* some as in the frame before */
+            checksums[i] = i < parts || rng_below(&r, 2) ? (uint16_t)rng_next(&r) : checksums[i - parts];
+        for (int i = 0; i < parts; i++)
+            checksums[58 * parts + i] = (uint16_t)track[parts + i];
+        assert_true(demo_save(&d, path, err, sizeof err));
+        loads(&again);
+        same(&again, &d);
+        uint64_t hashes[MAX_PARTS];
+        memcpy(hashes, track + parts, sizeof hashes[0] * (size_t)parts);
+        hashes[parts - 1] ^= 1;
+        assert_true(demo_differs(&again, 59, hashes) == (uint64_t)1 << (parts - 1));
+        demo_free(&again);
+        size_t n = file_bytes(), mask = record_at(2) + 8 + 8 + 6, bytes = (size_t)(parts + 7) / 8;
+        if (parts % 8)
+            refused_with(n, mask + bytes - 1, file[mask + bytes - 1] | 0x80, "damaged");
+        refused_with(n, find("script") - 1 - 1, 65, "damaged (the number of parts)");
+    }
+}
+
+/* A demo of format 3 says the same in the newest, in no more bytes. */
+static void test_format_3(void **state)
+{
+    struct demo was, is;
+
+    (void)state;
+    if (!demo_load(&was, "tests/demos/frozen-3.demo", err, sizeof err))
+        fail_msg("%s", err);
+    assert_int_equal(was.format, 3);
+    assert_true(was.complete && was.frames == 905 && was.seconds == 17 && was.checksum_parts == UINT64_MAX);
+    assert_true(demo_save(&was, path, err, sizeof err));
+    loads(&is);
+    assert_int_equal(is.format, DEMO_FORMAT);
+    same(&is, &was);
+    long old = plat_size("tests/demos/frozen-3.demo");
+    size_t now = file_bytes();
+    print_message("# format 3: %ld bytes, format %d: %zu\n", old, (int)DEMO_FORMAT, now);
+    assert_int_equal(now, (size_t)old + 1 - (905 - 16)); /* no language; a byte less in each frame that is in no row */
+    demo_free(&was);
+    demo_free(&is);
 }
 
 /* A demo of format 2, written by the program of its time. */
@@ -1062,7 +1198,8 @@ int main(void)
         cmocka_unit_test(test_fits),          cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
         cmocka_unit_test(test_checksum_lies), cmocka_unit_test(test_practice),      cmocka_unit_test(test_markers),
         cmocka_unit_test(test_points),        cmocka_unit_test(test_points_lies),   cmocka_unit_test(test_marker_lies),
-        cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),
+        cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),          cmocka_unit_test(test_values),
+        cmocka_unit_test(test_lang),          cmocka_unit_test(test_many_parts),    cmocka_unit_test(test_format_3),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

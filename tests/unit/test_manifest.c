@@ -79,6 +79,7 @@ static void test_defaults(void **state)
     assert_int_equal(r->m.motions, 256);
     assert_int_equal(r->m.tasks, 1024);
     assert_int_equal(r->m.lua_kib, 4096);
+    assert_int_equal(r->m.nvram_kib, 32);
     assert_int_equal(r->m.players, 1);
     assert_int_equal(r->m.n_extends, 0);
     assert_int_equal(r->m.n_difficulties, 1);
@@ -95,7 +96,7 @@ static const char lanterns[] =
     "return { title = 'Paper Lanterns', author = 'You', version = 3, entry = 'boot/main', id = 'lanterns',\n"
     "  screen = { w = 320, h = 240 }, field = { x = 8, y = 4, w = 208, h = 224, margin = 32 },\n"
     "  board = { bullets = 100, shots = 0, enemies = 5, sparks = 0, sprites = 7, motions = 0, tasks = 9,\n"
-    "            lua_kib = 512.0 },\n"
+    "            lua_kib = 512.0, nvram = 3 },\n"
     "  palette = 'art/palette.png', font = 'art/font.png', palettes = { dusk = 'art/dusk.png' },\n"
     "  blends = { haze = { mix = 99 }, glow = 'add', ghost = { mix = 1 } },\n"
     "  sheets = { small = { file = 'art/small.png', bank = 4 }, big = { file = 'art/big.png' } },\n"
@@ -473,11 +474,11 @@ static void test_unpack_old(void **state)
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_true(manifest_unpack(bytes, MANIFEST_BYTES - 24, &m, err, sizeof err));
+    assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     r->m.bullet_values = r->m.hp = r->m.frozen = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
-    assert_false(manifest_unpack(bytes, MANIFEST_BYTES - 24, &m, err, sizeof err));
+    assert_false(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     free(r);
 }
 
@@ -491,10 +492,37 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5199 bytes long, expected 5200");
-    bytes[0] = 3;
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_string_equal(err, "its format is not known");
+    assert_string_equal(err, "5203 bytes long, expected 5204");
+    for (int format = 0; format < 5; format++) {
+        bytes[0] = (uint8_t)format;
+        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 2);
+        assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
+        if (format > 2)
+            assert_string_equal(err, "its format is not known");
+    }
+    free(r);
+}
+
+/* Of format 1 comes what there was of it, and for the rest what a rom.lua gets that says nothing. */
+static void test_format_1(void **state)
+{
+    struct result *r = read_good(lanterns);
+    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
+    struct manifest m, plain;
+    char err[256] = "";
+
+    (void)state;
+    manifest_default(&plain);
+    assert_int_equal(r->m.nvram_kib, 3);
+    manifest_pack(&r->m, bytes);
+    bytes[0] = 1;
+    assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
+    assert_int_equal(m.nvram_kib, plain.nvram_kib);
+    assert_int_equal(m.nvram_kib, 32);
+    m.nvram_kib = 3;
+    manifest_pack(&m, again);
+    bytes[0] = 2;
+    assert_memory_equal(bytes, again, sizeof bytes);
     free(r);
 }
 
@@ -530,6 +558,8 @@ static void test_check(void **state)
     SPOILED(m.title[0] = 1, "title: expected a line of 1 to 63 bytes");
     SPOILED(memset(m.author, 'a', sizeof m.author), "author: expected a line of at most 63 bytes");
     SPOILED(m.entry[0] = '/', "entry: expected a script's path without .lua, at most 63 bytes");
+    SPOILED(m.nvram_kib = 0, "board.nvram: expected a whole number from 1 to 1024, got 0");
+    SPOILED(m.nvram_kib = 1025, "board.nvram: expected a whole number from 1 to 1024, got 1025");
     SPOILED(m.tasks = 0, "board.tasks: expected a whole number from 1 to 65536, got 0");
     SPOILED(m.screen_w = 322, "screen.w: expected a multiple of 8, got 322");
     SPOILED(m.field_y = 17, "field: 208x224 at 8,17 is not inside the 320x240 screen");
@@ -626,6 +656,7 @@ int main(void)
         cmocka_unit_test(test_pack),
         cmocka_unit_test(test_unpack_refuses),
         cmocka_unit_test(test_unpack_old),
+        cmocka_unit_test(test_format_1),
         cmocka_unit_test(test_check),
         cmocka_unit_test(test_unpack_mutations),
         cmocka_unit_test(test_paths),

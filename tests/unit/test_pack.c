@@ -12,7 +12,9 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/board/rom/cart.h"
-#include "../../src/board/board.h"
+#include "../../src/board/api/eval.h"
+#include "../../src/board/machine.h"
+#include "../../src/board/std.h"
 #include "../../src/cab/pack/pack.h"
 
 enum { PATH = 512 };
@@ -231,7 +233,7 @@ static void test_smallest(void **state)
 {
     struct rom_image image;
     struct cart cart;
-    char want[32] = "pack_", std[128];
+    char want[32] = "pack_";
 
     (void)state;
     put_game("return {}");
@@ -244,12 +246,7 @@ static void test_smallest(void **state)
     assert_lump(&image.rom, "script/main.lua", "print('hello')\n");
     assert_int_equal(find(&image.rom, "palette/main").size, 768);
     assert_int_equal(cart.n_glyphs, 0);
-    assert_int_equal(image.rom.count, 3 + std_script_count);
-    for (int i = 0; i < std_script_count; i++) {
-        snprintf(std, sizeof std, "script/@std/%s.lua", std_scripts[i].name);
-        assert_int_equal(find(&image.rom, std).size, std_scripts[i].size);
-        assert_memory_equal(find(&image.rom, std).data, std_scripts[i].data, std_scripts[i].size);
-    }
+    assert_int_equal(image.rom.count, 3);
     rom_image_free(&image);
     assert_null(image.bytes);
 }
@@ -283,7 +280,7 @@ static void test_what_goes_in(void **state)
     assert_lump(&image.rom, "data/data/x.txt", "");
     assert_lump(&image.rom, "data/demos/readme.txt", "hi");
     assert_int_equal(find(&image.rom, "demo/attract").size, 3);
-    assert_int_equal(image.rom.count, 10 + std_script_count);
+    assert_int_equal(image.rom.count, 10);
     rom_image_free(&image);
 }
 
@@ -308,23 +305,197 @@ static void test_same_bytes(void **state)
     rom_image_free(&b);
 }
 
+/* The modules of the library that a game of this main.lua gets, in the order of lumps: "path prelude". */
+static const char *modules_of(const char *text)
+{
+    static char got[128];
+    const char *folder = "script/@std/";
+    struct rom_image image;
+
+    put_text("main.lua", text);
+    image = packed(false);
+    got[0] = '\0';
+    for (int i = rom_first(&image.rom, folder); i < rom_first(&image.rom, "script/@std0"); i++) {
+        struct lump l;
+        rom_lump(&image.rom, i, &l);
+        const char *name = l.name + strlen(folder);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%s%.*s", got[0] ? " " : "", (int)strlen(name) - 4, name);
+    }
+    rom_image_free(&image);
+    return got;
+}
+
+static const char every[] = "boot boss figure hud menu path pattern prelude stage sweep";
+
+/* A module is in the ROM when a script of the game names it, or a module that is. */
+static void test_modules(void **state)
+{
+    (void)state;
+    put_game("return {}");
+    assert_string_equal(modules_of("-- pattern, boss\nlocal s = 'path' print(s.stage, s:menu()) s.hud = 1"), "");
+    assert_string_equal(modules_of("wait_until(print)"), "prelude");
+    assert_string_equal(modules_of("return pattern"), "figure pattern prelude"); /* any field may be read of it */
+    assert_string_equal(modules_of("pattern.ring {} local r = pattern . fan"), "pattern prelude");
+    assert_string_equal(modules_of("pattern --[[ ! ]] . star {}"), "figure pattern prelude");
+    assert_string_equal(modules_of("pattern['ring'] {}"), "figure pattern prelude");
+    assert_string_equal(modules_of("bullet.fire {} star.polygon()"), "");
+    assert_string_equal(modules_of("bullet.sweep {}"), "prelude sweep");
+    assert_string_equal(modules_of("local b = bullet"), "prelude sweep");
+    assert_string_equal(modules_of("path.def {}"), "path prelude");
+    assert_string_equal(modules_of("stage.def('one', print)"), "boss hud path prelude stage");
+    assert_string_equal(modules_of("return _ENV['pat' .. 'tern']"), every);
+    assert_string_equal(modules_of("return _G"), every);
+    assert_string_equal(modules_of("return load('x')"), every);
+    put_text("other.lua", "return pattern.ring");
+    put_text("tests/not.lua", "return boss");
+    put_text("words.txt", "boss");
+    assert_string_equal(modules_of("return 1"), "pattern prelude");
+}
+
+/* A module of the game's own is in the ROM unasked, and what it names too; it is the library's name it has. */
 static void test_std(void **state)
 {
     struct rom_image image;
-    char file[128], lump[128];
 
     (void)state;
-    assert_true(std_script_count > 0);
-    snprintf(file, sizeof file, "std/%s.lua", std_scripts[0].name);
-    snprintf(lump, sizeof lump, "script/@std/%s.lua", std_scripts[0].name);
     put_game("return {}");
-    put_text(file, "return 'mine'");
+    put_text("std/menu.lua", "return 'mine', path");
     image = packed(false);
-    assert_lump(&image.rom, lump, "return 'mine'");
-    assert_int_equal(image.rom.count, 3 + std_script_count);
+    assert_lump(&image.rom, "script/@std/menu.lua", "return 'mine', path");
     rom_image_free(&image);
+    assert_string_equal(modules_of("return 1"), "menu path prelude");
+    assert_string_equal(modules_of("return pattern.arc"), "menu path pattern prelude");
     put_text("std/nonesuch.lua", "return 1");
     refused("std/nonesuch.lua: the standard library has no such script to replace");
+}
+
+/* The library's files and the modules that the board knows are the same. */
+static void test_library(void **state)
+{
+    (void)state;
+    assert_int_equal(std_script_count, STD_MODULES);
+    for (int i = 0; i < STD_MODULES; i++) {
+        int found = 0;
+        for (int k = 0; k < std_script_count; k++)
+            found += strcmp(std_scripts[k].name, std_module(i)) == 0;
+        assert_int_equal(found, 1);
+    }
+}
+
+/* A board of a game with this main.lua. */
+struct bed {
+    struct rom_image image;
+    void *ram;
+    struct board *b;
+};
+
+static struct bed bed_open(const char *text)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct bed t;
+    size_t size;
+
+    put_text("main.lua", text);
+    t.image = packed(false);
+    assert_true(board_size(&t.image.rom, &size, err, sizeof err));
+    t.ram = aligned_alloc(64, (size + 63) / 64 * 64);
+    t.b = board_power(t.ram, size, &t.image.rom, &start, true, err, sizeof err);
+    assert_non_null(t.b);
+    if (board_last(t.b)->fault != NULL)
+        fail_msg("%s", board_last(t.b)->fault->message);
+    return t;
+}
+
+static void bed_close(struct bed *t)
+{
+    free(t->ram);
+    rom_image_free(&t->image);
+}
+
+/* What it takes: bytes of Lua's heap in use and ever allocated while it loads, bytes of the ROM. */
+struct price {
+    size_t heap, work, rom;
+};
+
+static struct price price_of(const char *text)
+{
+    struct bed t = bed_open(text);
+    struct price p = { heap_used(t.b->vm.heap), (size_t)heap_work(t.b->vm.heap), t.image.size };
+
+    bed_close(&t);
+    print_message("# bytes: %6zu of Lua's, %6zu allocated, %5zu of ROM: %s\n", p.heap, p.work, p.rom, text);
+    return p;
+}
+
+/* A game that names no module pays for none: neither in the ROM, nor in Lua's memory, nor at load. */
+static void test_price(void **state)
+{
+    (void)state;
+    put_game("return {}");
+    struct price none = price_of("local t = 'pattern path stage boss hud menu boot'");
+    struct price one = price_of("local t = pattern");
+    struct price all = price_of("local t = { pattern, path, stage, boss, hud, menu, boot }");
+    assert_true(none.heap + 8000 < one.heap && none.heap + 60000 < all.heap);
+    assert_true(none.work + 10000 < one.work && none.work + 200000 < all.work);
+    assert_true(none.rom + 5000 < one.rom && none.rom + 30000 < all.rom);
+}
+
+static void fails(struct bed *t, const char *line, const char *want)
+{
+    char out[EVAL_TEXT];
+
+    assert_false(board_eval(t->b, line, out, sizeof out));
+    assert_non_null(strstr(out, want));
+}
+
+/* A line that is typed while the game runs may name a module that the ROM does not have. */
+static void test_not_here(void **state)
+{
+    const char *missing = "undeclared global \"pattern\" (not in this ROM: the library's modules are packed when a "
+                          "script names them)";
+    char out[EVAL_TEXT];
+
+    (void)state;
+    put_palette("p.png");
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } },"
+             "  sprites = { a = { sheet = 's', w = 2, h = 1 } } }");
+    put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
+    const char *const lines[][2] = { { "pattern.ring { x = 1, y = 1 }", missing },
+                                     { "pattrn.ring { x = 1, y = 1 }", "undeclared global \"pattrn\"" },
+                                     { "enemy.spawn { kind = 'fly', path = {} }",
+                                       "enemy.spawn: path: expected a route (what path.def returned)" } };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        struct bed t = bed_open("enemy.def('fly', { sprite = 'a', hp = 5, hit = { circle = 1 } })");
+        fails(&t, lines[i][0], lines[i][1]);
+        bed_close(&t);
+    }
+    struct bed t = bed_open("local t = pattern");
+    assert_true(board_eval(t.b, "pattern ~= nil", out, sizeof out));
+    assert_string_equal(out, "true\n");
+    bed_close(&t);
+}
+
+/* The globals that modules bind are those that std_of knows, and no others. */
+static void test_globals(void **state)
+{
+    int bound = 0;
+
+    (void)state;
+    put_game("return {}");
+    struct bed none = bed_open("local t = 1"), all = bed_open("local t = _G");
+    lua_State *L = all.b->vm.L, *M = none.b->vm.L;
+    lua_pushglobaltable(L);
+    lua_pushglobaltable(M);
+    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
+        lua_pushstring(M, lua_tostring(L, -2));
+        bool everywhere = lua_rawget(M, -2) != LUA_TNIL;
+        lua_pop(M, 1);
+        assert_int_equal(everywhere, std_of(lua_tostring(L, -2)) < 0);
+        bound += !everywhere;
+    }
+    assert_int_equal(bound, STD_MODULES - 3 + 3); /* but prelude, which binds 3, figure and sweep */
+    bed_close(&none);
+    bed_close(&all);
 }
 
 static void test_palette(void **state)
@@ -823,6 +994,8 @@ int main(void)
         TEST(test_art_errors), TEST(test_too_large_turned), TEST(test_errors),
         TEST(test_long_name),  TEST(test_long_text),        TEST(test_load),
         TEST(test_list),       TEST(test_unpack),           TEST(test_unpack_refuses),
+        TEST(test_modules),    TEST(test_library),          TEST(test_price),
+        TEST(test_globals),    TEST(test_not_here),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/board/script.h"
+#include "../../src/board/std.h"
 
 #define POWER "the operator ^ is not available (results differ between machines); use x*x or math.sqrt"
 #define GC    "the name __gc is not available (when it would run differs between machines)"
@@ -219,12 +220,85 @@ static void test_all(void **state)
     assert_true(script_scan_on(text, sizeof text - 1, &place, &line, &what));
 }
 
+/* All that script_next_read gives, with blanks between. */
+static void gives(const char *text, const char *want)
+{
+    char got[256] = "";
+    size_t n = strlen(text), at = 0, size;
+    char *copy = malloc(n + (n == 0));
+    const char *word;
+
+    memcpy(copy, text, n);
+    while (script_next_read(copy, n, &at, &word, &size))
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%s%.*s", got[0] ? " " : "", (int)size, word);
+    free(copy);
+    assert_string_equal(got, want);
+}
+
+static void test_reads(void **state)
+{
+    (void)state;
+    gives("", "");
+    gives("a.b:c 'd' \"e\" [[f]] [=[g]] ]=] -- h\n --[[ i ]] --[==[ j ]==] k", "a k");
+    gives("a . b : c", "a");
+    gives("a. --[[ x ]] b", "a");
+    gives("a..b ... c", "a b c");
+    gives("::a:: b", "a b");
+    gives("a = b", "b");
+    gives("a--[[ x ]]\n= b", "b");
+    gives("a == b ~= c <= d", "a b c d");
+    gives("f { a = b, c == d, [e] = g }", "f b c d e g");
+    gives("x = 3. y.z()", "y");
+    gives("x = .5 y.z() x = 1e+5 y.z() x = 1e5 w() x = 0xap-1 y() x = 0Xe+z", "y y w y z");
+    gives("x = 5 // y x = a[1].b", "y a");
+    gives("x = a//.5 y()", "a y");
+    gives("'\\'a' b \"\\z \n c\" d '\\\n e' f", "b d f");
+    gives("pattern_x xpattern pattern2", "pattern_x xpattern pattern2");
+}
+
+static void test_modules(void **state)
+{
+    const uint64_t all = ((uint64_t)1 << STD_MODULES) - 1;
+
+    (void)state;
+    for (int i = 1; i < STD_MODULES; i++) {
+        char text[64];
+        int n = snprintf(text, sizeof text, "x = %s.y", std_module(i));
+        if (std_adds_to(i)) {
+            assert_int_equal(std_of(std_module(i)), -1);
+            continue;
+        }
+        assert_int_equal(std_of(std_module(i)), i);
+        assert_true(std_named(text, (size_t)n) == (uint64_t)1 << i);
+        n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_module(i), std_module(i), std_module(i),
+                     std_module(i));
+        assert_true(std_named(text, (size_t)n) == 0);
+    }
+    assert_string_equal(std_module(0), "prelude");
+    assert_int_equal(std_of("prelude"), -1);
+    assert_int_equal(std_of("wait_for"), 0);
+    assert_int_equal(std_of("wait"), -1);
+    assert_int_equal(std_of(""), -1);
+    assert_int_equal(std_of(" pattern "), -1);
+    assert_true(std_named("wait_until(f)", 13) == 1);
+    assert_true(std_named("boss.def(hud)", 13) == (1 << std_of("boss") | 1 << std_of("hud")));
+    assert_int_equal(std_of_field("pattern", "star"), 2);
+    assert_int_equal(std_of_field("pattern", "ring"), -1);
+    assert_int_equal(std_of_field("bullet", "star"), -1);
+    assert_true(std_named("pattern.star", 12) == (1 << 1 | 1 << 2) && std_named("f(pattern)", 10) == (1 << 1 | 1 << 2));
+    assert_true(std_named("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
+    assert_true(std_needed(1, "return pattern", 14) == 1 << 1);
+    assert_true(std_named("_G[k]", 5) == all && std_named("_ENV[k]", 7) == all && std_named("load(k)", 7) == all);
+    assert_true(std_named("stages._G = s:load()", 20) == 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_power), cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
-        cmocka_unit_test(test_lines), cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
-        cmocka_unit_test(test_check), cmocka_unit_test(test_all),
+        cmocka_unit_test(test_power),   cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
+        cmocka_unit_test(test_lines),   cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
+        cmocka_unit_test(test_check),   cmocka_unit_test(test_all),        cmocka_unit_test(test_reads),
+        cmocka_unit_test(test_modules),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

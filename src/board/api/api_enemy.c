@@ -93,17 +93,30 @@ static void start_task(lua_State *L, struct board *b, int64_t h, int n)
     tasks_start(b, L, h, n + 1);
 }
 
+static const char no_route[] = "path: expected a route (what path.def returned)";
+
+/* Pushes the module path; false: the game has none, and so no routes. */
+static bool push_routes(lua_State *L)
+{
+    lua_pushglobaltable(L);
+    lua_pushliteral(L, "path");
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    return lua_istable(L, -1);
+}
+
 /* Routes belong to path.lua: path.place says where one starts, path.travel follows it and removes the enemy. */
 static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
 
-    lua_getglobal(L, "path");
+    if (!push_routes(L))
+        api_error(L, "enemy.spawn", no_route);
     lua_getfield(L, -1, "known");
     lua_pushvalue(L, v[S_PATH].at);
     lua_call(L, 1, 1);
     if (!lua_toboolean(L, -1))
-        api_error(L, "enemy.spawn", "path: expected a route (what path.def returned)");
+        api_error(L, "enemy.spawn", no_route);
     lua_getfield(L, -2, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);

@@ -360,6 +360,7 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
     char name[NV_NAME + 1];
     int64_t score;
 
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
     lua_newtable(L);
     for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
         lua_createtable(L, 0, 2);
@@ -374,15 +375,17 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
     int r =
         nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
 
     if (r == -2)
-        return api_error(L, "score.enter", "all %d score tables are taken", NV_TABLES);
+        return api_error(L, "score.enter", NO_NVRAM, b->cart.m.nvram_kib);
     if (r < 0)
-        lua_pushnil(L);
-    else
-        lua_pushinteger(L, r + 1);
+        return lua_pushnil(L), 1;
+    if (!board_lists(b))
+        board_add_marker(b, MARKER_ROW, lua_tostring(L, v[ENTER_TABLE].at), "", "", r + 1);
+    lua_pushinteger(L, r + 1);
     return 1;
 }
 

@@ -3,6 +3,7 @@
  * that is added leaves the list; a test checks that no name of the list exists.
  */
 #include <string.h>
+#include "../std.h"
 #include "api_parts.h"
 
 static const struct {
@@ -71,24 +72,33 @@ static int missing_field(lua_State *L)
 
     if (lua_type(L, 2) == LUA_TSTRING && api_reserved(of, '.', lua_tostring(L, 2)))
         return vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, lua_tostring(L, 2), NOT_YET);
+    if (lua_type(L, 2) == LUA_TSTRING && std_of_field(of, lua_tostring(L, 2)) >= 0)
+        return vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, lua_tostring(L, 2), STD_NOT_HERE);
     lua_pushnil(L);
     return 1;
 }
 
-void api_reserved_install(lua_State *L)
+/* Explains what is missing in the table of that name, if there is one. */
+static void explain_missing(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);
 
-    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++) {
-        if (reserved[i].how != '.' || !reserved[i].of[0])
-            continue;
-        if (lua_getglobal(L, reserved[i].of) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
-            lua_createtable(L, 0, 1);
-            lua_pushstring(L, reserved[i].of);
-            lua_pushcclosure(L, missing_field, 1);
-            lua_setfield(L, -2, "__index");
-            lua_setmetatable(L, -2);
-        }
-        lua_settop(L, top);
+    if (lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
+        lua_createtable(L, 0, 1);
+        lua_pushstring(L, table);
+        lua_pushcclosure(L, missing_field, 1);
+        lua_setfield(L, -2, "__index");
+        lua_setmetatable(L, -2);
     }
+    lua_settop(L, top);
+}
+
+void api_reserved_install(lua_State *L)
+{
+    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
+        if (reserved[i].how == '.' && reserved[i].of[0])
+            explain_missing(L, reserved[i].of);
+    for (int i = 0; i < STD_MODULES; i++)
+        if (std_adds_to(i))
+            explain_missing(L, std_adds_to(i));
 }

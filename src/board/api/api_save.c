@@ -14,11 +14,13 @@ static const struct api_param save_set[] = { { "key", A_STR, REQ, 1, NV_KEY, NUL
 
 static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
 {
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
     struct nv_value kept = nvram_get(&b->nvram, lua_tostring(L, v[ARG_KEY].at));
     double d;
 
     switch (kept.type) {
     case NV_NONE:
+    case NV_TABLE:
         lua_pushvalue(L, v[ARG_DEFAULT].at);
         break;
     case NV_INT:
@@ -71,8 +73,9 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "save.set", "value: expected a number, string, boolean or nil, got a %s",
                          luaL_typename(L, v[ARG_VALUE].at));
     }
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
     if (!nvram_set(&b->nvram, lua_tostring(L, v[ARG_KEY].at), &keep))
-        return api_error(L, "save.set", "all %d keys are taken", NV_SAVES);
+        return api_error(L, "save.set", NO_NVRAM, b->cart.m.nvram_kib);
     return 0;
 }
 

@@ -83,8 +83,9 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 /* Changes no RAM: marks are for the cabinet. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const kinds[MARKER_KINDS] = { "stage", "point", "wave",  "boss", "phase",    "death", "clear",
-                                                     "won",   "lost",  "start", "ship", "register", "listed" };
+    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
+                                                     "clear",  "won",   "lost", "start", "ship",  "register",
+                                                     "listed", "game",  "over", "row" };
     const char *of = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
                *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 

@@ -192,6 +192,89 @@ bool script_scan(const char *text, size_t n, int *line, const char **what)
     return script_scan_on(text, n, &start, line, what);
 }
 
+/* A numeral, which may end in a point: "3. x" has no field x. */
+static void numeral(struct cursor *at)
+{
+    bool hex = *at->p == '0' && (cursor_peek(at, 1) == 'x' || cursor_peek(at, 1) == 'X');
+    const char *exponent = hex ? "pP" : "eE";
+
+    for (at->p += hex ? 2 : 0; at->p < at->end && *at->p != '\0'; at->p++) {
+        if (strchr(exponent, *at->p) != NULL)
+            at->p += cursor_peek(at, 1) == '+' || cursor_peek(at, 1) == '-';
+        else if (cursor_hex(*at->p) < 0 && *at->p != '.')
+            return;
+    }
+}
+
+static bool skips_space(struct scan *s)
+{
+    if (cursor_blank(*s->at.p))
+        cursor_step(&s->at);
+    else if (*s->at.p == '-' && cursor_peek(&s->at, 1) == '-')
+        comment(s);
+    else
+        return false;
+    return true;
+}
+
+/* Does a single = follow? */
+static bool is_assigned(struct scan s)
+{
+    while (s.at.p < s.at.end && skips_space(&s))
+        continue;
+    return cursor_peek(&s.at, 0) == '=' && cursor_peek(&s.at, 1) != '=';
+}
+
+bool script_next_read(const char *text, size_t n, size_t *at, const char **first, size_t *size)
+{
+    struct scan s = { .at = { text + *at, text + n, 1 } };
+    int points = 0; /* . or : in a row right before; a single one is before a field */
+
+    while (s.at.p < s.at.end) {
+        char c = *s.at.p;
+        if (skips_space(&s))
+            continue;
+        if (cursor_letter(c)) {
+            *first = s.at.p;
+            name(&s);
+            *at = (size_t)(s.at.p - text);
+            *size = s.size;
+            if (points != 1 && !is_assigned(s))
+                return true;
+            points = 0;
+        } else if (cursor_digit(c) || (c == '.' && cursor_digit(cursor_peek(&s.at, 1)))) {
+            numeral(&s.at);
+            points = 0;
+        } else if (c == '.' || c == ':') {
+            for (points = 0; cursor_peek(&s.at, 0) == c; points++)
+                s.at.p++;
+        } else {
+            token(&s);
+            points = 0;
+        }
+    }
+    return false;
+}
+
+const char *script_field(const char *text, size_t n, size_t at, size_t *size)
+{
+    struct scan s = { .at = { text + at, text + n, 1 } };
+
+    while (s.at.p < s.at.end && skips_space(&s))
+        continue;
+    if (cursor_peek(&s.at, 0) != '.' || cursor_peek(&s.at, 1) == '.')
+        return NULL;
+    s.at.p++;
+    while (s.at.p < s.at.end && skips_space(&s))
+        continue;
+    if (!cursor_letter(cursor_peek(&s.at, 0)))
+        return NULL;
+    const char *first = s.at.p;
+    name(&s);
+    *size = s.size;
+    return first;
+}
+
 static void *allocate(void *heap, void *p, size_t old, size_t size)
 {
     return heap_realloc(heap, p, p == NULL ? 0 : old, size);

@@ -3,7 +3,7 @@
  * floor: board
  *
  * Lumps:  manifest        manifest.h
- *         script/X.lua    scripts of the game; script/@std/X.lua the standard library
+ *         script/X.lua    scripts of the game; script/@std/X.lua modules of the standard library, not always all
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them

@@ -12,6 +12,7 @@
 #include "../../base/err.h"
 #include "../../chips/enemies.h"
 #include "../../chips/motion.h"
+#include "../../chips/nvram.h"
 
 /* The first word of the lump. A lump of format 1, which core versions to 4 wrote, has the first numbers alone. */
 enum { FORMAT = 2, NUMBERS_1 = 17, BYTES_1 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_1) };
@@ -51,6 +52,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.hp", hp),
     FLAG("board.around", around),
     FLAG("board.frozen", frozen),
+    NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
 };
 
 void manifest_default(struct manifest *m)
@@ -71,6 +73,7 @@ void manifest_default(struct manifest *m)
     m->motions = 256;
     m->tasks = 1024;
     m->lua_kib = 4096;
+    m->nvram_kib = NV_KIB;
     m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
@@ -351,6 +354,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     if (size != MANIFEST_BYTES && size != BYTES_1)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
+    m->nvram_kib = NV_KIB; /* of format 1 */
     walk_manifest(&w, m, size == BYTES_1 ? 1 : FORMAT);
     if (!w.good)
         return err_set(err, err_size, "its format is not known");

@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../board/api_table.h"
+#include "../../board/std.h"
 #include "../pack/pack.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
@@ -122,17 +123,20 @@ void name_set_close(struct name_set *s)
     *s = (struct name_set){ 0 };
 }
 
-/* Does the library's script of that name hand something to games? figure.lua adds to what pattern.lua hands out. */
-static bool hands_out(const char *script)
+/* Is it a module that adds to a table which another one, or the board, hands out? */
+static bool adds_only(const char *script)
 {
-    return strcmp(script, "figure") != 0;
+    for (int i = 0; i < STD_MODULES; i++)
+        if (strcmp(script, std_module(i)) == 0)
+            return std_adds_to(i) != NULL;
+    return false;
 }
 
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)
 {
     const char *space = strcmp(script, "prelude") == 0 ? NULL : script;
 
-    if (!hands_out(script))
+    if (adds_only(script))
         return true;
     if (space != NULL)
         name_set_add(s, NULL, space);
@@ -165,7 +169,7 @@ bool builtins_global(const char *name)
         if (strcmp(others[i], name) == 0)
             return true;
     for (int i = 0; i < std_script_count; i++)
-        if (strcmp(std_scripts[i].name, name) == 0 && hands_out(name))
+        if (strcmp(std_scripts[i].name, name) == 0 && !adds_only(name))
             return true;
     for (int i = 0; i < api_count(); i++)
         if (strncmp(api_entry(i)->name, name, n) == 0 && strchr(".", api_entry(i)->name[n]) != NULL)

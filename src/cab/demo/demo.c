@@ -49,6 +49,7 @@ bool demo_room_marker(struct demo *d)
 
 void demo_free(struct demo *d)
 {
+    free(d->nvram);
     free(d->pads);
     free(d->checksums);
     free(d->track);
@@ -118,29 +119,29 @@ static int part_of(const struct board *b, const char *name, int i)
     return -1;
 }
 
-uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
                     uint64_t hashes[MAX_PARTS])
 {
-    uint32_t missing = 0;
+    uint64_t missing = 0;
 
     for (int i = 0; i < d->parts; i++) {
         int part = part_of(b, d->part[i], i);
         hashes[i] = part < 0 ? 0 : board[part];
-        missing |= (uint32_t)(part < 0) << i;
+        missing |= (uint64_t)(part < 0) << i;
     }
     return missing;
 }
 
-uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
+uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
     const uint64_t *row = demo_hashes(d, frame);
     const uint16_t *checksums = demo_checksums(d, frame);
-    uint32_t differ = 0;
+    uint64_t differ = 0;
 
     for (int i = 0; i < d->parts; i++) {
         bool differs = checksums && d->checksum_parts >> i & 1 && checksums[i] != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
-            differ |= 1u << i;
+            differ |= (uint64_t)1 << i;
     }
     return differ;
 }

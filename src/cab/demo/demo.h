@@ -19,7 +19,7 @@
 #include "../../board/rom/cart.h"
 
 enum {
-    DEMO_FORMAT = 3,
+    DEMO_FORMAT = 4,
     DEMO_OLDEST = 2,            /* the oldest format that is read */
     DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
@@ -45,15 +45,15 @@ struct demo {
     uint32_t core;                /* core version that recorded it */
     uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
     char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
-    struct board_start start;     /* .nvram points to nvram below, so a struct demo is not copied by = */
-    uint8_t nvram[NVRAM_BYTES];
+    struct board_start start;     /* .nvram is nvram below, or NULL when that is empty */
+    uint8_t *nvram;
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
     uint32_t frames;          /* ticks recorded */
     uint16_t (*pads)[PADS];   /* pads[f] made frame f + 1 */
     uint16_t *checksums;      /* frames x parts; those from f * parts on are of frame f + 1 */
-    uint32_t checksum_parts;  /* which parts have checksums, 1 << part: all; in format 2 script alone */
+    uint64_t checksum_parts;  /* which parts have checksums, 1 << part: all; in format 2 script alone */
     uint32_t checksum_frames; /* frames that have them: all, but for a last one that faulted */
     uint32_t seconds;         /* hash rows; row i is of frame demo_row_frame(d, i) */
     uint64_t *track;          /* seconds x parts */
@@ -89,13 +89,13 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
  * that the board does not have, a bit a part: their hash is 0. */
-uint32_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
+uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
                     uint64_t hashes[MAX_PARTS]);
 
 /* Which parts cannot have these hashes (in the order of .part) after `frame`: a bit a part. By their checksums, and
  * where there is a row by the whole hashes. A difference that a checksum does not show (one in 65536) shows in a later
  * frame's. 0 where there is neither: in the frame that faulted, after the end. */
-uint32_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
+uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
 /* The points a player (0 or 1) had after the last frame, which the end of a recording tells; false: the demo does not
  * say. */

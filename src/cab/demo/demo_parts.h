@@ -17,6 +17,12 @@ enum {
 
 #define DEMO_MAGIC "CDEM"
 
+/* Bytes of a frame's set of parts: format 3 had four for any number of them. */
+static inline int demo_mask_bytes(uint32_t format, int parts)
+{
+    return format > 3 ? (parts + 7) / 8 : 4;
+}
+
 /* Points at the end of a recording: the name of a marker of kind MARKER_LISTED, which has none of its own, is this
  * (with the player, 1 or 2) and the number. */
 #define DEMO_POINTS "points %d "

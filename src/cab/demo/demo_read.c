@@ -5,6 +5,7 @@
  * in the file one by one.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
@@ -12,9 +13,11 @@
 #include "demo_parts.h"
 
 enum {
-    MAX_HEADER = 64 << 10,
-    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (4 + 2 * MAX_PARTS) + MAX_PARTS * 8,
-    MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name
+    MAX_HEADER = (64 << 10) + NVRAM_MOST + NVRAM_MOST / 128,
+    OLD_NVRAM = 32768, /* the most before format 4 */
+    OLD_PARTS = 32,    /* the most before format 4 */
+    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
+    MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
 
 /* ---- reading ---- */
@@ -167,8 +170,12 @@ static bool read_header(struct parse *p, struct source *s)
     take_start(s, &d->start);
     if (d->format > 2)
         take_practice(s, &d->start.practice);
+    if (d->format > 3)
+        take_str(s, d->start.lang, sizeof d->start.lang);
     d->parts = take8(s);
-    if (d->parts < 1 || d->parts > MAX_PARTS)
+    if (s->bad)
+        return damaged(p, "header");
+    if (d->parts < 1 || d->parts > (d->format > 3 ? MAX_PARTS : OLD_PARTS))
         return damaged(p, "the number of parts");
     for (int i = 0; i < d->parts; i++)
         take_str(s, d->part[i], sizeof d->part[i]);
@@ -178,8 +185,13 @@ static bool read_header(struct parse *p, struct source *s)
     int script = script_of(d);
     if (script < 0)
         return damaged(p, "no part script");
-    d->checksum_parts = d->format > 2 ? UINT32_MAX : 1u << script;
-    if (d->start.nvram_size > NVRAM_BYTES || !take_nvram(s, d->nvram, d->start.nvram_size))
+    d->checksum_parts = d->format > 2 ? UINT64_MAX : (uint64_t)1 << script;
+    if (d->start.nvram_size > (d->format > 3 ? NVRAM_MOST : OLD_NVRAM))
+        return damaged(p, "nvram");
+    d->nvram = malloc(d->start.nvram_size + 1);
+    if (!d->nvram)
+        return err_set(p->err, p->err_size, "too large for the memory there is");
+    if (!take_nvram(s, d->nvram, d->start.nvram_size))
         return damaged(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
     return true;
@@ -203,13 +215,23 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
     return f == end;
 }
 
+/* A set of parts, one that is none is bad. */
+static uint64_t take_mask(struct source *s, const struct demo *d)
+{
+    uint64_t mask = 0;
+
+    for (int i = 0; i < demo_mask_bytes(d->format, d->parts); i++)
+        mask |= (uint64_t)take8(s) << 8 * i;
+    s->bad |= d->parts < 64 && mask >> d->parts != 0;
+    return mask;
+}
+
 /* The checksums of frame f, of which those that differ from the frame before are there. */
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
     uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
-    uint32_t other = d->format > 2 ? take32(s) : d->checksum_parts;
+    uint64_t other = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
 
-    s->bad |= d->format > 2 && (uint64_t)other >> d->parts != 0;
     for (int i = 0; i < d->parts; i++) {
         uint16_t before = f > 1 ? to[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
         to[i] = other >> i & 1 ? take16(s) : before;
@@ -275,7 +297,12 @@ static bool read_marker(struct parse *p, struct source *s)
 
     m.marker.kind = (enum board_marker_kind)take8(s);
     take_str(s, m.marker.name, sizeof m.marker.name);
-    if (d->format < 3 || d->seconds == 0 || m.frame < before || m.frame > d->frames || m.marker.kind >= MARKER_KINDS)
+    bool known = d->format > 3 ? m.marker.kind < MARKER_KINDS : d->format == 3 && m.marker.kind <= MARKER_LISTED;
+    if (d->format > 3 && s->left > 0) {
+        m.marker.value = (int32_t)take32(s);
+        known = known && m.marker.value != 0;
+    }
+    if (!known || d->seconds == 0 || m.frame < before || m.frame > d->frames)
         return damaged(p, "a moment");
     if (!demo_room_marker(d))
         return err_set(p->err, p->err_size, "too large for the memory there is");

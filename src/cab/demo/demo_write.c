@@ -140,6 +140,7 @@ static void write_header(struct sink *s, const struct demo *d, uint32_t *crc)
         write32(s, (uint32_t)d->start.dip[i]);
     write32(s, (uint32_t)d->start.difficulty);
     write_practice(s, &d->start.practice);
+    write_str(s, d->start.lang);
     write8(s, (uint32_t)d->parts);
     for (int i = 0; i < d->parts; i++)
         write_str(s, d->part[i]);
@@ -167,11 +168,12 @@ static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
 
 static void write_checksums(struct sink *s, const struct demo *d, uint32_t f)
 {
-    uint32_t other = 0;
+    uint64_t other = 0;
 
     for (int i = 0; i < d->parts; i++)
-        other |= (uint32_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
-    write32(s, other);
+        other |= (uint64_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+        write8(s, other >> 8 * i & 0xff);
     for (int i = 0; i < d->parts; i++)
         if (other >> i & 1)
             write16(s, checksum_of(d, f, i));
@@ -213,6 +215,8 @@ static void write_markers(struct sink *s, const struct demo *d, uint32_t *told, 
         write32(s, m->frame);
         write8(s, (uint32_t)m->marker.kind);
         write_str(s, m->marker.name);
+        if (m->marker.value)
+            write32(s, (uint32_t)m->marker.value);
         close_record(s, crc);
     }
 }
@@ -252,7 +256,7 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
     struct sink s = { 0 };
     uint32_t frames, told, crc;
 
-    if (d->checksum_parts != UINT32_MAX) {
+    if (d->checksum_parts != UINT64_MAX) {
         snprintf(err, err_size, "%s: there are no prints of every part to write", path);
         return false;
     }
@@ -328,7 +332,7 @@ static void take_parts(struct demo *d, const struct board *b)
     d->parts = board_parts(b);
     for (int i = 0; i < d->parts; i++)
         snprintf(d->part[i], sizeof d->part[i], "%s", board_part(b, i));
-    d->checksum_parts = UINT32_MAX;
+    d->checksum_parts = UINT64_MAX;
 }
 
 static void take_identity(struct demo *d, const struct cart *cart)
@@ -353,14 +357,17 @@ static bool take_markers(struct demo *d, const struct board *b)
     return true;
 }
 
-static void take_given_start(struct demo *d, const struct board_start *start)
+static bool take_given_start(struct demo *d, const struct board_start *start)
 {
+    size_t n = start->nvram ? start->nvram_size : 0;
+
     d->start = *start;
-    if (!start->nvram)
-        d->start.nvram_size = 0;
-    if (d->start.nvram_size)
-        memcpy(d->nvram, start->nvram, d->start.nvram_size);
-    d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
+    d->start.nvram_size = n;
+    d->nvram = malloc(n + 1);
+    d->start.nvram = n ? d->nvram : NULL;
+    if (d->nvram && n)
+        memcpy(d->nvram, start->nvram, n);
+    return d->nvram != NULL;
 }
 
 bool demo_keep(struct demo_writer *w, const char *path)
@@ -382,7 +389,8 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     w->on = true;
     d->format = DEMO_FORMAT;
     take_identity(d, cart);
-    take_given_start(d, start);
+    if (!take_given_start(d, start))
+        return out_of_memory(w);
     take_parts(d, b);
     d->flags = flags;
     w->hash_cache = calloc(1, board_hash_cache_size(b));

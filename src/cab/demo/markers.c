@@ -32,7 +32,7 @@ static const struct demo_marker **sorted(const struct demo *d, uint32_t *n)
 
     *n = 0;
     for (uint32_t i = 0; list && i < d->n_markers; i++)
-        if (d->markers[i].marker.kind < MARKER_SHIP)
+        if (board_marks_run(d->markers[i].marker.kind))
             list[(*n)++] = &d->markers[i];
     if (list)
         qsort(list, *n, sizeof *list, by_thing_and_order);
@@ -84,10 +84,13 @@ bool markers_compare(struct marker_changes *c, const struct demo *was, const str
 
 void markers_text(const struct marker_change *c, char *out, size_t size)
 {
-    static const char *const kinds[MARKER_SHIP] = { "stage",  "mark",         "wave",
-                                                    "boss",   "phase",        "death of player",
-                                                    "end of", "phase beaten", "phase not beaten",
-                                                    "start" };
+    static const char *const kinds[MARKER_KINDS] = {
+        [MARKER_STAGE] = "stage",      [MARKER_MARK] = "mark",        [MARKER_WAVE] = "wave",
+        [MARKER_BOSS] = "boss",        [MARKER_PHASE] = "phase",      [MARKER_DEATH] = "death of player",
+        [MARKER_CLEAR] = "end of",     [MARKER_WON] = "phase beaten", [MARKER_LOST] = "phase not beaten",
+        [MARKER_START] = "start",      [MARKER_GAME] = "game",        [MARKER_OVER] = "end of game:",
+        [MARKER_ROW] = "row in table",
+    };
     const struct board_marker *m = &(c->was ? c->was : c->is)->marker;
     char was[16] = "never", is[16] = "never";
 

@@ -30,7 +30,7 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
  * of them has checksums. */
-static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
+static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 {
     if (frame == 0 || parts & d->checksum_parts)
         return frame;
@@ -41,8 +41,8 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint32_t parts)
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     board_hashes_cached(r->guard.board, r->hash_cache, r->board);
-    uint32_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
-    uint32_t parts = demo_differs(d, frame, r->hashes) | missing;
+    uint64_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
+    uint64_t parts = demo_differs(d, frame, r->hashes) | missing;
     if (!parts)
         return true;
     *v = (struct verdict){ .kind = VERDICT_DIFFERS, .frame = frame, .parts = parts, .missing = missing };

@@ -21,8 +21,8 @@ struct verdict {
     enum verdict_kind kind;
     uint32_t first,
         frame;        /* it happened in one of these frames; the same but for parts that have no checksums (format 2) */
-    uint32_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
-    uint32_t missing; /* those of them that this build's board does not have */
+    uint64_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
+    uint64_t missing; /* those of them that this build's board does not have */
 };
 
 struct replay {

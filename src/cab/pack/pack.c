@@ -11,12 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/bits.h"
 #include "../../base/err.h"
 #include "../../base/hash.h"
 #include "../../base/heap.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
 #include "../../board/script.h"
+#include "../../board/std.h"
 #include "art.h"
 #include "blend.h"
 #include "../host/files.h"
@@ -63,6 +65,7 @@ struct packer {
     struct manifest m;
     struct art art;
     uint8_t palette[CART_PALETTE];
+    uint64_t std; /* modules that the scripts so far name (std.h) */
     char *err;
     size_t err_size;
 };
@@ -285,6 +288,7 @@ static bool add_script(struct packer *p, const char *path)
         free(text);
         return false;
     }
+    p->std |= std_named((const char *)text, size);
     return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
 }
 
@@ -346,15 +350,53 @@ static bool add_files(struct packer *p)
     return true;
 }
 
-static bool add_std(struct packer *p)
+static bool replaced(const struct packer *p, const char *name)
 {
     char path[PATH];
 
-    for (int i = 0; i < std_script_count; i++) {
-        const struct embedded *s = &std_scripts[i];
-        snprintf(path, sizeof path, "std/%s.lua", s->name);
-        if (!tree_has(&p->files, path) && !add_copy(p, "script/@std/", path + 4, s->data, s->size))
+    snprintf(path, sizeof path, "std/%s.lua", name);
+    return tree_has(&p->files, path);
+}
+
+static const struct embedded *library(const char *name)
+{
+    for (int i = 0; i < std_script_count; i++)
+        if (strcmp(std_scripts[i].name, name) == 0)
+            return &std_scripts[i];
+    return NULL;
+}
+
+/* Modules the game has of its own are in the ROM whether something names them or not. */
+static uint64_t own_modules(const struct packer *p)
+{
+    uint64_t own = 0;
+
+    for (int i = 0; i < STD_MODULES; i++)
+        own |= (uint64_t)replaced(p, std_module(i)) << i;
+    return own;
+}
+
+static bool add_module(struct packer *p, const struct embedded *s)
+{
+    char file[PATH];
+
+    snprintf(file, sizeof file, "%s.lua", s->name);
+    return add_copy(p, "script/@std/", file, s->data, s->size);
+}
+
+/* What the game's scripts name, and what these modules name in their turn; the prelude comes along with any other. */
+static bool add_std(struct packer *p)
+{
+    uint64_t in = own_modules(p), missing;
+
+    p->std |= (p->std | in) != 0 ? 1 : 0;
+    while ((missing = p->std & ~in) != 0) {
+        int i = (int)bits_lowest(missing);
+        const struct embedded *s = library(std_module(i));
+        if (!add_module(p, s))
             return false;
+        p->std |= std_needed(i, (const char *)s->data, s->size);
+        in |= (uint64_t)1 << i;
     }
     return true;
 }

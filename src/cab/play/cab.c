@@ -18,10 +18,10 @@
 enum {
     SECOND = 1000000,
     MAX_LATE = 4,
-    MAX_TURBO = 32,          /* ticks a frame */
-    TURBO_USEC = 12000,      /* of a frame spent on them */
-    SAVE_EVERY = 60,         /* frames */
-    MAX_NVRAM_KEPT = 1 << 20 /* bytes that are kept of a damaged score file */
+    MAX_TURBO = 32,                 /* ticks a frame */
+    TURBO_USEC = 12000,             /* of a frame spent on them */
+    SAVE_EVERY = 60,                /* frames */
+    MAX_NVRAM_KEPT = 2 * NVRAM_MOST /* bytes that are kept of a damaged score file */
 };
 
 struct cab cab;
@@ -145,12 +145,13 @@ void cab_save_nvram(void)
 {
     char name[CAB_NAME], err[CAB_NAME + 128];
     uint32_t changed;
-    const uint8_t *image = board_nvram(cab_live(), &changed);
+    size_t size;
+    const uint8_t *image = board_nvram(cab_live(), &size, &changed);
     if (changed == cab.nvram_saved || !keeps_nvram())
         return;
     cab.nvram_saved = changed;
     nvram_name(name);
-    if (!files_save(name, image, NVRAM_BYTES, err, sizeof err))
+    if (!files_save(name, image, size, err, sizeof err))
         cab_say("curtain: %s", err);
 }
 

@@ -131,7 +131,7 @@ static void compare(struct session *s)
 {
     const struct session_run *r = s->now;
     uint64_t hashes[MAX_PARTS];
-    uint32_t missing = demo_order(s->demo, r->guard.board, r->writer.hashes, hashes);
+    uint64_t missing = demo_order(s->demo, r->guard.board, r->writer.hashes, hashes);
 
     if (demo_differs(s->demo, r->writer.demo.frames, hashes) & ~missing)
         s->differs = r->writer.demo.frames;

@@ -11,6 +11,7 @@ enum { MARGIN = 2, BAR_H = 5, SECOND = 60, RECENT = 30 };
 static const enum canvas_colour colours[MARKER_KINDS] = {
     [MARKER_STAGE] = CANVAS_WHITE, [MARKER_MARK] = CANVAS_CYAN,    [MARKER_WAVE] = CANVAS_GREY,
     [MARKER_BOSS] = CANVAS_RED,    [MARKER_PHASE] = CANVAS_YELLOW, [MARKER_DEATH] = CANVAS_MAGENTA,
+    [MARKER_GAME] = CANVAS_WHITE,  [MARKER_OVER] = CANVAS_MAGENTA,
 };
 
 /* The pixel of a frame on a bar w pixels wide. */
@@ -36,10 +37,13 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- markers ---- */
 
-/* Is the marker one that the keys go to? Waves, and the ends and attempts of sections, are not. */
+/* Is the marker one that the keys go to? Waves, the ends and attempts of sections, and rows of scores are not. */
 static bool is_target(const struct session *s, const struct demo_marker *m)
 {
-    return m->marker.kind != MARKER_WAVE && m->marker.kind <= MARKER_DEATH && m->frame >= session_first(s) &&
+    enum board_marker_kind kind = m->marker.kind;
+    bool section = kind <= MARKER_DEATH && kind != MARKER_WAVE;
+
+    return (section || kind == MARKER_GAME || kind == MARKER_OVER) && m->frame >= session_first(s) &&
            m->frame <= session_last(s);
 }
 
@@ -78,12 +82,13 @@ static const struct demo_marker *last_of(const struct session *s, uint32_t frame
     return found;
 }
 
-/* "stage point boss/phase", as far as they are there. */
+/* "stage point boss/phase" of the game that goes on, as far as they are there. */
 static void position_text(const struct session *s, uint32_t frame, char *text, size_t size)
 {
-    const struct demo_marker *stage = last_of(s, frame, MARKER_STAGE, NULL);
-    const struct demo_marker *point = last_of(s, frame, MARKER_MARK, stage);
-    const struct demo_marker *boss = last_of(s, frame, MARKER_BOSS, stage);
+    const struct demo_marker *over = last_of(s, frame, MARKER_OVER, NULL);
+    const struct demo_marker *stage = last_of(s, frame, MARKER_STAGE, over), *from = stage ? stage : over;
+    const struct demo_marker *point = last_of(s, frame, MARKER_MARK, from);
+    const struct demo_marker *boss = last_of(s, frame, MARKER_BOSS, from);
     const struct demo_marker *phase = boss ? last_of(s, frame, MARKER_PHASE, boss) : NULL;
 
     snprintf(text, size, "%s%s%s%s%s%s%s", stage ? stage->marker.name : "", point ? ":" : "",
