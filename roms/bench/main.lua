@@ -5,6 +5,7 @@
 -- across an edge of the screen: about 5 % are drawn clipped.
 local n = board.dip("n")
 local does = board.dip("does")
+assert(pattern) -- tools/bench/worst.c runs a line in this game that needs it, so it is packed
 
 local function shuttle()
   bullet.def("d8",  { sprite = "d8",  hit = { circle = 3 } })

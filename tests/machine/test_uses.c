@@ -456,7 +456,8 @@ static void test_pools(void **state)
         bool kinds = strstr(name, "_kinds") != NULL;
         if (!at.cap[i] || kinds || !strcmp(name, "steps"))
             continue;
-        if (10 * at.most[i] < 9 * at.cap[i])
+        bool bytes = !strcmp(name, "nvram"); /* a script for which there is no room ends */
+        if (bytes ? at.most[i] < 256 : 10 * at.most[i] < 9 * at.cap[i])
             fail_msg("%s: at most %u of %u live", name, at.most[i], at.cap[i]);
         if ((!machine_parts[i].chip->list || !strcmp(name, "motions")) && !at.refused[i])
             fail_msg("%s: never full", name);
