@@ -1,6 +1,7 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
+  board = { frozen = true },
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {

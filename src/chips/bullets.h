@@ -71,6 +71,9 @@ struct bullets {
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
+    int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
+    uint8_t *stands;       /* STANDS, STOOD */
+    fx *kept_vx, *kept_vy; /* vx, vy of one that stands, which are 0 meanwhile */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -80,6 +83,7 @@ struct bullets {
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
     fx fastest;        /* no |vx| or |vy| is above it */
+    uint32_t standing; /* how many stand */
     uint32_t moved;    /* bullets moved this frame */
     uint64_t ran;      /* motion steps run this frame */
 };
@@ -152,6 +156,13 @@ void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]
 
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);
+
+/* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was. Of
+ * a chip with GROUP_FROZEN. */
+void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames);
+
+/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+void bullets_stay(struct bullets *b);
 
 /* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);

@@ -146,8 +146,8 @@ static void test_later(void **state)
          "main.lua:2: pattern.ring: delay is not there yet; the name is kept for it");
     SAYS("motion.def { { wait = 1 }, { orbit = 30 } }",
          "main.lua:2: motion.def: step 2: orbit is not there yet; the name is kept for it");
-    SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1 } b.frozen = 3",
-         "main.lua:2: bullet: frozen is not there yet; the name is kept for it");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1 } b.hp = 3",
+         "main.lua:2: bullet: hp is not there yet; the name is kept for it");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",
          "main.lua:2: enemy: orbit is not there yet; the name is kept for it");
 }
@@ -188,7 +188,7 @@ static void test_none_is_there(void **state)
                 fail_msg("%s %c %s is there: it is no name for later", of, how, word);
             assert_true(api_reserved(of, how, word));
         }
-    assert_true(n > 90);
+    assert_true(n > 80);
     assert_true(is_there("", '.', "bullet"));
     assert_true(is_there("bullet", '.', "fire"));
     assert_true(is_there("bullet", ':', "aim"));
