@@ -1,7 +1,7 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
-  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true }, -- room for value.def, and for hp of bullets
+  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, frozen = true }, -- what chapter 3 shows needs room
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {

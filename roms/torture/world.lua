@@ -83,6 +83,9 @@ local function groups()
     if n % 29 == 11 then bullet.group("late").x = 100 bullet.group("late").y = 50 end
     bullet.each("ring", function(b) if b.age > 60 then b:turn(1) end end)
     if n % 6 == 5 then g:shift(2, -1.5) end
+    if n % 7 == 6 then g.frozen = n % 5 == 0 and forever or n % 40 end
+    if n % 25 == 24 then all.frozen = 0 end
+    bullet.each("b1", function(b) if b.frozen > 9 then b.frozen = 3 end end)
     if n % 17 == 8 then g:clear { x = 112, y = 60, w = 90, h = 40, spark = "ping" } end
     if n % 40 == 39 then bullet.clear { tag = "ring", spark = "ping" } end
     if n % 6 == 1 then
@@ -130,6 +133,7 @@ local function volleys()
     board.note(g.count)
     shot.each("volley", function(s) if s.age > 20 then s.tag = "own" end end)
     if n % 8 == 1 then g:aim(n % 7) g.bank = n % 16 end
+    if n % 8 == 0 then g.frozen = n % 9 shot.each("own", function(s) s.frozen = s.frozen // 2 end) end
     if n % 8 == 2 then g:turn(10) g.speed = 5 end
     if n % 8 == 3 then g:shift(1, -2) g.dir = 265 + n % 10 end
     if n % 8 == 4 then g.vx = 0.5 g.vy = -4 end
@@ -155,6 +159,8 @@ local function crowd()
     row:shift(n % 3 - 1, 0.5)
     if n % 7 == 1 then row:move { x = 60 + n % 90, y = 50, over = 30, ease = "out" } end
     if n % 7 == 2 then row.bank = n % 4 row.safe = 5 end
+    if n % 7 == 4 then row.frozen = 25 end
+    if n % 7 == 6 then enemy.each("crowd", function(e) e.frozen = e.frozen // 2 end) end
     if n % 7 == 3 then row.hp = 4 row:hurt(1, n % 2 + 1) end
     if n % 11 == 4 then row.x = 90 row.y = 70 end
     if n % 13 == 5 then row:kill(1) end

@@ -387,6 +387,15 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
+/* The game's clock goes on, but not for what stood in this frame's move. */
+static void next_frame(struct board *b)
+{
+    b->core.clock++;
+    bullets_stay(&b->bullets);
+    bullets_stay(&b->shots);
+    enemies_stay(&b->enemies);
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
@@ -413,7 +422,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         if (!b->core.frozen)
             pal_step(&b->pal);
         b->core.frame++;
-        b->core.clock += !b->core.frozen;
+        if (!b->core.frozen)
+            next_frame(b);
         if (b->reset)
             reset(b);
         else

@@ -294,6 +294,28 @@ bool tasks_frozen(const struct board *b, uint32_t slot)
     return b->core.frozen && !owned_by(b, slot, b->core.frozen);
 }
 
+/* Is it the task, or a task's task, of a thing that stood in the last move? A thing's moves and its tasks' turns go by
+ * turns, so each move that it stands in lets one turn pass, whoever froze it when. All owners are alive. */
+static bool owner_stood(const struct board *b, uint32_t slot)
+{
+    int64_t h = b->tasks.owner[slot];
+
+    if (!(b->bullets.standing | b->shots.standing | b->enemies.standing))
+        return false;
+    while (h && handle_kind(h) == H_TASK)
+        h = b->tasks.owner[handle_slot(h)];
+    switch (h ? handle_kind(h) : H_TASK) {
+    case H_BULLET:
+        return b->bullets.stands[handle_slot(h)] & STOOD;
+    case H_SHOT:
+        return b->shots.stands[handle_slot(h)] & STOOD;
+    case H_ENEMY:
+        return b->enemies.stands[handle_slot(h)] & STOOD;
+    default:
+        return false;
+    }
+}
+
 /* A task's error becomes the board's fault; the run is over. */
 static void fail(struct board *b, lua_State *L, lua_State *co, int status)
 {
@@ -360,7 +382,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         close_task(b, L, i);
         return true;
     }
-    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i))
+    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i) || owner_stood(b, i))
         return false;
     if (t->wait[i] > 0 && --t->wait[i] > 0)
         return false;

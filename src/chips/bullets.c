@@ -63,6 +63,10 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, begun3, GROUP_VALUE + 2),
     GROUP_COLUMN(bullets, begun4, GROUP_VALUE + 3),
     GROUP_COLUMN(bullets, hp, GROUP_HP),
+    GROUP_COLUMN(bullets, frozen, GROUP_FROZEN),
+    GROUP_COLUMN(bullets, stands, GROUP_FROZEN),
+    GROUP_COLUMN(bullets, kept_vx, GROUP_FROZEN),
+    GROUP_COLUMN(bullets, kept_vy, GROUP_FROZEN),
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
@@ -72,6 +76,7 @@ static const struct column columns[] = {
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
     DERIVED_REGISTERS(bullets, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
+    DERIVED_REGISTER(bullets, standing, "how many bullets stand, by the column stands"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
 };
@@ -105,6 +110,8 @@ static void park(struct bullets *b, uint32_t i)
     b->vx[i] = b->vy[i] = 0;
     b->motion[i] = 0;
     b->flags[i] = 0;
+    if (b->stands)
+        b->stands[i] = 0;
     set_busy(b, i, false);
 }
 
@@ -153,6 +160,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     }
     if (b->hp)
         b->hp[i] = shape->hp;
+    if (b->frozen)
+        b->frozen[i] = b->kept_vx[i] = b->kept_vy[i] = b->stands[i] = 0;
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     if (shape->delay)
         wait_until(b, (uint32_t)i, clock + shape->delay);
@@ -160,14 +169,21 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     return i;
 }
 
+static bool stands(const struct bullets *b, uint32_t i)
+{
+    return b->stands && b->stands[i];
+}
+
 void bullets_drop(struct bullets *b, uint32_t i)
 {
+    b->standing -= stands(b, i);
     slots_drop(&b->s, i);
     park(b, i);
 }
 
 void bullets_release(struct bullets *b, uint32_t i)
 {
+    b->standing -= stands(b, i);
     slots_release(&b->s, i);
     park(b, i);
     slots_trim(&b->s);
@@ -183,6 +199,11 @@ static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
     fx a = fx_max(fx_abs(vx), fx_abs(vy));
 
+    if (stands(b, i)) {
+        b->kept_vx[i] = vx;
+        b->kept_vy[i] = vy;
+        return;
+    }
     b->vx[i] = vx;
     b->vy[i] = vy;
     if (a > b->fastest)
@@ -227,7 +248,7 @@ void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
 
 void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
 {
-    fx x = b->vx[i], y = b->vy[i];
+    fx x = (stands(b, i) ? b->kept_vx : b->vx)[i], y = (stands(b, i) ? b->kept_vy : b->vy)[i];
 
     if (b->flags[i] & BULLET_FINE) {
         trig_stride(0, b->pace[i], b->dir[i], vx, vy);
@@ -319,9 +340,69 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     b->mute[i] = 0;
     if (!(b->flags[i] & BULLET_DELAYED)) { /* else it begins when that is over */
         b->end[i] = 0;
-        set_busy(b, i, motion || fine);
+        set_busy(b, i, (motion || fine) && !stands(b, i));
     }
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
+}
+
+void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames)
+{
+    b->frozen[i] = frames;
+    if (!frames || b->stands[i])
+        return;
+    b->stands[i] = STANDS;
+    b->standing++;
+    b->kept_vx[i] = b->vx[i];
+    b->kept_vy[i] = b->vy[i];
+    b->vx[i] = b->vy[i] = 0;
+    set_busy(b, i, false);
+}
+
+/* Its program runs in this move; one that only waits is found to be idle then. */
+static void resume(struct bullets *b, uint32_t i)
+{
+    b->stands[i] = 0;
+    b->standing--;
+    set_velocity(b, i, b->kept_vx[i], b->kept_vy[i]);
+    b->kept_vx[i] = b->kept_vy[i] = 0;
+    if (b->flags[i] & BULLET_DELAYED)
+        wait_until(b, i, b->end[i]);
+    else
+        set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
+}
+
+/* The first bullet from slot i on that stands, or top. Eight at a time are passed over: parked slots do not stand. */
+static uint32_t next_standing(const struct bullets *b, uint32_t i)
+{
+    while (i < b->s.top && !b->stands[i])
+        i += i % 8 || bytes_get64(b->stands + i) ? 1 : 8;
+    return i;
+}
+
+/* At the start of a move: who stands in it? */
+static void stand(struct bullets *b)
+{
+    for (uint32_t i = next_standing(b, 0); i < b->s.top; i = next_standing(b, i + 1)) {
+        if (!b->frozen[i]) {
+            resume(b, i);
+            continue;
+        }
+        b->frozen[i] -= b->frozen[i] != FROZEN_FOREVER;
+        b->stands[i] |= STOOD;
+    }
+}
+
+void bullets_stay(struct bullets *b)
+{
+    if (!b->standing)
+        return;
+    for (uint32_t i = next_standing(b, 0); i < b->s.top; i = next_standing(b, i + 1)) {
+        if (!(b->stands[i] & STOOD))
+            continue;
+        b->born[i]++;
+        if (b->mute[i] & STEP_BEGUN || b->flags[i] & BULLET_DELAYED)
+            b->end[i]++;
+    }
 }
 
 /* Squared distance; positions are within the world: below 2^63. */
@@ -888,6 +969,8 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         b->fastest = fastest_of(b);
     b->moved = 0;
     b->ran = 0;
+    if (b->standing)
+        stand(b);
     for (uint32_t block = 0; block < AHEAD && block < blocks; block++)
         woken[block] = awake(b, block, w->clock);
     for (uint32_t block = 0; block < blocks; block++) {

@@ -87,6 +87,9 @@ struct bullets {
     fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
     fx value_start[MAX_VALUES];            /* what they are in a new bullet */
     int32_t *hp;                           /* 0: shots pass it; HP_FOREVER; NULL: not asked for */
+    int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
+    uint8_t *stands;       /* STANDS, STOOD */
+    fx *kept_vx, *kept_vy; /* vx, vy of one that stands, which are 0 meanwhile */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -97,6 +100,7 @@ struct bullets {
     uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
     fx fastest;        /* no |vx| or |vy| is above it */
+    uint32_t standing; /* how many stand */
     uint32_t moved;    /* bullets moved this frame */
     uint64_t ran;      /* motion steps run this frame */
 };
@@ -203,6 +207,12 @@ void bullets_steer(struct bullets *b, uint32_t i);
 
 /* Gives bullet i another kind; its cloud, if it is delayed and that kind has one. */
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
+/* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was. Of
+ * a chip with GROUP_FROZEN. */
+void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames);
+
+/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+void bullets_stay(struct bullets *b);
 
 /* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);

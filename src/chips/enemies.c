@@ -36,6 +36,9 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(enemies, value4, GROUP_VALUE + 3),
     DERIVED_REGISTERS(enemies, value_start, "set while scripts load, as names are, and never after"),
+    GROUP_COLUMN(enemies, frozen, GROUP_FROZEN),
+    GROUP_COLUMN(enemies, stands, GROUP_FROZEN),
+    DERIVED_REGISTER(enemies, standing, "how many enemies stood, by the column stands"),
     DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hits read it"),
 };
 
@@ -74,6 +77,8 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->ease[i] = EASE_LINEAR;
     for (int k = 0; k < MAX_VALUES && enemies_value(e, k); k++)
         enemies_value(e, k)[i] = e->value_start[k];
+    if (e->frozen)
+        e->frozen[i] = e->stands[i] = 0;
     return i;
 }
 
@@ -186,11 +191,31 @@ static bool far(fx a, fx b)
     return (int64_t)a - b > most || (int64_t)b - a > most;
 }
 
+/* Does it stand in this move? */
+static bool stands(struct enemies *e, uint32_t i)
+{
+    if (!e->frozen)
+        return false;
+    bool is = e->frozen[i] != 0;
+    e->frozen[i] -= e->frozen[i] > 0;
+    e->stands[i] = is ? STOOD : 0;
+    e->standing += is;
+    return is;
+}
+
+void enemies_stay(struct enemies *e)
+{
+    if (!e->standing)
+        return;
+    EACH_LIVE (i, &e->s)
+        e->born[i] += e->stands[i] != 0;
+}
+
 static void step(struct enemies *e, uint32_t i)
 {
     fx x = e->x[i], y = e->y[i];
 
-    if (e->over[i]) {
+    if (!stands(e, i) && e->over[i]) {
         struct share s = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
         e->x[i] = between(e->x0[i], e->x1[i], s);
         e->y[i] = between(e->y0[i], e->y1[i], s);
@@ -212,6 +237,7 @@ void enemies_count_down(struct enemies *e)
 void enemies_move(struct enemies *e, const struct box *keep)
 {
     e->leaving = 0;
+    e->standing = 0;
     EACH_LIVE (i, &e->s) {
         step(e, i);
         if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING)) /* a boss may come from further away */

@@ -58,7 +58,10 @@ struct enemies {
     uint8_t *ease;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
     fx value_start[MAX_VALUES];            /* what they are in a new enemy */
-    uint32_t leaving;                      /* how many this frame's move took outside of keep */
+    int32_t *frozen;   /* frames it will stand, or FROZEN_FOREVER; NULL, with the next: not asked for */
+    uint8_t *stands;   /* STOOD */
+    uint32_t standing; /* how many stood in the last move */
+    uint32_t leaving;  /* how many this frame's move took outside of keep */
 };
 
 /* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
@@ -85,6 +88,9 @@ void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum e
 
 /* Moves enemy i on by (dx, dy) at once, and with it the move it makes; both stay within the world. */
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
+
+/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+void enemies_stay(struct enemies *e);
 
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void enemies_count_down(struct enemies *e);

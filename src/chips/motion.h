@@ -46,6 +46,13 @@ enum {
     GROUP_FROZEN
 };
 
+/* Of what stands still: a column of frames left, or FROZEN_FOREVER, and one of these flags. */
+enum {
+    FROZEN_FOREVER = -1,
+    STANDS = 1 << 0, /* until the first move that finds no frames left */
+    STOOD = 1 << 1   /* in the last move: its own tasks get no turn before the next */
+};
+
 /* A rectangle of field positions, ends included. */
 struct box {
     fx x0, y0, x1, y1;

@@ -872,6 +872,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
+    m.frozen = 1;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_power(&rig, &g, NULL);

@@ -281,7 +281,7 @@ static void test_modules(void **state)
     assert_int_equal(std_of(""), -1);
     assert_int_equal(std_of(" pattern "), -1);
     assert_true(std_named("wait_until(f)", 13) == 1);
-    assert_true(std_named("boss.def(hud)", 13) == (1 << std_of("boss") | 1 << std_of("hud")));
+    assert_true(std_named("boss.def(hud)", 13) == (1u << std_of("boss") | 1u << std_of("hud")));
     assert_int_equal(std_of_field("pattern", "star"), 2);
     assert_int_equal(std_of_field("pattern", "ring"), -1);
     assert_int_equal(std_of_field("bullet", "star"), -1);

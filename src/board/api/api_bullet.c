@@ -474,7 +474,23 @@ static const struct api_param bullet_sweep[] = {
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_AGE, P_LAST, P_DELAY = P_LAST, P_HP };
+enum {
+    P_X,
+    P_Y,
+    P_DIR,
+    P_SPEED,
+    P_VX,
+    P_VY,
+    P_KIND,
+    P_BANK,
+    P_TAG,
+    P_MOTION,
+    P_AGE,
+    P_FROZEN,
+    P_LAST,
+    P_DELAY = P_LAST,
+    P_HP
+};
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
@@ -493,8 +509,12 @@ enum { P_X, P_Y, P_DIR, P_SPEED, P_VX, P_VY, P_KIND, P_BANK, P_TAG, P_MOTION, P_
         { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
           PROP_WRITE,                                                                                                  \
           "the motion it runs, or nil; a write starts it anew" },                                                      \
+        { { "age", A_INT, REQ, 0, 0, NULL, NULL },                                                                     \
+          PROP_READ,                                                                                                   \
+          "frames since it was fired, without a delay and those it stood" },                                           \
     {                                                                                                                  \
-        { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired, or since its delay was over"   \
+        { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE,                                          \
+            "frames it stands, or forever; 0: it goes on as it was"                                                    \
     }
 
 #define HP_PROP                                                                                                        \
@@ -559,6 +579,9 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
     case P_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
+    case P_FROZEN:
+        lua_pushinteger(L, s->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen[i]);
+        break;
     default:
         if (s->player[i])
             lua_pushinteger(L, board_handle(b, H_PLAYER, s->player[i] - 1));
@@ -620,6 +643,9 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         break;
     case P_TAG:
         s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        break;
+    case P_FROZEN:
+        bullets_freeze(s, i, v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i);
         break;
     case P_MOTION:
         bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && motion_fine(b, (uint16_t)v->i));

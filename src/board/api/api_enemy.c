@@ -226,7 +226,7 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties and verbs ---- */
 
-enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, PROPS };
+enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, P_FROZEN, PROPS };
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
@@ -237,7 +237,10 @@ static const struct api_prop props[PROPS + 1] = {
     { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
     { { "safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames it takes no damage, or forever" },
     { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
-    { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came" },
+    { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came, without those it stood" },
+    { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },
+      PROP_WRITE,
+      "frames it stands, or forever; 0: it goes on as it was" },
     { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many living enemies have the tag; the one to read" },
 };
 
@@ -267,6 +270,9 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     case P_KIND:
         api_names_push(L, N_ENEMY, e->kind[i]);
         break;
+    case P_FROZEN:
+        lua_pushinteger(L, e->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : e->frozen[i]);
+        break;
     default:
         lua_pushinteger(L, b->core.clock - e->born[i]);
     }
@@ -293,6 +299,9 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         break;
     case P_TAG:
         e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        break;
+    case P_FROZEN:
+        e->frozen[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
         break;
     default:
         e->safe[i] = v->i == LUA_MAXINTEGER ? SAFE_FOREVER : (int32_t)v->i;

@@ -118,6 +118,42 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
     return 0;
 }
 
+/* The pool of things of that kind, or that such a group is of. */
+static const struct slots *pool(const struct board *b, enum handle_kind kind)
+{
+    switch (kind) {
+    case H_BULLET:
+    case H_GROUP:
+        return &b->bullets.s;
+    case H_SHOT:
+    case H_SHOTS:
+        return &b->shots.s;
+    default:
+        return &b->enemies.s;
+    }
+}
+
+/* Properties that rom.lua switches on. */
+static const struct {
+    const char *name;
+    unsigned of; /* kinds of handles */
+    int group;   /* of columns */
+} switched[] = {
+    { "frozen", 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES,
+      GROUP_FROZEN },
+};
+
+/* One that is off is an error, whether anything is there to have it or not. */
+static void check_on(lua_State *L, const struct board *b, const struct api_thing *t, enum handle_kind kind,
+                     const char *name)
+{
+    for (size_t i = 0; i < sizeof switched / sizeof *switched; i++)
+        if (switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
+            !(pool(b, kind)->groups & SLOTS_GROUP(switched[i].group)))
+            vm_fault(L, FAULT_SCRIPT, "%s: %s is off in this game: write board = { %s = true } in rom.lua", t->name,
+                     name, name);
+}
+
 static int get_property(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -148,6 +184,7 @@ static int get_property(lua_State *L)
     }
     if (!prop)
         return get_value(L, b, t, h, name);
+    check_on(L, b, t, handle_kind(h), name);
     if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
         return lua_pushnil(L), 1;
     t->get(L, b, handle_slot(h), p);
@@ -194,6 +231,7 @@ static int set_property(lua_State *L)
         return set_value(L, b, t, h, value, name);
     if (!prop || prop->write != PROP_WRITE)
         return read_only(L, t, (int)handle_kind(h), name);
+    check_on(L, b, t, handle_kind(h), name);
     api_check(L, t->name, &prop->value, 3, &v);
     if (alive)
         t->set(L, b, handle_slot(h), p, &v);

@@ -1,0 +1,324 @@
+/*
+ * test_frozen.c - what is frozen goes on as it was: random programs, fine ones too, moves of enemies and tasks that
+ * things own, on a board where nothing stands and on one where things are frozen at random; after as many moves they
+ * are the same, bit for bit. And what stands still hits and is grazed where it is, and nowhere else.
+ */
+#include "rig.h"
+
+static struct rig_game g, other_game;
+static struct rig rig, other;
+
+enum { FRAMES = 400, THINGS = 256 };
+
+/* All that one thing's further way depends on, and what scripts can read of it. */
+struct state {
+    bool alive;
+    int64_t x, y, vx, vy, speed, pace, way, from;
+    ang dir;
+    uint32_t age, left, made, over;
+    uint16_t kind, bank, motion, pc, mute, rounds[MOTION_DEPTH];
+};
+
+static struct state plain[3][FRAMES + 1][THINGS]; /* bullets, shots, enemies: after so many moves */
+static int moves[3][THINGS];
+
+static struct state of_bullet(const struct board *b, const struct bullets *s, uint32_t i)
+{
+    struct state v;
+
+    memset(&v, 0, sizeof v);
+    if (i >= s->s.top || !(s->s.used[i / 64] >> i % 64 & 1))
+        return v;
+    v.alive = true;
+    bullets_place(s, i, &v.x, &v.y);
+    bullets_velocity(s, i, &v.vx, &v.vy);
+    v.speed = bullets_speed(s, i);
+    v.pace = s->pace[i];
+    v.way = s->way[i];
+    v.from = s->from[i];
+    v.dir = s->dir[i];
+    v.age = b->core.clock - s->born[i];
+    v.left = s->mute[i] & STEP_BEGUN ? s->end[i] - b->core.clock : 0;
+    v.kind = s->kind[i];
+    v.bank = s->bank[i];
+    v.motion = s->motion[i];
+    v.pc = s->pc[i];
+    v.mute = s->mute[i];
+    memcpy(v.rounds, &s->rounds[i * MOTION_DEPTH], sizeof v.rounds);
+    return v;
+}
+
+static struct state of_enemy(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    struct state v;
+
+    memset(&v, 0, sizeof v);
+    if (i >= e->s.top || !(e->s.used[i / 64] >> i % 64 & 1))
+        return v;
+    v.alive = true;
+    v.x = e->x[i];
+    v.y = e->y[i];
+    v.bank = e->bank[i];
+    v.age = b->core.clock - e->born[i];
+    v.over = e->over[i];
+    v.made = v.over ? e->made[i] : 0;
+    return v;
+}
+
+static struct state of(const struct board *b, int pool, uint32_t i)
+{
+    return pool == 2 ? of_enemy(b, i) : of_bullet(b, pool ? &b->shots : &b->bullets, i);
+}
+
+static bool stood(const struct board *b, int pool, uint32_t i)
+{
+    const uint8_t *stands = pool == 2 ? b->enemies.stands : pool ? b->shots.stands : b->bullets.stands;
+
+    return stands && stands[i] & STOOD;
+}
+
+static const char world[] =
+    "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
+    "bullet.def('box', { sprite = 'wink', hit = 'none', bank = 4 })\n"
+    "shot.def('dot', { sprite = 'dot', hit = 'none' })\n"
+    "enemy.def('foe', { sprite = 'dot', hit = 'none' })\n"
+    "local function step(blind)\n"
+    "  local s, k = {}, rng.int(1, 8)\n"
+    "  if blind and (k == 5 or k == 6) then k = 3 end\n"
+    "  if k == 1 then return { wait = rng.int(1, 20) } end\n"
+    "  if k == 2 then s.turn = rng.number(-5, 5) end\n"
+    "  if k == 3 then s.speed = rng.number(-1, 2) end\n"
+    "  if k == 4 then s.accel = rng.number(-0.1, 0.1) end\n"
+    "  if k == 5 then s.home = rng.number(0, 4) s.over = 20 end\n"
+    "  if k == 6 then s.aim = true end\n"
+    "  if k == 7 then s.kind = rng.pick { 'dot', 'box' } s.turn = 2 end\n"
+    "  if k == 8 then s.bank = rng.int(0, 15) s.speed = 1.25 end\n"
+    "  if k == 1 or rng.chance(0.7) and not s.home then s.over = rng.int(1, 30) end\n"
+    "  return s\n"
+    "end\n"
+    "local function program(blind)\n"
+    "  local p = { fine = rng.chance(0.4) }\n"
+    "  for i = 1, rng.int(1, 5) do p[i] = step(blind) end\n"
+    "  if rng.chance(0.5) then p = { fine = p.fine, { wait = 3 }, { loop = rng.int(1, 5), step(blind), { wait = 2 }, "
+    "step(blind) "
+    "}, p[1] } end\n"
+    "  if rng.chance(0.2) then p[#p + 1] = { wait = 60 } p[#p + 1] = { die = true } end\n"
+    "  return motion.def(p)\n"
+    "end\n"
+    "local function own(t, turns)\n"
+    "  for k = 1, turns do\n"
+    "    wait(1 + k % 4)\n"
+    "    if k % 5 == 0 then t.vx = 0.5 + k / 64 elseif k % 3 == 0 then t:turn(k) else t.bank = t.age % 16 end\n"
+    "  end\n"
+    "end\n"
+    "local function walk(e, n)\n"
+    "  while true do\n"
+    "    e:move { x = (e.age * 7 + n) % 200, y = (e.age * 5 + n) % 200, over = 9 + n % 7, ease = 'both' }\n"
+    "    task.go(function() wait(4) e.bank = e.age % 16 end)\n"
+    "    wait(10 + n % 11)\n"
+    "  end\n"
+    "end\n"
+    "local function fire()\n"
+    "  for i = 1, 80 do\n"
+    "    local a = { kind = 'dot', x = rng.number(0, 240), y = rng.number(0, 240), dir = rng.dir(),\n"
+    "      speed = rng.number(-1, 1.5), tag = 't' .. i % 5, motion = rng.chance(0.8) and program() or nil }\n"
+    "    local b = bullet.fire(a)\n"
+    "    if i % 4 == 0 then b.vx = 0.3 end\n"
+    "    if i % 3 == 0 then task.own(b, own, 90) end\n"
+    "    if i <= 40 then\n"
+    "      a.motion = rng.chance(0.8) and program(true) or nil\n" /* enemies may stand: what it aims at is not the same */
+    "      local s = shot.fire(a)\n"
+    "      if i % 3 == 1 then task.own(s, own, 90) end\n"
+    "    end\n"
+    "    if i <= 20 then enemy.spawn { kind = 'foe', x = 2 * i, y = i, tag = 't' .. i % 5, run = function(e) walk(e, "
+    "i) end } end\n"
+    "  end\n"
+    "end\n"
+    "local function freezer(seed)\n"
+    "  local function draw(n) seed = (seed * 1103515245 + 12345) & 0x7fffffff return (seed >> 8) % n end\n"
+    "  while true do\n"
+    "    for _ = 1, draw(3) do\n"
+    "      local pool, n = ({ bullet, shot, enemy })[1 + draw(3)], draw(4) == 0 and 0 or draw(5) == 0 and forever or "
+    "draw(25)\n"
+    "      local tag, one = 't' .. draw(5), draw(7)\n"
+    "      if one < 3 then pool.group(tag).frozen = n\n"
+    "      elseif one < 6 then pool.each(tag, function(t) if draw(3) == 0 then t.frozen = n end end)\n"
+    "      else pool.group().frozen = 0 end\n"
+    "    end\n"
+    "    wait(1 + draw(9))\n"
+    "  end\n"
+    "end\n"
+    "if FREEZE then task.go(freezer, SEED) end\n"
+    "task.go(fire)\n"
+    "if FREEZE then task.go(function() wait(1) freezer(SEED + 9) end) end\n";
+
+static void power(struct rig_game *game, struct rig *r, bool freeze, int seed)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .seed = (uint64_t)seed, .difficulty = -1 };
+    char script[1 << 13];
+
+    m.frozen = freeze;
+    m.margin = 1024;
+    m.motions = 128;
+    m.tasks = 256;
+    snprintf(script, sizeof script, "local FREEZE, SEED = %s, %d\n%s", freeze ? "true" : "false", seed, world);
+    rig_script(game, &m, script);
+    rig_power(r, game, &start);
+}
+
+/* After a move a thing is as the other board's was after as many; while it stands, it is where it was. */
+static void compare(const struct board *b, int frame, int pool, uint32_t i, long *standing)
+{
+    bool still = stood(b, pool, i);
+    struct state v = of(b, pool, i);
+    const struct state *was = &plain[pool][moves[pool][i]][i];
+
+    *standing += still && v.alive;
+    if (!still)
+        was = &plain[pool][++moves[pool][i]][i];
+    if (v.alive != was->alive || v.x != was->x || v.y != was->y || (!still && memcmp(&v, was, sizeof v)))
+        fail_msg("frame %d: pool %d, thing %u differs after %d moves", frame, pool, (unsigned)i, moves[pool][i]);
+}
+
+static void test_goes_on(void **state)
+{
+    const int seeds = rig_long() ? 300 : 12;
+    long standing = 0, all = 0;
+
+    (void)state;
+    for (int seed = 1; seed <= seeds; seed++) {
+        power(&g, &rig, false, seed);
+        power(&other_game, &other, true, seed);
+        memset(moves, 0, sizeof moves);
+        for (int f = 1; f <= FRAMES; f++) {
+            rig_run(&rig, 1);
+            for (int pool = 0; pool < 3; pool++)
+                for (uint32_t i = 0; i < THINGS / (pool == 2 ? 8 : pool ? 4 : 1); i++)
+                    plain[pool][f][i] = of(rig.b, pool, i);
+        }
+        for (int f = 1; f <= FRAMES; f++) {
+            rig_run(&other, 1);
+            for (int pool = 0; pool < 3; pool++)
+                for (uint32_t i = 0; i < THINGS / (pool == 2 ? 8 : pool ? 4 : 1); i++)
+                    compare(other.b, f, pool, i, &standing);
+            all += other.b->bullets.s.live + other.b->shots.s.live + other.b->enemies.s.live;
+        }
+        rig_free(&rig);
+        rig_game_free(&g);
+        rig_free(&other);
+        rig_game_free(&other_game);
+    }
+    print_message("# %ld frames of things, of which %ld stood: the same after as many moves\n", all, standing);
+    assert_true(standing > all / 10 && standing < all * 9 / 10);
+}
+
+/* ---- what scripts see ---- */
+
+static char log_text[4096];
+
+static const char *says(bool on, const char *text)
+{
+    const uint16_t none[PADS] = { 0 };
+    struct manifest m = rig_manifest();
+    char script[1 << 12];
+    size_t n = 0;
+
+    m.frozen = on;
+    snprintf(script, sizeof script,
+             "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
+             "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"
+             "enemy.def('foe', { sprite = 'dot', hit = { circle = 8 }, hp = 9, touch = false })\n"
+             "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, graze = 20, safe = 0 })\n"
+             "on.hit(function(p) print('hit') p.safe = 5 end) on.graze(function() print('graze') end)\n"
+             "string.sys.join(1, 'ship') local p\n"
+             "task.go(function() wait(1) p = player.get(1) p.x = 100 p.y = 200 p.safe = 0\n%s end)",
+             text);
+    rig_with_sys(&g, &m, script);
+    rig_power_any(&rig, &g, NULL);
+    for (int f = 0; f < 60 && !rig_fault(&rig); f++) {
+        const struct board_out *out = board_tick(rig.b, none);
+        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
+            log_text[n++] = out->log[i];
+    }
+    log_text[n] = 0;
+    if (rig_fault(&rig)) {
+        const char *at = strstr(rig_fault(&rig)->message, ": ");
+        snprintf(log_text, sizeof log_text, "%s", at ? at + 2 : rig_fault(&rig)->message);
+    }
+    rig_free(&rig);
+    rig_game_free(&g);
+    return log_text;
+}
+
+#define SAYS(text, words) assert_string_equal(says(true, text), words)
+
+static void test_seen(void **state)
+{
+    (void)state;
+    SAYS("local b = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 2 } wait(1)\n"
+         "b.frozen = 3 print(b.frozen, b.x, b.vx, b.age) wait(1) print(b.frozen, b.x, b.vx, b.age) wait(2)\n"
+         "print(b.frozen, b.x, b.vx, b.age) wait(1) print(b.frozen, b.x, b.vx, b.age)",
+         "3\t22.0\t2.0\t1\n2\t22.0\t2.0\t1\n0\t22.0\t2.0\t1\n0\t24.0\t2.0\t2\n");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 2 }\n"
+         "bullet.group().frozen = forever wait(20) print(b.frozen == forever, b.x, b.age) b.vy = 1 b.vx = 3\n"
+         "wait(2) print(b.x, b.vx, b.vy) b.frozen = 0 wait(2) print(b.x, b.y, b.frozen)",
+         "true\t20.0\t0\n20.0\t3.0\t1.0\n26.0\t22.0\t0\n");
+    /* frozen and let go in one frame: nothing has happened; a bullet in its slot later stands no more */
+    SAYS(
+        "local b = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 2 } b.frozen = 9 b.frozen = 0 wait(2)\n"
+        "print(b.x) b.frozen = 50 b:remove() b = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 2 } "
+        "wait(2)\n"
+        "print(b.x, b.frozen)",
+        "24.0\n24.0\t0\n");
+    /* its own tasks wait, in front of the one that freezes and behind it, and by way of a task of theirs */
+    SAYS("local b, n = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 0 }, 0\n"
+         "local e = enemy.spawn { kind = 'foe', x = 20, y = 20, run = function() while true do n = n + 1 wait(1) end "
+         "end }\n"
+         "local t = task.own(b, function() while true do n = n + 100 wait(1) end end)\n"
+         "task.own(t, function() while true do n = n + 10000 wait(1) end end)\n"
+         "wait(5) local before = n b.frozen, e.frozen = 7, 7 wait(8) print(n - before) wait(1) print(n - before)\n"
+         "e.frozen = forever b.frozen = forever e:remove() wait(2) b:remove() wait(2) print(t.alive)",
+         "10101\n20202\nfalse\n");
+    assert_string_equal(says(false, "bullet.group().frozen = 3"),
+                        "group: frozen is off in this game: write board = { frozen = true } in rom.lua");
+    assert_string_equal(says(false, "print(enemy.spawn { kind = 'foe', x = 1, y = 1 }.frozen)"),
+                        "enemy: frozen is off in this game: write board = { frozen = true } in rom.lua");
+    assert_string_equal(says(false, "shot.group('x').frozen = 3"),
+                        "shots: frozen is off in this game: write board = { frozen = true } in rom.lua");
+    SAYS("bullet.group().frozen = -1",
+         "group: frozen: expected forever or a whole number from 0 to 2147483647 frames, got -1");
+}
+
+static void test_hits(void **state)
+{
+    (void)state;
+    /* it hits where it stands, and does not sweep its way */
+    SAYS(
+        "local b = bullet.fire { kind = 'dot', x = 100, y = 200, dir = 0, speed = 30 } b.frozen = 9 wait(1) b:remove()",
+        "hit\n");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 160, y = 200, dir = 0, speed = 100 } b.frozen = 3 wait(3) "
+         "b:remove()",
+         "");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 115, y = 200, speed = 3 } b.frozen = forever wait(9) b:remove()",
+         "graze\n");
+    /* a shot that stands is met, and one that an enemy stands in */
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 50, y = 50 } e.frozen = 20\n"
+         "local s = shot.fire { kind = 'bolt', x = 50, y = 56, speed = 40 } s.frozen = 5 wait(1) print(e.hp, s.alive)\n"
+         "s = shot.fire { kind = 'bolt', x = 50, y = 90, speed = 40 } s.frozen = 5 wait(3) print(e.hp, s.alive) "
+         "wait(4)\n"
+         "print(e.hp, s.alive)",
+         "8\tfalse\n8\ttrue\n7\tfalse\n");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_goes_on),
+        cmocka_unit_test(test_seen),
+        cmocka_unit_test(test_hits),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
