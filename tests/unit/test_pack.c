@@ -477,7 +477,7 @@ static void test_sized(void **state)
     (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
              "  two = { sheet = 's', w = 2, h = 2, frames = 2, every = 9, sizes = { 300, 50 } },\n"
-             "  pin = { sheet = 's', w = 4, h = 2, rotations = 4, origin = { 0, -1 }, sizes = { 200 } } } }");
+             "  pin = { sheet = 's', w = 4, h = 2, rotations = 4, origin = { 0, -1 }, sizes = { 200, 300 } } } }");
     put_palette("p.png");
     put_sheet("s.png", (const char *const[]){ "aacc....", "aacc...." }, 8, 2);
     image = packed(false);
@@ -498,6 +498,9 @@ static void test_sized(void **state)
     assert_int_equal(at(&s, 0, 1, 2), 0x31);
     assert_int_equal(at(&s, 1, -2, 1), 0x31);
     assert_int_equal(at(&s, 2, -1, -2), 0x31);
+    s = sprite(&image.rom, "pin_300"); /* at 1, -2: the lowest row is 7 below it */
+    assert_int_equal(at(&s, 0, 3, 7), 0x31);
+    assert_int_equal(at(&s, 0, 3, 8), 0);
     rom_image_free(&image);
 }
 
