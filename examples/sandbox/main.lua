@@ -1,6 +1,7 @@
 -- main.lua - a stage that does nothing but run try.lua: what that returns, if it is a function, is a task of an enemy.
 require "kinds"
 require "glow"
+require "looks"
 local try = require "try"
 
 stage.def("try", function()

@@ -15,8 +15,8 @@ return {
   },
   sprites = {
     orb   = { sheet = "bullets", x = 16,  y = 0,   w = 12, h = 12 },
-    rice  = { sheet = "bullets", x = 48,  y = 0,   w = 12, h = 12, rotations = 32 },
-    star  = { sheet = "bullets", x = 0,   y = 16,  w = 16, h = 16, frames = 4, every = 4 },
+    rice  = { sheet = "bullets", x = 48,  y = 0,   w = 12, h = 12, rotations = 32, sizes = { 50, 150, 200 } },
+    star  = { sheet = "bullets", x = 0,   y = 16,  w = 16, h = 16, frames = 4, every = 4, sizes = { 50, 150, 300 } },
     big   = { sheet = "bullets", x = 0,   y = 32,  w = 24, h = 24 },
     dart  = { sheet = "shots",   x = 0,   y = 0,   w = 16, h = 16, rotations = 32 },
     glint = { sheet = "sparks",  x = 0,   y = 0,   w = 12, h = 12, frames = 4, every = 4 },

@@ -122,12 +122,13 @@ static const char world[] =
     "local function fire()\n"
     "  for i = 1, 80 do\n"
     "    local a = { kind = 'dot', x = rng.number(0, 240), y = rng.number(0, 240), dir = rng.dir(),\n"
-    "      speed = rng.number(-1, 1.5), tag = 't' .. i % 5, motion = rng.chance(0.8) and program() or nil }\n"
+    "      speed = rng.number(-1, 1.5), tag = 't' .. i % 5, motion = rng.chance(0.8) and program() or nil, delay = i % "
+    "7 == 0 and rng.int(1, 40) or nil }\n"
     "    local b = bullet.fire(a)\n"
     "    if i % 4 == 0 then b.vx = 0.3 end\n"
     "    if i % 3 == 0 then task.own(b, own, 90) end\n"
     "    if i <= 40 then\n"
-    "      a.motion = rng.chance(0.8) and program(true) or nil\n" /* enemies may stand: what it aims at is not the same */
+    "      a.motion, a.delay = rng.chance(0.8) and program(true) or nil, nil\n" /* enemies may stand: what it aims at is not the same */
     "      local s = shot.fire(a)\n"
     "      if i % 3 == 1 then task.own(s, own, 90) end\n"
     "    end\n"

@@ -92,6 +92,24 @@ static void test_defaults(void **state)
     free(r);
 }
 
+static void test_sizes(void **state)
+{
+    struct result *r = read_good("return { sheets = { s = { file = 'a.png' } }, sprites = {\n"
+                                 "  orb = { sheet = 's', w = 8, h = 6, frames = 2, sizes = { 200, 50, 1000 } },\n"
+                                 "  orb_3 = { sheet = 's', w = 1, h = 1, sizes = {} } } }");
+    static const char *const names[] = { "orb", "orb_1000", "orb_200", "orb_3", "orb_50" };
+    static const int percents[] = { 100, 1000, 200, 100, 50 };
+
+    (void)state;
+    assert_int_equal(r->art.n_sprites, 5);
+    for (int i = 0; i < 5; i++) {
+        assert_string_equal(r->art.sprites[i].name, names[i]);
+        assert_int_equal(r->art.sprites[i].percent, percents[i]);
+        assert_int_equal(r->art.sprites[i].frames, i == 3 ? 1 : 2);
+    }
+    free(r);
+}
+
 static const char lanterns[] =
     "return { title = 'Paper Lanterns', author = 'You', version = 3, entry = 'boot/main', id = 'lanterns',\n"
     "  screen = { w = 320, h = 240 }, field = { x = 8, y = 4, w = 208, h = 224, margin = 32 },\n"
@@ -276,6 +294,14 @@ static void test_numbers(void **state)
     }
     entry_refused("version = 9223372036854775807",
                   "version: expected a whole number from 0 to 1000000000, got 9223372036854775807");
+    entry_refused("sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 1001 } } }",
+                  "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
+    entry_refused(
+        "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
+        "sprites: two are named a_50, one of them by its size");
+    entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
+                  "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
+                  "sprites: two are named a_7, one of them by its size");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
@@ -639,27 +665,17 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),
-        cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors),
-        cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),
-        cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),   cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),       cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),    cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),      cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors), cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),      cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),       cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old), cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),      cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -639,6 +639,42 @@ static void test_turned(void **state)
     rom_image_free(&image);
 }
 
+/* Sizes: frames stay, the anchor's pixel too; what is turned is turned at its size. */
+static void test_sized(void **state)
+{
+    struct rom_image image;
+    struct sprite s;
+
+    (void)state;
+    put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
+             "  two = { sheet = 's', w = 2, h = 2, frames = 2, every = 9, sizes = { 300, 50 } },\n"
+             "  pin = { sheet = 's', w = 4, h = 2, rotations = 4, origin = { 0, -1 }, sizes = { 200, 300 } } } }");
+    put_palette("p.png");
+    put_sheet("s.png", (const char *const[]){ "aacc....", "aacc...." }, 8, 2);
+    image = packed(false);
+    s = sprite(&image.rom, "two_300");
+    assert_true(s.w == 6 && s.h == 6 && s.ox == 3 && s.oy == 3 && s.frames == 2 && s.every == 9);
+    for (int y = 0; y < 6; y++)
+        for (int x = 0; x < 6; x++) {
+            bool corner = (x < 2 || x > 3) && (y < 2 || y > 3);
+            assert_true(at(&s, 0, x - 3, y - 3) == 0x31 || (corner && !at(&s, 0, x - 3, y - 3)));
+            assert_true(at(&s, 1, x - 3, y - 3) == 0x33 || (corner && !at(&s, 1, x - 3, y - 3)));
+        }
+    s = sprite(&image.rom, "two_50");
+    assert_true(s.w == 1 && s.h == 1 && s.ox == 0 && s.oy == 0);
+    assert_int_equal(at(&s, 1, 0, 0), 0x33);
+    s = sprite(&image.rom,
+               "pin_200"); /* its anchor was the pixel above its corner, and is at 1, -1 of the larger one */
+    assert_int_equal(s.rotations, 4);
+    assert_int_equal(at(&s, 0, 1, 2), 0x31);
+    assert_int_equal(at(&s, 1, -2, 1), 0x31);
+    assert_int_equal(at(&s, 2, -1, -2), 0x31);
+    s = sprite(&image.rom, "pin_300"); /* at 1, -2: the lowest row is 7 below it */
+    assert_int_equal(at(&s, 0, 3, 7), 0x31);
+    assert_int_equal(at(&s, 0, 3, 8), 0);
+    rom_image_free(&image);
+}
+
 /* Two sheets with a sprite each, one of nothing at all, turned: a picture of one empty pixel. */
 static void test_two_sheets(void **state)
 {
@@ -995,7 +1031,7 @@ int main(void)
         TEST(test_long_name),  TEST(test_long_text),        TEST(test_load),
         TEST(test_list),       TEST(test_unpack),           TEST(test_unpack_refuses),
         TEST(test_modules),    TEST(test_library),          TEST(test_price),
-        TEST(test_globals),    TEST(test_not_here),
+        TEST(test_globals),    TEST(test_not_here),         TEST(test_sized),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

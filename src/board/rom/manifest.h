@@ -60,6 +60,7 @@ enum {
     MAX_ART_BLENDS = 3,
     MAX_ART_SHEETS = 256,
     MAX_ART_SPRITES = 4096,
+    MAX_ART_SIZES = 16, /* of a sprite, beside its own */
     ART_NAME = 32,
     ART_FILE = 96
 };
@@ -83,8 +84,9 @@ struct art_sprite {
     int32_t sheet; /* index */
     int32_t x, y, w, h;
     int32_t frames, every, rotations;
-    int32_t ox, oy;
-    bool origin; /* ox, oy were given; else the middle */
+    int32_t percent; /* of the size on the sheet */
+    int32_t ox, oy;  /* on the sheet */
+    bool origin;     /* ox, oy were given; else the middle */
 };
 
 struct art {

@@ -579,12 +579,14 @@ static void read_origin(const struct at *a, struct art_sprite *s)
 
 static void read_sprite(const struct at *a, const struct art *art, struct art_sprite *s)
 {
-    static const char *const names[] = { "sheet", "x", "y", "w", "h", "frames", "every", "rotations", "origin", NULL };
+    static const char *const names[] = { "sheet", "x",         "y",      "w",     "h", "frames",
+                                         "every", "rotations", "origin", "sizes", NULL };
 
     only(a, names);
     s->sheet = sheet_index(a, art);
     s->frames = s->rotations = 1;
     s->every = 6;
+    s->percent = 100;
     get_whole(a, "x", 0, 16383, &s->x);
     get_whole(a, "y", 0, 16383, &s->y);
     need_whole(a, "w", 1, 1024, &s->w);
@@ -597,6 +599,45 @@ static void read_sprite(const struct at *a, const struct art *art, struct art_sp
     read_origin(a, s);
 }
 
+/* sizes = { 50, 150 }: sprites of their own, behind the others, named after it: orb_50, orb_150. */
+static void read_sprite_sizes(const struct at *a, struct art *art, const struct art_sprite *s)
+{
+    struct at sizes;
+    char path[MAX_PATH];
+
+    if (!get_table(a, "sizes", &sizes))
+        return;
+    int n = list(&sizes, MAX_ART_SIZES);
+    for (int i = 1; i <= n; i++) {
+        item(&sizes, i, path);
+        int percent = (int)to_whole(a->lua, path, 1, 1000);
+        if (art->n_sprites == MAX_ART_SPRITES)
+            bad(a->lua, path, "more than %d sprites", MAX_ART_SPRITES);
+        struct art_sprite *more = &art->sprites[art->n_sprites++];
+        *more = *s;
+        more->percent = percent;
+        if (snprintf(more->name, ART_NAME, "%s_%d", s->name, percent) >= ART_NAME)
+            bad(a->lua, path, "the name %s_%d is longer than %d bytes", s->name, percent, ART_NAME - 1);
+    }
+    lua_pop(a->lua, 1);
+}
+
+/* Puts the sprites from `first` on among those before them, by name. */
+static void sort_sprites(lua_State *lua, struct art *art, int first)
+{
+    struct art_sprite *s = art->sprites;
+
+    for (int i = first; i < art->n_sprites; i++) {
+        struct art_sprite one = s[i];
+        int at = i;
+        for (; at > 0 && strcmp(s[at - 1].name, one.name) > 0; at--)
+            s[at] = s[at - 1];
+        s[at] = one;
+        if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
+            bad(lua, "sprites", "two are named %s, one of them by its size", one.name);
+    }
+}
+
 static void read_sprites(const struct at *root, struct art *art)
 {
     struct at a, one;
@@ -604,11 +645,14 @@ static void read_sprites(const struct at *root, struct art *art)
     if (!get_table(root, "sprites", &a))
         return;
     art->n_sprites = keys(&a, art->sprites, MAX_ART_SPRITES, sizeof art->sprites[0], ART_NAME);
-    for (int i = 0; i < art->n_sprites; i++) {
+    const int n = art->n_sprites;
+    for (int i = 0; i < n; i++) {
         get_table(&a, art->sprites[i].name, &one);
         read_sprite(&one, art, &art->sprites[i]);
+        read_sprite_sizes(&one, art, &art->sprites[i]);
         lua_pop(a.lua, 1);
     }
+    sort_sprites(a.lua, art, n);
     lua_pop(a.lua, 1);
 }
 

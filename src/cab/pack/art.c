@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../fb/turn.h"
+#include "../../../fb/resize.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 
@@ -245,6 +245,50 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
     return true;
 }
 
+static int resized(int side, int percent)
+{
+    int to = (side * percent + 50) / 100;
+
+    return to < 1 ? 1 : to;
+}
+
+/* The pixel in which a point of the sheet's picture, the middle of pixel v, comes to lie. */
+static int resized_at(int v, int percent)
+{
+    int64_t to = (2 * (int64_t)v + 1) * percent;
+
+    return (int)(to / 200 - (to % 200 < 0));
+}
+
+/* Replaces the frames by copies of another size, turned about (ox, oy). */
+static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *err, size_t err_size)
+{
+    const int w = resized(s->w, percent), h = resized(s->h, percent);
+    struct stack to;
+    struct turn t;
+
+    if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
+        return err_set(err, err_size, "%dx%d pixels at %d percent, expected at most %d each way", w, h, percent,
+                       CART_MAX_SIDE);
+    void *scratch = malloc(turn_scratch(s->w, s->h));
+    if (scratch == NULL)
+        return err_set(err, err_size, "out of memory");
+    if (!make_stack(&to, w, h, s->n, err, err_size)) {
+        free(scratch);
+        return false;
+    }
+    for (int i = 0; i < s->n; i++) {
+        turn_open(&t, stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, scratch);
+        resize_paint(&t, stack_picture(&to, i), w, h);
+    }
+    free(scratch);
+    to.px = pivot(ox, w);
+    to.py = pivot(oy, h);
+    free(s->pix);
+    *s = to;
+    return true;
+}
+
 struct box {
     int x0, y0, x1, y1; /* half open */
 };
@@ -302,7 +346,6 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
                      const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
                      size_t err_size)
 {
-    struct box box = { 0, 0, sprite->w, sprite->h };
     int ox = sprite->ox, oy = sprite->oy;
     struct stack s;
 
@@ -315,6 +358,16 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     s.px = pivot(sprite->ox, sprite->w);
     s.py = pivot(sprite->oy, sprite->h);
     bool good = cut_frames(&s, sheet, sprite, bank, rgb, nearest, err, err_size);
+    if (good && sprite->percent != 100) {
+        ox = resized_at(ox, sprite->percent);
+        oy = resized_at(oy, sprite->percent);
+        if (!sprite->origin) {
+            ox = resized(sprite->w, sprite->percent) / 2;
+            oy = resized(sprite->h, sprite->percent) / 2;
+        }
+        good = resize_frames(&s, sprite->percent, ox, oy, err, err_size);
+    }
+    struct box box = { 0, 0, s.w, s.h };
     if (good && sprite->rotations > 1) {
         good = turn_frames(&s, sprite->rotations, err, err_size);
         box = used_box(&s);

@@ -1,0 +1,21 @@
+-- looks.lua - a stage to look at what a kind of bullets says of its pictures: sizes, spin, frames, order, clouds; and at
+-- bullets that shots hit.
+local names = { "rice_50", "rice", "rice_150", "rice_200", "star_50", "star", "star_150", "star_300" }
+for i, name in ipairs(names) do
+  bullet.def("look_" .. name, { sprite = name, hit = "none", graze = false, spin = name:find("rice") and 4 or 0, bank = i % 7 })
+end
+bullet.def("look_seed", { sprite = "orb", hit = { circle = 4 }, bank = 2, cloud = "halo", vanish = "glint" })
+bullet.def("look_moon", { sprite = "big", hit = { circle = 9 }, bank = 5, order = 1, hp = 20, score = 100, spark = "glint" })
+
+stage.def("looks", function()
+  for i, name in ipairs(names) do
+    bullet.fire { kind = "look_" .. name, x = 25 * i - 8, y = 40, speed = 0 }
+  end
+  for i = 1, 3 do bullet.fire { kind = "look_moon", x = 60 * i, y = 200, speed = 0 } end
+  for i = 0, forever do
+    for k = 1, 8 do
+      bullet.fire { kind = "look_seed", x = 27 * k, y = 100, dir = 90 + 9 * (i % 5 - 2), speed = 1.2, delay = 10 * k }
+    end
+    wait(100)
+  end
+end)

@@ -1,0 +1,49 @@
+/*
+ * resize.c - see resize.h.
+ *
+ * As turned copies do, a pixel asks the part of the smooth image (turn.h) that it covers, and the majority of its area
+ * decides: first whether it is opaque (half is), then the colour, the lowest of equals. Areas are whole numbers: along
+ * each axis a pixel of the smooth image is as many units long as the result has pixels, and the other way round.
+ */
+#include "resize.h"
+#include <assert.h>
+#include "fb.h"
+
+enum { FINE = 4 /* pixels of the smooth image a pixel, each way */ };
+
+/* What the k-th of n equal parts and the i-th of m have in common, of a length of n * m. */
+static uint64_t overlap(int k, int n, int i, int m)
+{
+    int64_t from = (int64_t)k * m, to = from + m, a = (int64_t)i * n, z = a + n;
+
+    from = from > a ? from : a;
+    to = to < z ? to : z;
+    return to > from ? (uint64_t)(to - from) : 0;
+}
+
+/* Pixel (x, y) of w x h. */
+static uint8_t vote(const struct turn *t, int x, int y, int w, int h)
+{
+    const int sw = FINE * t->w, sh = FINE * t->h;
+    const int x0 = (int)((int64_t)x * sw / w), y0 = (int)((int64_t)y * sh / h);
+    uint64_t area[256] = { 0 }, opaque = 0;
+    int best = 0;
+
+    for (int v = y0; v < sh && overlap(v, sh, y, h); v++)
+        for (int u = x0; u < sw && overlap(u, sw, x, w); u++)
+            area[t->smooth[(ptrdiff_t)v * sw + u]] += overlap(u, sw, x, w) * overlap(v, sh, y, h);
+    for (int c = 1; c < 256; c++) {
+        opaque += area[c];
+        if (area[c] > 0 && (best == 0 || area[c] > area[best]))
+            best = c;
+    }
+    return (uint8_t)(opaque >= area[0] ? best : 0);
+}
+
+void resize_paint(const struct turn *t, uint8_t *out, int w, int h)
+{
+    assert(w >= 1 && h >= 1 && w <= FB_MAX && h <= FB_MAX);
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++)
+            out[(ptrdiff_t)y * w + x] = vote(t, x, y, w, h);
+}
