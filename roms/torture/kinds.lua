@@ -5,7 +5,7 @@ spark.def("long", { sprite = "box", life = 400 })
 bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
 bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
-bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
+bullet.def("needle", { sprite = "arrow", hit = { capsule = { 14, 2 } }, turns = true, bank = 1 })
 
 bullet.def("late", { sprite = "steps", hit = { circle = 2.5 }, bank = 6, swept = false })
 
