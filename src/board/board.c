@@ -83,7 +83,7 @@ static void capacities(const struct manifest *m, uint32_t cap[PARTS])
     memcpy(cap, all, sizeof all);
 }
 
-/* Two players may graze and be hit by every bullet, every shot may hit, every enemy may touch, die and leave. */
+/* A bullet may graze or hit both players and be blocked, a shot may hit, an enemy may touch, die and leave. */
 static uint64_t event_room(const struct manifest *m)
 {
     return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
