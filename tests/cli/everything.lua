@@ -28,7 +28,8 @@ enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 17
         speed = 1.7 }
     end
   end })
-enemy.def("king", { sprite = "dot", hit = { circles = { { -1, 0, 3 }, { 1, 0.5, 3 } } }, score = 9000, spark = "pop", blocks = true })
+enemy.def("king", { sprite = "dot", hit = { circles = { { -1, 0, 3 }, { 1, 0.5, 3 } } }, score = 9000,
+  spark = "pop", blocks = true })
 local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 },
   { x = 75, y = 5, over = 41, ease = "both" } }
 boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
