@@ -5,7 +5,7 @@ spark.def("long", { sprite = "box", life = 400 })
 bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
 bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4, vanish = "ping", order = -3 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
-bullet.def("needle", { sprite = "arrow", hit = { circle = 2 }, turns = true, bank = 1 })
+bullet.def("needle", { sprite = "arrow", hit = { capsule = { 14, 2 } }, turns = true, bank = 1 })
 bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order = 9, clearable = false, vanish = "long" })
 
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })

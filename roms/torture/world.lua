@@ -15,8 +15,8 @@ local function brief(e) wait(40) e:remove() end
 enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer,
   on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
   on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
-enemy.def("wall", { sprite = "arrow", hit = { box = { 30, 20 } }, hp = 100, touch = false })
-enemy.def("globe", { sprite = "steps", hit = { circle = 7 }, hp = 3, score = 40, swept = false, run = brief })
+enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false })
+enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief })
 enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
 
 boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {

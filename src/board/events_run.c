@@ -276,6 +276,13 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
+/* The blocker takes it, unless a shot of this frame killed that. */
+static void apply_block(struct board *b, const struct event *e)
+{
+    if (counts(b, e->a) && counts(b, e->b))
+        bullets_drop(&b->bullets, handle_slot(e->a));
+}
+
 static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
@@ -384,6 +391,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_SHOT:
         apply_shot(b, L, e);
+        break;
+    case EV_BLOCK:
+        apply_block(b, e);
         break;
     case EV_DEATH:
         apply_death(b, L, e);

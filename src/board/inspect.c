@@ -29,6 +29,12 @@ static struct inspect_body body_at(const struct board *b, enum inspect_kind kind
     };
 }
 
+static const enum inspect_shape shape_words[] = { [SHAPE_NONE] = INSPECT_NONE,
+                                                  [SHAPE_CIRCLE] = INSPECT_CIRCLE,
+                                                  [SHAPE_BOX] = INSPECT_BOX,
+                                                  [SHAPE_CAPSULE] = INSPECT_CAPSULE,
+                                                  [SHAPE_CIRCLES] = INSPECT_CIRCLES };
+
 static void set_circles(const struct board *b, struct inspect_body *body, const struct body *piece, uint32_t n)
 {
     body->shape = INSPECT_CIRCLES;
@@ -50,10 +56,7 @@ static void set_shape(const struct board *b, struct inspect_body *body, uint8_t 
         set_circles(b, body, piece, n);
         return;
     }
-    body->shape = shape == SHAPE_CIRCLE    ? INSPECT_CIRCLE
-                  : shape == SHAPE_BOX     ? INSPECT_BOX
-                  : shape == SHAPE_CAPSULE ? INSPECT_CAPSULE
-                                           : INSPECT_NONE;
+    body->shape = shape_words[shape];
     body->a = shape == SHAPE_NONE ? 0 : piece->a;
     body->b = shape == SHAPE_BOX || shape == SHAPE_CAPSULE ? piece->b : 0;
     body->c = piece->c;
@@ -129,6 +132,62 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
         if (b->player.in[i])
             each(context, &body);
     }
+}
+
+/* ---- kinds ---- */
+
+static void measure(const struct shape_columns *k, uint32_t i, struct inspect_shape_of *out)
+{
+    fx a = k->a[i], w = a, h = k->shape[i] == SHAPE_BOX ? k->b[i] : a;
+
+    if (k->shape[i] == SHAPE_CAPSULE) {
+        w = a + k->b[i] + fx_abs(k->x[i]);
+        h = a + fx_abs(k->y[i]);
+    }
+    *out = (struct inspect_shape_of){ .shape = shape_words[k->shape[i]], .x0 = -w, .y0 = -h, .x1 = w, .y1 = h };
+    if (k->shape[i] != SHAPE_CIRCLES)
+        return;
+    out->x0 = out->y0 = FX_MAX;
+    out->x1 = out->y1 = FX_MIN;
+    for (uint32_t row = i; row <= i + (uint32_t)k->b[i]; row++) {
+        out->x0 = fx_min(out->x0, k->x[row] - k->a[row]);
+        out->x1 = fx_max(out->x1, k->x[row] + k->a[row]);
+        out->y0 = fx_min(out->y0, k->y[row] - k->a[row]);
+        out->y1 = fx_max(out->y1, k->y[row] + k->a[row]);
+    }
+}
+
+void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
+                   void *context)
+{
+    const struct bullet_kinds *k = &b->bullet_kinds, *ks = &b->shot_kinds;
+    const struct enemy_kinds *ke = &b->enemy_kinds;
+    const struct {
+        const char *of;
+        enum api_names names;
+        struct shape_columns shapes;
+        uint32_t n;
+        const uint16_t *sprite;
+        const uint16_t *flags; /* KIND_ */
+    } all[] = {
+        { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->flags },
+        { "shot", N_SHOT, { ks->shape, ks->a, ks->b, ks->x, ks->y }, ks->s.live, ks->sprite, ks->flags },
+        { "enemy", N_ENEMY, { ke->shape, ke->a, ke->b, ke->x, ke->y }, ke->s.live, ke->sprite, NULL },
+    };
+    struct inspect_shape_of kind;
+
+    for (int what = 0; what < 3; what++)
+        for (uint32_t i = 0; i < all[what].n; i++) {
+            const char *name = api_names_at(b, all[what].names, (int)i);
+            if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* no name: the second of several circles */
+                continue;
+            measure(&all[what].shapes, i, &kind);
+            kind.of = all[what].of;
+            kind.name = name;
+            kind.turns = all[what].flags && all[what].flags[i] & KIND_TURNS;
+            kind.sprite = cart_sprite_name(&b->cart, all[what].sprite[i]);
+            each(context, &kind);
+        }
 }
 
 /* ---- gauges ---- */

@@ -35,6 +35,17 @@ struct inspect_body {
 /* Calls each for all bodies, in the order enemies, shots, bullets, players; each by slot. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
+/* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */
+struct inspect_shape_of {
+    const char *of, *name;    /* "bullet", "orb" */
+    enum inspect_shape shape; /* not INSPECT_NONE */
+    int32_t x0, y0, x1, y1;   /* the box round it, from its place; as the picture is drawn, not turned */
+    bool turns;               /* the picture turns; a box does not turn with it */
+    const char *sprite;
+};
+void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
+                   void *context);
+
 /* The field on the screen, px. */
 struct inspect_area {
     int x, y, w, h;

@@ -14,6 +14,7 @@ enum {
     ENEMY_SWEPT = 1 << 1, /* of a kind: hits on players look at the whole path of its frame, not at its end alone */
     ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
+    ENEMY_BLOCKS = 1 << 4, /* of a kind: bullets that touch it are gone */
 
     ENEMY_UNDYING = 1 << 0, /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */

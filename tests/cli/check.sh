@@ -565,6 +565,33 @@ png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa \
     $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
 finds 'what the manual shows' mygame < <(sample)
 
+# ---- hit shapes larger than pictures ----
+
+game l <<'LUA'
+local used = { "dot", "dart" } -- 8 x 8 and 8 x 4 px
+bullet.def("even", { sprite = "dot", hit = { circle = 4 } })
+bullet.def("wide", { sprite = "dot", hit = { circle = 4.125 } })
+bullet.def("high", { sprite = "dart", hit = { box = { 8, 5 } } })
+bullet.def("turned", { sprite = "dart", hit = { box = { 4, 8 } }, turns = true })
+bullet.def("long", { sprite = "dart", hit = { capsule = { 5, 2 } }, turns = true })
+bullet.def("short", { sprite = "dart", hit = { capsule = { 4, 2 } }, turns = true })
+shot.def("many", { sprite = "dot", hit = { circles = { { -4, 0, 1 }, { 3, 0, 1 } } } })
+shot.def("few", { sprite = "dot", hit = { circles = { { 14, 0, 1 }, { 20, 0, 1 } } } })
+for i = 1, 2 do
+  enemy.def("foe " .. i, { sprite = "dart", hit = { capsule = { 4, 1, i * 90 - 90 } } })
+end
+enemy.def("air", { sprite = "dot", hit = "none" })
+LUA
+finds 'hit shapes larger than pictures' l <<'END'
+main.lua:3: bullet "wide": its hit circle of 8.25 x 8.25 px is larger than its picture, "dot" of 8 x 8 px
+main.lua:4: bullet "high": its hit box of 8 x 5 px is larger than its picture, "dart" of 8 x 4 px
+main.lua:6: bullet "long": its hit capsule of 9 x 4 px is larger than its picture, "dart" of 8 x 4 px
+main.lua:8: shot "many": its hit circles, together of 9 x 2 px are larger than its picture, "dot" of 8 x 8 px
+rom.lua: enemy "foe 2": its hit capsule of 2 x 6 px is larger than its picture, "dart" of 8 x 4 px
+5 problems
+END
+rm -r l
+
 # ---- what only playing finds ----
 
 cp -R "$repo/examples/first" deep

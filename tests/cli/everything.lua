@@ -23,7 +23,7 @@ motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5
   { speed = 4.75, over = 9 } }
 motion.def { name = "spin",
   { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
-enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 170, spark = "pop",
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
   run = function(e)
     while true do
       wait(rng.int(3, 9))
@@ -31,7 +31,8 @@ enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 17
         speed = 1.7 }
     end
   end })
-enemy.def("king", { sprite = "dot", hit = { circles = { { -5, 0, 5 }, { 5, 0, 5 } } }, score = 9000, spark = "pop" })
+enemy.def("king", { sprite = "dot", hit = { circles = { { -1, 0, 3 }, { 1, 0.5, 3 } } }, score = 9000,
+  spark = "pop", blocks = true })
 local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 },
   { x = 75, y = 5, over = 41, ease = "both" } }
 boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {

@@ -44,7 +44,7 @@ static inline void draw_pieces(struct rng *rng, const struct shape_columns *c, u
 static struct {
     long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties, solids,
         solid_ties;
-    long capsule_hits, capsule_shots, circles_hits, circles_shots, long_foes, long_touches;
+    long capsule_hits, capsule_shots, circles_hits, circles_shots, blocks, long_foes, long_touches;
 } seen;
 
 static wide square(wide v)
@@ -353,23 +353,24 @@ static inline int32_t solid_reference(const struct board *b, uint32_t i, struct 
     return found;
 }
 
-static inline void reference(const struct board *b)
+/* Each of a pool with the enemy it meets first. */
+static inline void pool_reference(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
+                                  enum event_kind event, enum handle_kind of)
 {
-    expected_n = 0;
-    for (uint32_t p = 0; p < PADS; p++)
-        if (b->player.in[p])
-            player_reference(b, p);
-    EACH_LIVE (i, &b->shots.s) {
-        struct whole shot = flier(&b->shots, &b->shot_kinds, i);
+    EACH_LIVE (i, &pool->s) {
+        if (event == EV_BLOCK && pool->flags[i] & BULLET_DELAYED)
+            continue;
+        struct whole shot = flier(pool, kinds, i);
         wide best = -1, apart;
         uint32_t found = 0;
         EACH_LIVE (e, &b->enemies.s) {
             struct whole f = foe(b, e);
-            apart = square((wide)b->shots.x[i] - b->shots.vx[i] - b->enemies.was_x[e]) +
-                    square((wide)b->shots.y[i] - b->shots.vy[i] - b->enemies.was_y[e]);
-            if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING)
+            apart = square((wide)pool->x[i] - pool->vx[i] - b->enemies.was_x[e]) +
+                    square((wide)pool->y[i] - pool->vy[i] - b->enemies.was_y[e]);
+            if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING ||
+                (event == EV_BLOCK && !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_BLOCKS)))
                 continue;
-            if (!meets(shot, f, b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT)) {
+            if (!meets(shot, f, kinds->flags[pool->kind[i]] & KIND_SWEPT)) {
                 seen.shot_misses++;
                 continue;
             }
@@ -379,18 +380,28 @@ static inline void reference(const struct board *b)
                 found = e;
             }
         }
-        int32_t bullet = solid_reference(b, i, shot, best);
+        int32_t bullet = event == EV_SHOT ? solid_reference(b, i, shot, best) : NO_SLOT;
         if (bullet != NO_SLOT) {
             expect(b, EV_SHOT, H_SHOT, i, H_BULLET, (uint32_t)bullet);
             seen.solids++;
         } else if (best >= 0) {
-            expect(b, EV_SHOT, H_SHOT, i, H_ENEMY, found);
-            seen.shots++;
-            seen.capsule_shots += b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_CAPSULE;
-            seen.circles_shots += b->shot_kinds.shape[b->shots.kind[i]] == SHAPE_CIRCLES;
+            expect(b, event, of, i, H_ENEMY, found);
+            *(event == EV_BLOCK ? &seen.blocks : &seen.shots) += 1;
+            seen.capsule_shots += kinds->shape[pool->kind[i]] == SHAPE_CAPSULE;
+            seen.circles_shots += kinds->shape[pool->kind[i]] == SHAPE_CIRCLES;
             seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_PLAIN;
         }
     }
+}
+
+static inline void reference(const struct board *b)
+{
+    expected_n = 0;
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p])
+            player_reference(b, p);
+    pool_reference(b, &b->shots, &b->shot_kinds, EV_SHOT, H_SHOT);
+    pool_reference(b, &b->bullets, &b->bullet_kinds, EV_BLOCK, H_BULLET);
 }
 
 static inline void compare(const struct board *b, int scene)

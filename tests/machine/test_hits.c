@@ -59,7 +59,8 @@ static void draw_kinds(struct board *b, fx scale)
         b->enemy_kinds.shape[k] = (uint8_t)(one_in(9) ? SHAPE_NONE : one_in(3) ? SHAPE_CIRCLE : SHAPE_BOX);
         b->enemy_kinds.a[k] = length(scale);
         b->enemy_kinds.b[k] = length(scale);
-        b->enemy_kinds.flags[k] = (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? 0 : ENEMY_SWEPT));
+        b->enemy_kinds.flags[k] =
+            (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? ENEMY_BLOCKS : 0) | (one_in(4) ? 0 : ENEMY_SWEPT));
     }
     struct shape_columns all[] = {
         { b->bullet_kinds.shape, b->bullet_kinds.a, b->bullet_kinds.b, b->bullet_kinds.x, b->bullet_kinds.y },
@@ -213,14 +214,15 @@ static void test_random(void **state)
     if (seen.hits < least || seen.bullet_misses < least || seen.grazes < least || seen.box_hits < least ||
         seen.standing < least / 4 || seen.touches < least / 2 || seen.touch_misses < least / 2 || seen.shots < least ||
         seen.capsule_hits < least || seen.capsule_shots < least / 4 || seen.circles_hits < least / 2 ||
-        seen.circles_shots < least / 8 || seen.long_foes < least / 4 || seen.long_touches < least / 4 ||
-        seen.shot_misses < least)
-        fail_msg("too few: hits %ld (boxes %ld, capsules %ld and %ld of shots, circles %ld and %ld, foes %ld, %ld) "
+        seen.blocks < least || seen.circles_shots < least / 8 || seen.long_foes < least / 4 ||
+        seen.long_touches < least / 4 || seen.shot_misses < least)
+        fail_msg("too few: blocks %ld, hits %ld (boxes %ld, capsules %ld and %ld of shots, circles %ld and %ld, foes "
+                 "%ld, %ld) "
                  "grazes %ld misses %ld, touches %ld "
                  "misses %ld, shots %ld misses %ld",
-                 seen.hits, seen.box_hits, seen.capsule_hits, seen.capsule_shots, seen.circles_hits, seen.circles_shots,
-                 seen.long_foes, seen.long_touches, seen.grazes, seen.bullet_misses, seen.touches, seen.touch_misses,
-                 seen.shots, seen.shot_misses);
+                 seen.blocks, seen.hits, seen.box_hits, seen.capsule_hits, seen.capsule_shots, seen.circles_hits,
+                 seen.circles_shots, seen.long_foes, seen.long_touches, seen.grazes, seen.bullet_misses, seen.touches,
+                 seen.touch_misses, seen.shots, seen.shot_misses);
 }
 
 /* ---- by hand ---- */
@@ -234,6 +236,7 @@ static const char game[] =
     "bullet.def('late pin', { sprite = 'dot', hit = { capsule = { 40, 3 } }, swept = false })\n"
     "bullet.def('ring', { sprite = 'dot', hit = { circles = { { -10, 0, 1 }, { 10, 0, 1 } } } })\n"
     "bullet.def('fan', { sprite = 'dot', hit = { circles = { { 10, 0, 1 }, { 0, 5, 1 } } }, turns = true })\n"
+    "enemy.def('gate', { sprite = 'dot', hit = { box = { 20, 4 } }, touch = false, blocks = true })\n"
     "enemy.def('eyes', { sprite = 'dot', hit = { circles = { { -20, 0, 5 }, { 20, 0, 5 }, { 20, 1, 4 } } } })\n"
     "enemy.def('rod', { sprite = 'dot', hit = { capsule = { 40, 2, 0 } } })\n"
     "enemy.def('pole', { sprite = 'dot', hit = { capsule = { 40, 2 } } })\n"
@@ -390,6 +393,28 @@ static void test_by_hand(void **state)
     scene("enemy.spawn { kind = 'rod', x = 100, y = 70 } "
           "shot.fire { kind = 'lance', x = 80, y = 74, speed = 0, dir = 0 }",
           1, "k0 ");
+    /* a blocker takes the bullets that come into it, however fast, and lets shots hit it */
+    scene("enemy.spawn { kind = 'gate', x = 60, y = 150 } bullet.fire { kind = 'ball', x = 60, y = 100, speed = 60 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "0");
+    scene("enemy.spawn { kind = 'gate', x = 60, y = 150 } bullet.fire { kind = 'ball', x = 75, y = 100, speed = 60 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "1g1 ");
+    scene("enemy.spawn { kind = 'foe', x = 60, y = 150 } bullet.fire { kind = 'air', x = 60, y = 140, speed = 0 } "
+          "bullet.fire { kind = 'ball', x = 60, y = 140, speed = 0 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "2");
+    scene("enemy.spawn { kind = 'gate', x = 60, y = 150 } bullet.fire { kind = 'air', x = 60, y = 150, speed = 0 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "1");
+    /* who is hit in the same frame is hit; what a shot kills in it blocks no more */
+    scene("enemy.spawn { kind = 'gate', x = 60, y = 150 } bullet.fire { kind = 'ball', x = 60, y = 100, speed = 100 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "h1 0");
+    scene("enemy.spawn { kind = 'gate', x = 100, y = 150 } bullet.fire { kind = 'ball', x = 100, y = 150, speed = 0 } "
+          "shot.fire { kind = 'bolt', x = 100, y = 150, speed = 0 } "
+          "wait(1) string.log = string.log .. board.live('bullets')",
+          2, "k0 1");
     /* the ring: once a bullet and player, however long it stays; not for those without graze, nor for those that hit */
     scene("bullet.fire { kind = 'ball', x = 80, y = 200, speed = 0 }", 9, "g1 ");
     scene("bullet.fire { kind = 'ball', x = 80 + 1 / 65536, y = 200, speed = 0 }", 9, "");

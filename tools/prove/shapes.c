@@ -373,6 +373,22 @@ static void draw_touching(struct dice *d, const struct shape *s, int64_t *c)
     }
 }
 
+/* All along one line, the bars and the way to b too: what is swept has no inside. */
+static void draw_flat(struct dice *d, int64_t *c)
+{
+    int64_t p = between(d, -9, 9), q = between(d, -9, 9), unit = (int64_t)1 << between(d, 0, 20);
+
+    for (enum role role = DX; role <= GY; role += 2) {
+        int64_t length = unit * between(d, -20, 20);
+
+        c[role] = p * length;
+        c[role + 1] = q * length;
+    }
+    c[R] = between(d, 0, 9 * unit);
+    c[HW] = between(d, 0, 9 * unit);
+    c[HH] = between(d, 0, 9 * unit);
+}
+
 /* A number of which much depends, or up to two beside it. */
 static int64_t an_end(struct dice *d, int64_t most)
 {
@@ -412,6 +428,8 @@ static void draw_case(struct dice *d, const struct shape *s, int kind, int64_t *
         how = between(d, 0, 3);
         if (kind == ENDS)
             draw_ends(d, s, c);
+        else if (has(s, HX) && one_in(d, 16))
+            draw_flat(d, c);
         else if (kind == NEAR && how == 0)
             draw_touching(d, s, c);
         else if (how == 1)

@@ -19,7 +19,8 @@ enum {
     D_ON_HIT,
     D_ON_DEATH,
     D_SWEPT,
-    D_BLEND
+    D_BLEND,
+    D_BLOCKS
 };
 
 static const struct api_param def[] = {
@@ -30,6 +31,7 @@ static const struct api_param def[] = {
     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },       { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },       { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
@@ -54,8 +56,8 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     k->hp[i] = (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] =
-        (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) | v[D_BLEND].i * ENEMY_BLEND_ONE);
+    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
+                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0));
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     keep_function(L, &v[D_RUN], i, "run");
     keep_function(L, &v[D_ON_HIT], i, "on_hit");

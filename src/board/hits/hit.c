@@ -140,6 +140,7 @@ void hit_run(struct board *b)
         raise_enemy_hits(b, p, &c);
     }
     hit_shots(b);
+    hit_blocks(b);
     if (b->enemies.leaving)
         enemies_leave(b);
 }

@@ -68,16 +68,16 @@ static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const st
     return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
 }
 
-/* The same of shot i and an enemy. */
-static inline bool hit_shot_touches(const struct board *b, uint32_t i, const struct body *shot, uint32_t foe,
-                                    const struct body *enemy, bool swept)
+/* The same of shot i, or a bullet, and an enemy. */
+static inline bool hit_shot_touches(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
+                                    uint32_t i, const struct body *shot, uint32_t foe, const struct body *enemy,
+                                    bool swept)
 {
     struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
 
     if ((shot->shape | enemy->shape) <= SHAPE_PLAIN)
         return hit_touches(shot, enemy, swept);
-    return hit_pieces_touch(p, hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p), q, hit_enemy_pieces(b, foe, q),
-                            swept);
+    return hit_pieces_touch(p, hit_bullet_pieces(pool, kinds, i, p), q, hit_enemy_pieces(b, foe, q), swept);
 }
 
 /*
@@ -124,5 +124,8 @@ int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i,
 
 /* Shots against enemies and bullets: raises an event for each shot that hits. */
 void hit_shots(struct board *b);
+
+/* Bullets against the enemies that block: raises an event for each bullet that touches one. */
+void hit_blocks(struct board *b);
 
 #endif

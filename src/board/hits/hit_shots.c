@@ -54,15 +54,18 @@ struct grid {
     uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
     struct place place[MAX_ENEMIES + BATCH];
     uint16_t begin[MAX_CELLS + 1]; /* of each cell; the last: n */
-    int64_t sure[MAX_KINDS];       /* sure hit: a shot of that kind touches any enemy that was less far, squared */
+    int64_t sure
+        [MAX_KINDS]; /* of a dense crowd; sure hit: a shot of that kind touches any enemy that was less far, squared */
 };
 
-/* A shot that searches. */
+/* A shot that searches, or a bullet. */
 struct search {
     const struct board *b;
     const struct grid *g;
+    const struct bullets *pool;
+    const struct bullet_kinds *kinds;
     struct body shot;
-    uint32_t slot; /* of the shot */
+    uint32_t slot; /* its own */
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
@@ -94,8 +97,9 @@ static inline int64_t length(const struct grid *g, int64_t share)
     return (share >> 16) * g->cell >> 16;
 }
 
-/* Lists the enemies that can be hit, and measures them: the box they were in, and how far they extend. */
-static void gather(struct grid *g, const struct board *b)
+/* Lists the enemies that can be hit and whose kinds have these flags, and measures them: the box they were in, and how
+ * far they extend. */
+static void gather(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -111,7 +115,7 @@ static void gather(struct grid *g, const struct board *b)
             uint16_t kind = e->kind[i];
             fx x = e->was_x[i], y = e->was_y[i];
             struct extent of = hit_extent(&shapes, kind);
-            if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE)
+            if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE || flags & ~k->flags[kind])
                 continue;
             g->slot[n++] = (uint16_t)i;
             left = x < left ? x : left;
@@ -216,7 +220,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
         if (d > s->best || (d == s->best && slot > s->found))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
-        if (hit_shot_touches(s->b, s->slot, &s->shot, slot, &e, s->swept)) {
+        if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
         }
@@ -228,8 +232,8 @@ static bool set_bounds(struct search *s)
 {
     const struct grid *g = s->g;
     const struct body *p = &s->shot;
-    const struct shape_columns shapes = hit_bullet_shapes(&s->b->shot_kinds);
-    const struct extent e = hit_extent(&shapes, s->b->shots.kind[s->slot]);
+    const struct shape_columns shapes = hit_bullet_shapes(s->kinds);
+    const struct extent e = hit_extent(&shapes, s->pool->kind[s->slot]);
     int64_t x = p->x - g->left, ex = e.x + g->reach_x;
     int64_t y = p->y - g->top, ey = e.y + g->reach_y;
 
@@ -284,12 +288,15 @@ static void search_rings(struct search *s)
     }
 }
 
-static uint32_t target_by_rings(const struct board *b, const struct grid *g, uint32_t i)
+static uint32_t target_by_rings(const struct board *b, const struct grid *g, const struct bullets *pool,
+                                const struct bullet_kinds *kinds, uint32_t i)
 {
-    struct search s = { .b = b, .g = g, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY };
+    struct search s = {
+        .b = b, .g = g, .pool = pool, .kinds = kinds, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY
+    };
 
-    s.shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
-    s.swept = b->shot_kinds.flags[b->shots.kind[i]] & KIND_SWEPT;
+    s.shot = hit_bullet_body(pool, kinds, i);
+    s.swept = kinds->flags[pool->kind[i]] & KIND_SWEPT;
     if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
         return NO_ENEMY;
     search_rings(&s);
@@ -375,7 +382,9 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     if (d < g->sure[s->kind[i]])
         return slot;
     struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
-    return hit_shot_touches(b, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT) ? slot : NO_ENEMY;
+    return hit_shot_touches(b, s, &b->shot_kinds, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT)
+               ? slot
+               : NO_ENEMY;
 }
 
 /* Sure hits, by the extents' inner: for a swept shot touches every enemy that it touched before the move. */
@@ -413,7 +422,7 @@ static inline uint32_t target(const struct board *b, const struct grid *g, const
 {
     uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
-    return slot == NO_ENEMY ? target_by_rings(b, g, i) : slot;
+    return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i) : slot;
 }
 
 /* Raises shot i's event with the bullet that it hits, if that was nearer than the enemy that it touches (NO_ENEMY: none).
@@ -466,7 +475,7 @@ void hit_shots(struct board *b)
     g.n = 0;
     g.dense = false;
     if ((s->live || s->holding) && b->enemies.s.live)
-        gather(&g, b);
+        gather(&g, b, 0);
     if (!g.n && !some) {
         bullets_release_all(&b->shots);
         return;
@@ -478,4 +487,34 @@ void hit_shots(struct board *b)
             find_sure_radii(&g, &b->shot_kinds);
     }
     target_all(b, &g, some ? &solids : NULL);
+}
+
+/* ---- blockers ---- */
+
+static bool some_block(const struct board *b)
+{
+    for (uint32_t i = 0; i < b->enemy_kinds.s.live; i++)
+        if (b->enemy_kinds.flags[i] & ENEMY_BLOCKS)
+            return b->bullets.s.live && b->enemies.s.live;
+    return false;
+}
+
+void hit_blocks(struct board *b)
+{
+    struct grid g;
+
+    if (!some_block(b))
+        return;
+    gather(&g, b, ENEMY_BLOCKS);
+    if (!g.n)
+        return;
+    set_cells(&g, b->bullets.s.live, b->enemies.s.top);
+    sort(&g, &b->enemies);
+    EACH_LIVE (i, &b->bullets.s) {
+        if (b->bullets.flags[i] & BULLET_DELAYED)
+            continue;
+        uint32_t foe = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i);
+        if (foe != NO_ENEMY)
+            board_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)foe));
+    }
 }

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
+#include "../../board/inspect.h"
 #include "../../board/rom/cart.h"
 #include "../demo/demo.h"
 #include "../run/guard.h"
@@ -38,7 +39,52 @@ struct run {
     size_t most;             /* bytes of Lua RAM, of all runs so far */
     char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
+    bool measured; /* the kinds' shapes were compared with their pictures */
 };
+
+/* ---- hit shapes and pictures ---- */
+
+/* Where a kind is declared with a name that is written out; line 0: nowhere. */
+static const char *declared(const struct check *c, const char *of, const char *name, int *line)
+{
+    *line = 0;
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
+            const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
+            if (call->space == NULL || strcmp(call->space, of) != 0 || strcmp(call->name, "def") != 0 ||
+                call->arg[0] == NULL || strcmp(call->arg[0], name) != 0)
+                continue;
+            *line = call->line;
+            return c->scripts[i].path;
+        }
+    return "rom.lua";
+}
+
+/* A shape that reaches beyond what is seen is hardly meant. */
+static void note_large(void *context, const struct inspect_shape_of *kind)
+{
+    static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
+                                         [INSPECT_BOX] = "hit box",
+                                         [INSPECT_CAPSULE] = "hit capsule",
+                                         [INSPECT_CIRCLES] = "hit circles, together" };
+    struct check *c = context;
+    int64_t w = (int64_t)kind->x1 - kind->x0, h = (int64_t)kind->y1 - kind->y0;
+    int line;
+
+    for (int i = 0; i < c->art.n_sprites; i++) {
+        const struct art_sprite *s = &c->art.sprites[i];
+        int side = s->w > s->h ? s->w : s->h;
+        bool any_way = kind->turns && kind->shape == INSPECT_BOX;
+        if (strcmp(s->name, kind->sprite) != 0 ||
+            (w <= (int64_t)(any_way ? side : s->w) << 16 && h <= (int64_t)(any_way ? side : s->h) << 16))
+            continue;
+        const char *file = declared(c, kind->of, kind->name, &line);
+        diagnostics_add(&c->found, file, line,
+                        "%s \"%s\": its %s of %.7g x %.7g px %s larger than its picture, \"%s\" of %d x %d px",
+                        kind->of, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
+                        kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, s->w, s->h);
+    }
+}
 
 /* ---- one run ---- */
 
@@ -93,6 +139,9 @@ static bool power(struct run *r, const struct board_start *start)
 
     if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
         note_full(r, board_last(r->guard.board));
+        if (!r->measured)
+            inspect_kinds(r->guard.board, note_large, r->c);
+        r->measured = true;
         return true;
     }
     diagnostics_add_sentence(&r->c->found, "rom.lua", err);
