@@ -1,7 +1,7 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
-  board = { values = { bullet = 4, shot = 4, enemy = 4 } }, -- room for value.def
+  board = { values = { bullet = 4, shot = 4, enemy = 4 }, around = true }, -- room for value.def and orbits
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {

@@ -33,7 +33,8 @@ enum {
     /* in the column `mute` */
     OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
     OVERRIDE_SPEED = 1 << 1,
-    STEP_BEGUN = 1 << 7, /* the step at pc has begun */
+    OVERRIDE_PLACE = 1 << 2, /* the place, while this step leads it */
+    STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
 
     MAX_KINDS = 1024
 };
@@ -72,7 +73,8 @@ struct bullets {
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
     fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
-    fx value_start[MAX_VALUES];            /* what they are in a new bullet */
+    int64_t *around;                       /* the thing that orbits go round, 0: none; the board gives it a meaning */
+    fx value_start[MAX_VALUES];            /* what the values are in a new bullet */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -113,6 +115,10 @@ struct motion_world {
     struct targets targets;
     uint32_t clock;
     bool shots; /* they run the programs: names of values are theirs */
+    /* Where the thing is that `around` means, or where it was in the frame before; false: it is not there. The slots of
+     * the pool that moves now have done so below `moved`; what is of that pool is always where it was. */
+    bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
+    const void *context; /* of where */
 };
 
 struct bullet_shape {
@@ -121,6 +127,7 @@ struct bullet_shape {
     uint16_t kind, tag, motion;
     uint8_t bank, player;
     bool fine; /* the motion is */
+    int64_t around;
     uint32_t by;
 };
 
