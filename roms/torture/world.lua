@@ -43,7 +43,7 @@ local function bullets()
     if n % 16 == 4 then
       local d = bullet.fire { kind = "dot", x = 90, y = 40, speed = 1, motion = "led", heat = n % 40 / 8, goal = n % 9, around = b }
       d.around = d.around
-      pattern.arc { from = c, kind = "late", n = 2, sweep = 40, speed = 1 }
+      pattern.arc { from = c, kind = "late", n = 2, sweep = 40, speed = 5, motion = "bouncing" }
       bullet.group("late").around = b
       if n % 32 == 4 then shot.fire { kind = "bolt", x = 80, y = 90, speed = 1, motion = "led", around = d, heat = 2 }.around = b end
     end

@@ -556,9 +556,15 @@ static bool where(const struct motion_world *w, int64_t around, uint32_t moved, 
 
 struct motion_world board_world(const struct board *b, bool shots)
 {
-    struct motion_world w = {
-        &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock, shots, where, b
-    };
+    struct motion_world w = { &b->motions,
+                              &b->steps,
+                              &b->bullet_kinds,
+                              board_players(b),
+                              b->core.clock,
+                              shots,
+                              where,
+                              b,
+                              { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) } };
 
     if (shots) {
         w.kinds = NULL;

@@ -276,7 +276,7 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
         b->x_more[i] = b->y_more[i] = 0;
         bullets_steer(b, i);
     } else if (!fine)
-        b->way[i] = 0;
+        b->pace[i] = b->way[i] = 0;
     b->motion[i] = motion;
     b->pc[i] = 0;
     b->end[i] = 0;
@@ -613,6 +613,71 @@ static void let_go(struct bullets *b, uint32_t i, uint32_t does)
         bullets_steer(b, i);
 }
 
+/* ---- bounces ---- */
+
+/* Reflects a move from `from` to *to, at speed *v, at the walls lo and hi, those that are. What begins outside is let
+ * pass. */
+static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool at_hi)
+{
+    bool any = false;
+
+    if (from < lo || from > hi)
+        return false;
+    for (;; any = true) {
+        if (at_lo && *v < 0 && *to < lo)
+            *to = 2 * (int64_t)lo - *to;
+        else if (at_hi && *v > 0 && *to > hi)
+            *to = 2 * (int64_t)hi - *to;
+        else
+            return any;
+        *v = -*v;
+    }
+}
+
+/* Turns bullet i back where this frame's move would lead it out. It ends the frame at the reflected place; `way` keeps
+ * the velocity that it has then, till the next frame. */
+static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned walls)
+{
+    int64_t x = (int64_t)b->x[i] + b->vx[i], y = (int64_t)b->y[i] + b->vy[i];
+    fx vx = b->vx[i], vy = b->vy[i];
+    const bool side = reflect(b->x[i], &x, &vx, f->x0, f->x1, walls & HOW_LEFT, walls & HOW_RIGHT);
+    const bool end = reflect(b->y[i], &y, &vy, f->y0, f->y1, walls & HOW_TOP, walls & HOW_BOTTOM);
+
+    if (!side && !end)
+        return;
+    if (vx != b->vx[i])
+        b->dir[i] = 0x80000000u - b->dir[i];
+    if (vy != b->vy[i])
+        b->dir[i] = 0u - b->dir[i];
+    b->way[i] = (int64_t)((uint64_t)(uint32_t)vx << 32 | (uint32_t)vy);
+    set_velocity(b, i, (fx)(x - b->x[i]), (fx)(y - b->y[i]));
+}
+
+/* The frame after a bounce: it has its velocity, unless a script has given it another. */
+static void bounced(struct bullets *b, uint32_t i, unsigned mute)
+{
+    if (!(mute & (OVERRIDE_DIR | OVERRIDE_SPEED)))
+        set_velocity(b, i, (fx)(b->way[i] >> 32), (fx)b->way[i]);
+    b->way[i] = 0;
+}
+
+/* A frame of bullet i on its way to a wall, since the clock of `pace`. Returns the step that it goes on with in this
+ * frame; pc: none. */
+static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t pc)
+{
+    const struct steps *s = w->steps;
+    const uint32_t st = w->motions->first[b->motion[i] - 1u] + pc;
+
+    if (b->way[i]) {
+        bounced(b, i, mute);
+        return pc + 1;
+    }
+    if (w->clock - (uint32_t)b->pace[i] >= s->over[st])
+        return s->jump[st];
+    bounce(b, &w->field, i, s->how[st]);
+    return pc;
+}
+
 /* The step after one that opens or closes a loop. */
 static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
@@ -650,6 +715,18 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         b->ran++;
         if (does & (DOES_LOOP | DOES_NEXT)) {
             pc = loop_step(shared->steps, &b->rounds[i * MOTION_DEPTH], st, pc);
+            if (does & DOES_BOUNCE)
+                b->pace[i] = (int64_t)shared->clock;
+            continue;
+        }
+        if (does & DOES_BOUNCE) {
+            const uint32_t next = fly_to_wall(b, shared, i, mute, pc);
+            mute = next == pc ? mute | STEP_BEGUN : 0;
+            b->pc[i] = (uint16_t)pc;
+            b->mute[i] = (uint8_t)mute;
+            if (next == pc)
+                return PROGRAM_RUNS;
+            pc = next;
             continue;
         }
         w = shared;

@@ -119,6 +119,7 @@ struct motion_world {
      * the pool that moves now have done so below `moved`; what is of that pool is always where it was. */
     bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
     const void *context; /* of where */
+    struct box field;    /* its edges are walls */
 };
 
 struct bullet_shape {

@@ -60,7 +60,8 @@ enum {
     DOES_WAVE = 1 << 15,
     DOES_ORBIT = 1 << 16,
     DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
-    DOES_ALL = (1 << 17) - 1,
+    DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; without: flies to the next one */
+    DOES_ALL = (1 << 18) - 1,
     MOTION_DEPTH = 4, /* loops inside loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS = 16 /* RAM for steps, a program on average */
@@ -74,6 +75,11 @@ enum {
     HOW_AT = 1 << 2,    /* round (x, y); else polar goes round where it began, orbit round the bullet's `around` */
     HOW_TO = 1 << 3,    /* an orbit's radius goes to size_to */
     HOW_SPEED = 1 << 4, /* go_to flies at `speed`, for as many frames as that takes */
+    HOW_LEFT = 1 << 0,  /* of DOES_BOUNCE: the edges of the field that are walls */
+    HOW_RIGHT = 1 << 1,
+    HOW_TOP = 1 << 2,
+    HOW_BOTTOM = 1 << 3,
+    HOW_WALLS = 15
 };
 
 /* The numbers of a step in whose place a value's name may stand. Of each, `named` has NAMED_BITS: the value's column
@@ -109,7 +115,7 @@ struct steps {
     int64_t *speed;  /* px/frame in Q32; whole fx unless the program is fine */
     int64_t *accel;  /* px/frame in Q32, a frame or once */
     uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
-    uint16_t *jump;  /* counted from the program's first step */
+    uint16_t *jump;  /* of a loop, and the step after the bounces; counted from the program's first step */
     uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
     fx *x, *y;       /* of go_to, and with HOW_AT what polar and orbit go round */
     fx *size;        /* px to each side of a wave, radius of an orbit */

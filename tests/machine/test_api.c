@@ -479,7 +479,7 @@ static void push_steps(lua_State *L, int depth)
         if (depth < 6 && one_in(5)) {
             push_steps(L, depth + 1);
             lua_pushinteger(L, one_in(4) ? LUA_MAXINTEGER : (lua_Integer)below(9));
-            lua_setfield(L, -2, "loop");
+            lua_setfield(L, -2, one_in(4) ? "bounce" : "loop");
         } else {
             lua_newtable(L);
             for (uint64_t k = 1 + below(2); k--;) {

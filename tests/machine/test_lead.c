@@ -191,6 +191,53 @@ static void test_formulas(void **state)
     end();
 }
 
+/* Where something that flies from v by `speed` a frame is in frame k, between walls at 0 and w. */
+static int64_t folded(int64_t v, int64_t speed, uint32_t k, int64_t w)
+{
+    int64_t at = (v + speed * k) % (2 * w);
+
+    at = at < 0 ? at + 2 * w : at;
+    return at > w ? 2 * w - at : at;
+}
+
+/* Bounces between all walls, exactly at the reflected place in every frame; the bound on speeds holds. */
+static void test_bounces(void **state)
+{
+    struct bullets *b;
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&rig, &g, NULL);
+    rng_seed(&rng, 8);
+    b = &rig.b->bullets;
+    const struct motion_step steps[] = { { .does = DOES_LOOP | DOES_BOUNCE, .count = MOTION_FOREVER, .jump = 3 },
+                                         { .does = DOES_BOUNCE, .how = HOW_WALLS, .over = UINT32_MAX, .jump = 3 },
+                                         { .does = DOES_NEXT, .jump = 1 } };
+    for (int run = 0; run < 400; run++) {
+        struct motion_world w = board_world(rig.b, false);
+        fx x = (fx)rng_below(&rng, (uint64_t)w.field.x1 + 1), y = (fx)rng_below(&rng, (uint64_t)w.field.y1 + 1);
+        struct bullet_shape s = { .x = x,
+                                  .y = y,
+                                  .speed = number(run % 9 ? 8 * FX_ONE : MAX_SPEED << 16),
+                                  .dir = run % 5 ? (ang)rng_next(&rng) : (ang)rng_below(&rng, 8) << 29 };
+        if (run % 4 == 0) /* from a wall */
+            s.x = x = run % 8 ? 0 : w.field.x1;
+        if (b->s.live)
+            bullets_drop(b, 0);
+        rig.b->motions.s.live = rig.b->steps.s.live = 0;
+        s.motion = (uint16_t)(motion_define(&rig.b->motions, &rig.b->steps, steps, 3, false) + 1);
+        assert_int_equal(bullets_fire(b, &s, 0), 0);
+        fx vx = b->vx[0], vy = b->vy[0];
+        for (uint32_t k = 1; k < 300; k++) {
+            move(&w);
+            if (b->x[0] != folded(x, vx, k, w.field.x1) || b->y[0] != folded(y, vy, k, w.field.y1))
+                fail_msg("run %d: frame %u: not at the reflected place", run, k);
+            assert_true(b->fastest >= fx_abs(b->vx[0]) && b->fastest >= fx_abs(b->vy[0]));
+        }
+    }
+    end();
+}
+
 #define KINDS                                                                                                          \
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"                                                    \
     "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"                                                     \
@@ -290,6 +337,42 @@ static void test_scripts(void **state)
           14);
 }
 
+static void test_bounce_steps(void **state)
+{
+    (void)state;
+    /* two walls, then on; what stands inside runs in the frame after the bounce, and takes its time */
+    holds("bullet.def('red', { sprite = 'dot', hit = 'none', bank = 9 })\n" KINDS "task.go(function()\n"
+          "  local a = dot { x = 5, y = 50, dir = 180, speed = 2, motion = { { bounce = 1, walls = 'left right',\n"
+          "    { bank = 7 }, { wait = 2 }, { kind = 'red' } }, { dir = 90 } } }\n"
+          "  wait(2) assert(a.x == 1 and a.bank == 0) wait(1) assert(a.x == 1 and a.dir == 0 and a.bank == 0)\n"
+          "  wait(1) assert(a.x == 3 and a.bank == 7 and a.vx == 2) wait(1) assert(a.x == 5 and a.kind == 'dot')\n"
+          "  wait(1) assert(a.x == 5 and a.y == 52 and a.kind == 'red' and a.motion == nil)\n"
+          "end)\n",
+          9);
+    /* a wall that is none; over ends it; a corner is one bounce; twice in turn */
+    holds(
+        KINDS
+        "task.go(function()\n"
+        "  local a = dot { x = 5, y = 50, dir = 180, speed = 2, motion = { { bounce = 9, walls = 'top', over = 6 }, { "
+        "speed = 1 } } }\n"
+        "  local b = dot { x = 3, y = 3, dir = 225, speed = 2, motion = { { bounce = 1 }, { speed = 1 } } }\n"
+        "  local c = dot { x = 1, y = 50, dir = 180, speed = 2, motion = { { loop = 2, { bounce = 1, walls = 'left' "
+        "},\n"
+        "    { dir = 180 } }, { speed = 0 } } }\n"
+        "  wait(3) assert(a.x == -1 and b.x > 0 and b.y == b.x and b.dir == 45)\n"
+        "  wait(3) assert(a.x == -7 and a.speed == 2 and c.speed == 0) wait(1) assert(a.x == -8 and b.speed == 1)\n"
+        "end)\n",
+        9);
+    /* a script turns it in the frame of its bounce */
+    holds(KINDS
+          "task.go(function()\n"
+          "  local a = dot { x = 1, y = 50, dir = 180, speed = 2, motion = { { bounce = 3 } } }\n"
+          "  wait(1) assert(a.x == 1) a.dir = 90 wait(1) assert(a.x == 1 and a.y == 52) wait(1) assert(a.y == 54)\n"
+          "  a.motion = nil wait(1) assert(a.y == 56)\n"
+          "end)\n",
+          9);
+}
+
 static void refused(const char *steps, const char *message)
 {
     static char text[1024];
@@ -329,12 +412,20 @@ static void test_errors(void **state)
     refused("{ turn = 1, spin = 3 }", "spin is a setting of go_to, polar, wave or orbit");
     refused("{ speed = 1, over = forever }", "speed with over = forever never gets there");
     refused("{ loop = 2, { wait = 1 }, spin = 3 }", "loop stands alone");
+    refused("{ bounce = 0 }", "bounce: expected forever or a whole number from 1 to 65534 times, got 0");
+    refused("{ bounce = 2, walls = 'up' }", "walls: expected words of \"left right top bottom\", got \"up\"");
+    refused("{ bounce = 2, walls = ' ' }", "walls: expected words of");
+    refused("{ bounce = 2, turn = 1 }", "bounce stands alone with its steps");
+    refused("{ turn = 2, walls = 'left' }", "walls is a setting of bounce");
+    refused("{ bounce = 2, { loop = 2, { bounce = 1 } } }", "bounce cannot stand inside bounce");
+    refused("fine = true, { bounce = 2 }", "not for a fine motion");
     refused("fine = true, { go_to = { 1, 2 }, over = 3 }", "not for a fine motion");
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_formulas), cmocka_unit_test(test_scripts),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_formulas), cmocka_unit_test(test_bounces),
+                                        cmocka_unit_test(test_bounce_steps), cmocka_unit_test(test_scripts),
                                         cmocka_unit_test(test_errors) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -142,8 +142,8 @@ static void test_later(void **state)
          "main.lua:2: bullet.fire: delay is not there yet; the name is kept for it");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3 }",
          "main.lua:2: pattern.ring: delay is not there yet; the name is kept for it");
-    SAYS("motion.def { { wait = 1 }, { bounce = 30 } }",
-         "main.lua:2: motion.def: step 2: bounce is not there yet; the name is kept for it");
+    SAYS("motion.def { { wait = 1 }, { emit = 30 } }",
+         "main.lua:2: motion.def: step 2: emit is not there yet; the name is kept for it");
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1 } b.frozen = 3",
          "main.lua:2: bullet: frozen is not there yet; the name is kept for it");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",

@@ -628,6 +628,8 @@ enum {
     M_EVERY,
     M_PHASE,
     M_RADIUS_TO,
+    M_BOUNCE,
+    M_WALLS,
     M_KEYS
 };
 
@@ -654,6 +656,8 @@ static const struct api_param step_keys[M_KEYS] = {
     { "every", A_INT, OPT, 1, 65535, "frames", NULL },
     { "phase", A_DIR, OPT, 0, 0, NULL, NULL },
     { "radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
+    { "bounce", A_COUNT, OPT, 1, 65534, "times", NULL },
+    { "walls", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -662,6 +666,7 @@ enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 struct reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
+    int bounces; /* open ones */
     bool fine;
 };
 
@@ -829,6 +834,8 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
             found = i;
         }
     const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
+    if (v[M_WALLS].given)
+        step_error(L, step, "walls is a setting of bounce");
     for (int k = 0; k < M_KEYS; k++) {
         if (found < 0 && v[k].given && own >> k & 1)
             api_error(L, DEF, "step %d: %s is a setting of go_to, polar, wave or orbit", step, step_keys[k].name);
@@ -966,6 +973,78 @@ static bool takes_time(const struct motion_step *s)
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
+static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
+
+/* The walls that a list of words names. */
+static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
+{
+    static const char *const words[] = { "left", "right", "top", "bottom" };
+    uint8_t walls = 0;
+
+    if (!v->given)
+        return HOW_WALLS;
+    for (const char *at = lua_tostring(L, v->at); *at; at += strspn(at, " ")) {
+        size_t n = strcspn(at, " ");
+        int k = 0;
+        while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
+            k++;
+        if (k == 4)
+            api_error(L, DEF, "step %d: walls: expected words of \"left right top bottom\", got \"%s\"", step,
+                      lua_tostring(L, v->at));
+        walls |= (uint8_t)(1 << k);
+        at += n;
+    }
+    if (!walls)
+        step_error(L, step, "walls: expected words of \"left right top bottom\"");
+    return walls;
+}
+
+/* The way to a wall, inside the loop of bounces that step `open` opens. */
+static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+{
+    if (r->fine)
+        step_error(L, step, "bounce is exact as it is, and not for a fine motion");
+    if (r->bounces++)
+        step_error(L, step, "bounce cannot stand inside bounce");
+    r->steps[r->n - 1].does |= DOES_BOUNCE;
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_BOUNCE;
+    s->how = read_walls(L, step, &v[M_WALLS]);
+    s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
+}
+
+/* Reads a loop or bounces, with the steps inside, from the table at `at`. Returns the steps it runs at once. */
+static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
+                          bool *timed)
+{
+    const int word = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
+    const bool bounce = word == M_BOUNCE;
+    const uint32_t open = r->n;
+    bool inner;
+
+    if (depth == MOTION_DEPTH)
+        step_error(L, step, "loops nest at most 4 deep");
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
+            api_error(L, DEF, "step %d: %s stands alone with its steps", step, step_keys[word].name);
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_LOOP;
+    s->depth = (uint8_t)depth;
+    s->count = v[word].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[word].i;
+    if (bounce)
+        add_bounce(L, r, v, step);
+    uint64_t inside = read_steps(L, r, at, depth + 1, &inner);
+    r->bounces -= bounce;
+    inner |= bounce;
+    *timed |= inner && v[word].i > 0;
+    s = add_step(L, r);
+    *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
+    r->steps[open].jump = (uint16_t)r->n;
+    if (bounce)
+        r->steps[open + 1].jump = (uint16_t)r->n;
+    return loop_work(L, inner, inside, v[word].i, step);
+}
+
 /* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
  * passes. */
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
@@ -980,31 +1059,14 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         if (lua_rawgeti(L, at, i) != LUA_TTABLE)
             step_error(L, i, "expected a table");
         uint64_t named = read_keys(L, top + 1, i, v);
-        if (!v[M_LOOP].given) {
+        if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
-                step_error(L, i, "steps inside a step need loop = n");
+                step_error(L, i, "steps inside a step need loop = n or bounce = n");
             struct motion_step *s = add_step(L, r);
             fill_step(L, s, v, named, i, r->fine);
             *timed |= takes_time(s);
-        } else {
-            bool inner;
-            uint32_t open = r->n;
-            if (depth == MOTION_DEPTH)
-                step_error(L, i, "loops nest at most 4 deep");
-            for (int k = 0; k < M_KEYS; k++)
-                if (v[k].given && k != M_LOOP)
-                    step_error(L, i, "loop stands alone with its steps");
-            struct motion_step *s = add_step(L, r);
-            s->does = DOES_LOOP;
-            s->depth = (uint8_t)depth;
-            s->count = v[M_LOOP].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[M_LOOP].i;
-            uint64_t inside = read_steps(L, r, top + 1, depth + 1, &inner);
-            work += loop_work(L, inner, inside, v[M_LOOP].i, i);
-            *timed |= inner && v[M_LOOP].i > 0;
-            s = add_step(L, r);
-            *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
-            r->steps[open].jump = (uint16_t)r->n;
-        }
+        } else
+            work += read_loop(L, r, top + 1, depth, v, i, timed);
         work++;
         lua_settop(L, top);
     }
@@ -1045,6 +1107,7 @@ static const char *read_head(lua_State *L, struct reader *r)
         api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
+    r->bounces = 0;
     r->fine = v[HEAD_FINE].i;
     return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }

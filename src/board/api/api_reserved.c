@@ -32,7 +32,7 @@ static const struct {
     { "bullet.fire", '{', "delay" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "motion.def step", '{', "bounce emit path wait_for" },
+    { "motion.def step", '{', "emit path wait_for" },
     { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
     { "shot.def", '{', "cancels every pierce" },
     { "sprite.put", '{', "follow" },
