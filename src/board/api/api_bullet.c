@@ -138,7 +138,10 @@ static void check_around(lua_State *L, const struct bullets *s, const char *entr
     { "kind", kind_type, REQ, 0, 0, NULL, NULL }, { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },     \
         PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, def_dir }, { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },                \
         { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL },                            \
-        { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                                 \
+    {                                                                                                                  \
+        "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
+    }
+#define AROUND                                                                                                         \
     {                                                                                                                  \
         "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
     }
@@ -152,19 +155,22 @@ enum {
     F_BANK,
     F_TAG,
     F_MOTION,
-    F_AROUND,
-    F_BY,
-    F_VALUES
+    F_AROUND, /* of a bullet; the arguments' numbers are folded into the digest, so they stay as they are */
+    F_VALUES,
+    F_BY = F_AROUND, /* of a shot, which has the two others behind it */
+    F_MORE = 1
 };
 
-static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90") };
+static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"), AROUND };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
-                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL } };
+                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL },
+                                              AROUND };
 
 static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, const char *entry, uint8_t player)
 {
     struct bullets *pool = shot ? &b->shots : &b->bullets;
     const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
+    const struct api_value *last = v + (shot ? F_MORE : 0);
     enum handle_kind h = shot ? H_SHOT : H_BULLET;
     struct bullet_shape s = { .speed = v[F_SPEED].f,
                               .dir = v[F_DIR].a,
@@ -185,15 +191,15 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
     }
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
-    check_around(L, pool, entry, &v[F_AROUND]);
-    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
+    check_around(L, pool, entry, &last[F_AROUND]);
+    s.around = last[F_AROUND].given ? last[F_AROUND].i : 0;
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i == NO_SLOT)
         board_full(b, &pool->s);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
     if (i != NO_SLOT)
-        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + (shot ? F_VALUES : F_BY));
+        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, last + F_VALUES);
     lua_pushinteger(L, board_handle(b, h, i));
     return 1;
 }
@@ -984,8 +990,10 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
     if (!v->given)
         return HOW_WALLS;
     for (const char *at = lua_tostring(L, v->at); *at; at += strspn(at, " ")) {
-        size_t n = strcspn(at, " ");
+        size_t n = 0;
         int k = 0;
+        while (at[n] && at[n] != ' ')
+            n++;
         while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
             k++;
         if (k == 4)
