@@ -113,7 +113,7 @@ $(OUT)/%.o: %.c
 $(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
-$(OUT)/machine/test_fine: ALL_C += -Wno-pedantic
+$(OUT)/machine/test_fine $(OUT)/machine/test_lead: ALL_C += -Wno-pedantic
 
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)

@@ -24,6 +24,8 @@ local motions = {
   drive = motion.def { drive },
   fine = motion.def { fine = true },
   fine_drive = fine_drive,
+  polar = motion.def { { polar = 0.001, spin = 1, over = forever } },
+  wave = motion.def { { wave = 4, every = 60, over = forever } },
   fire = motion.def { { die = true } },
 }
 

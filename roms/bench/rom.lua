@@ -24,7 +24,7 @@ return {
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
     does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
-      "fire" },
+      "fire", "polar", "wave" },
     picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
   players = 1,
 }

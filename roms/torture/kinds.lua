@@ -36,6 +36,11 @@ motion.def { name = "all",
   { wait = 20 }, { die = true } }
 motion.def { name = "named", { wait = "goal" }, { turn = "heat", bank = "goal", over = "goal" }, { dir = "heat", speed = "heat" },
   { home = "heat", accel = "goal", over = 3 }, { speed = "goal", over = 5 } }
+motion.def { name = "led", { go_to = { "goal", 60 }, over = 9, ease = "both" }, { go_to = { 90, "heat" }, speed = "goal" },
+  { polar = "heat", spin = 7, at = { "goal", 20 }, over = 20 }, { polar = 1, spin = "goal", over = 12, kind = "dot" },
+  { wave = "goal", every = "goal", phase = "heat", over = 25, bank = 4 }, { orbit = 20, radius_to = "heat", spin = -9, over = 15 },
+  { orbit = "goal", at = { 100, 100 }, spin = 4, over = 30 }, { wave = 9, every = 7, over = forever } }
+motion.def { name = "bouncing", { bounce = 2, walls = "left right bottom", { bank = 5 }, { turn = 3, over = 4 } }, { bounce = forever, walls = "top", over = 90 } }
 motion.def { name = "spin", { loop = forever, { turn = 3, over = 10 }, { bank = 9 }, { turn = -3, over = 10 }, { bank = 1 } } }
 motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { wait = 1 }, { accel = 0.02 } } } } }, { wait = forever } }
 motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = true, turn = 5, speed = 3 } }

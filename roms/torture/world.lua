@@ -40,6 +40,13 @@ local function bullets()
     n = n + 1
     local b = bullet.fire { kind = "dot", x = 112, y = 20, dir = 7 * n, speed = 1.5, motion = "all", bank = n % 16, tag = "b" .. n % 5 }
     local c = bullet.fire { kind = "ghost", from = b, dx = 3, dy = -2, aim = true, dir = 10, speed = -0.5, motion = "nested" }
+    if n % 16 == 4 then
+      local d = bullet.fire { kind = "dot", x = 90, y = 40, speed = 1, motion = "led", heat = n % 40 / 8, goal = n % 9, around = b }
+      d.around = d.around
+      pattern.arc { from = c, kind = "late", n = 2, sweep = 40, speed = 5, motion = "bouncing" }
+      bullet.group("late").around = b
+      if n % 32 == 4 then shot.fire { kind = "bolt", x = 80, y = 90, speed = 1, motion = "led", around = d, heat = 2 }.around = b end
+    end
     if n % 8 == 0 then bullet.fire { kind = "dot", x = 60, y = 60, speed = 1, motion = "named", heat = n % 50 - 20, goal = n % 6 } end
     bullet.fire { kind = "late", x = 190, y = 90, aim = true, dir = n % 9, speed = 1.3, motion = n % 3 == 0 and "drift" or nil }
     pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
@@ -121,6 +128,7 @@ local function shots()
       if i == 4 then s.x, s.y, s.bank = s.x, s.y - 2, 6 end
       if i == 5 then s.dir = s.dir + 1 s.speed = 4 end
       if i == 6 then s.vx = 1 s.vy = -3 end
+      if i == 6 then s.around = s.around end
       if i == 7 then s.kind, s.tag, s.motion = "ball", nil, s.motion or "stop" end
     end
     wait(7)

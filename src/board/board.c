@@ -554,9 +554,40 @@ struct targets board_players(const struct board *b)
     return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in };
 }
 
+/* Enemies and players have moved when bullets do, and shots too, unless it is shots that move. */
+static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
+{
+    const struct board *b = w->context;
+    const enum handle_kind kind = handle_kind(around), moves = w->shots ? H_SHOT : H_BULLET;
+    const struct bullets *s = kind == H_SHOT ? &b->shots : &b->bullets;
+    const uint32_t i = handle_slot(around);
+
+    if (!board_alive(b, around) || !board_where(b, around, x, y))
+        return false;
+    if (kind == moves ? i < moved : kind == H_SHOT && before) {
+        *x -= s->vx[i];
+        *y -= s->vy[i];
+    } else if (before && kind == H_ENEMY) {
+        *x = b->enemies.was_x[i];
+        *y = b->enemies.was_y[i];
+    } else if (before && kind == H_PLAYER) {
+        *x = b->player.was_x[i];
+        *y = b->player.was_y[i];
+    }
+    return true;
+}
+
 struct motion_world board_world(const struct board *b, bool shots)
 {
-    struct motion_world w = { &b->motions, &b->steps, &b->bullet_kinds, board_players(b), b->core.clock, shots };
+    struct motion_world w = { &b->motions,
+                              &b->steps,
+                              &b->bullet_kinds,
+                              board_players(b),
+                              b->core.clock,
+                              shots,
+                              where,
+                              b,
+                              { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) } };
 
     if (shots) {
         w.kinds = NULL;

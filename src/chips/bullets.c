@@ -58,6 +58,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(bullets, value4, GROUP_VALUE + 3),
+    GROUP_COLUMN(bullets, around, GROUP_AROUND),
     GROUP_COLUMN(bullets, begun1, GROUP_VALUE + 0),
     GROUP_COLUMN(bullets, begun2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, begun3, GROUP_VALUE + 2),
@@ -162,6 +163,8 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
         b->hp[i] = shape->hp;
     if (b->frozen)
         b->frozen[i] = b->kept_vx[i] = b->kept_vy[i] = b->stands[i] = 0;
+    if (b->around)
+        b->around[i] = shape->around;
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     if (shape->delay)
         wait_until(b, (uint32_t)i, clock + shape->delay);
@@ -328,12 +331,14 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     if (fine && !(b->flags[i] & BULLET_FINE)) {
         b->pace[i] = bullets_speed(b, i);
         b->flags[i] |= BULLET_FINE;
+        b->way[i] = 0;
     } else if (!fine && b->flags[i] & BULLET_FINE) {
         b->flags[i] &= (uint8_t)~BULLET_FINE;
         b->pace[i] = b->way[i] = 0;
         b->x_more[i] = b->y_more[i] = 0;
         bullets_steer(b, i);
-    }
+    } else if (!fine)
+        b->pace[i] = b->way[i] = 0;
     b->motion[i] = motion;
     b->pc[i] = 0;
     b->from[i] = 0;
@@ -402,6 +407,8 @@ void bullets_stay(struct bullets *b)
         b->born[i]++;
         if (b->mute[i] & STEP_BEGUN || b->flags[i] & BULLET_DELAYED)
             b->end[i]++;
+        if (b->pace[i] && !(b->flags[i] & BULLET_FINE)) /* a bounce */
+            b->pace[i]++;
     }
 }
 
@@ -443,20 +450,6 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
     if (i == NO_SLOT || (t->x[i] == x && t->y[i] == y))
         return none;
     return trig_atan2(fx_sub(t->y[i], y), fx_sub(t->x[i], x));
-}
-
-/*
- * from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame
- * k comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as
- * well: a change of speed ends where the closed form says.
- */
-static int64_t part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
-{
-    uint64_t d = (uint64_t)(to < from ? from - to : to - from), part = d % n * k;
-    uint64_t q = d / n * k + part / n, twice = part % n * 2;
-
-    q += (twice > n) | ((twice == n) & (q & 1));
-    return to < from ? from - (int64_t)q : from + (int64_t)q;
 }
 
 static ang toward(ang dir, ang goal, ang most)
@@ -504,7 +497,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         int64_t v = bullets_speed(b, i) >> shift;
 
         if (does & DOES_SPEED)
-            v = part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
+            v = motion_part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
         if (does & DOES_ACCEL)
             v += s->accel[st] >> shift;
         bullets_set_speed(b, i, clamp_pace(v * ((int64_t)1 << shift)));
@@ -538,6 +531,26 @@ static fx in_range(fx v, int lo, int hi)
     return fx_clamp(v, lo * FX_ONE, hi * FX_ONE);
 }
 
+static void set_lead_number(struct motion_step *p, enum step_number number, fx v)
+{
+    switch (number) {
+    case NUMBER_X:
+        p->x = in_range(v, -WORLD, WORLD);
+        break;
+    case NUMBER_Y:
+        p->y = in_range(v, -WORLD, WORLD);
+        break;
+    case NUMBER_SIZE:
+        p->size = in_range(v, p->does & DOES_WAVE ? -MAX_SPEED : 0, MAX_SPEED);
+        break;
+    case NUMBER_SIZE_TO:
+        p->size_to = in_range(v, 0, MAX_SPEED);
+        break;
+    default:
+        p->count = v < FX_ONE ? 1 : (uint16_t)(v / FX_ONE);
+    }
+}
+
 static void set_number(struct motion_step *p, enum step_number number, fx v)
 {
     const fx pace = in_range(v, -MAX_SPEED, MAX_SPEED);
@@ -561,8 +574,11 @@ static void set_number(struct motion_step *p, enum step_number number, fx v)
     case NUMBER_SPEED:
         p->speed = (int64_t)pace * (1 << PACE_BITS);
         break;
-    default:
+    case NUMBER_ACCEL:
         p->accel = (int64_t)pace * (1 << PACE_BITS);
+        break;
+    default:
+        set_lead_number(p, number, v);
     }
 }
 
@@ -577,7 +593,7 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
     motion_step_at(w->steps, st, p);
     for (int n = 0; n < STEP_NUMBERS; n++) {
         uint64_t code = p->named >> n * NAMED_BITS & ((1 << NAMED_BITS) - 1);
-        int k = (int)(code >> (w->shots ? NAMED_POOL : 0) & ((1 << NAMED_POOL) - 1)) - 1;
+        int k = (int)(w->shots ? code / NAMED_SHOTS : code % NAMED_SHOTS) - 1;
         if (code)
             set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
     }
@@ -593,9 +609,197 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
                                  .count = &p->count,
                                  .jump = &p->jump,
                                  .depth = &p->depth,
-                                 .named = &p->named };
+                                 .named = &p->named,
+                                 .x = &p->x,
+                                 .y = &p->y,
+                                 .size = &p->size,
+                                 .size_to = &p->size_to,
+                                 .how = &p->how };
     own->w = *w;
     own->w.steps = &own->steps;
+}
+
+/* ---- steps that lead a bullet ---- */
+
+/* While a step leads a bullet, `from` and `way`, which its drive and fine motion would use, keep what it found. */
+static void keep_lead(struct bullets *b, uint32_t i, const struct motion_lead *l)
+{
+    b->from[i] = (int64_t)((uint64_t)(uint32_t)l->x << 32 | (uint32_t)l->y);
+    b->way[i] = (int64_t)((uint64_t)(uint32_t)l->radius << 32 | l->angle);
+}
+
+static struct motion_lead kept_lead(const struct bullets *b, uint32_t i)
+{
+    return (struct motion_lead){ .x = (fx)(b->from[i] >> 32),
+                                 .y = (fx)b->from[i],
+                                 .radius = (fx)(b->way[i] >> 32),
+                                 .angle = (ang)b->way[i],
+                                 .speed = b->speed[i] };
+}
+
+/* Where the thing is, or was a frame before, that bullet i is to go round; false: it is not there. */
+static bool around(const struct bullets *b, const struct motion_world *w, uint32_t i, bool before, fx *x, fx *y)
+{
+    return b->around && b->around[i] && w->where(w, b->around[i], i / SLOTS_BLOCK * SLOTS_BLOCK, before, x, y);
+}
+
+/* The frames that go_to takes at its speed, rounded up. */
+static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
+{
+    const uint32_t d = (uint32_t)fx_hypot(fx_sub(s->x[st], x), fx_sub(s->y[st], y));
+    const uint32_t speed = s->speed[st] < FX_ONE ? 1 : (uint32_t)(s->speed[st] >> PACE_BITS);
+
+    return d ? (d - 1) / speed + 1 : 1;
+}
+
+/* The frames that a step which has begun leads bullet i. */
+static uint32_t frames_led(const struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
+{
+    return s->how[st] & HOW_SPEED ? (uint32_t)(b->way[i] >> 32) : s->over[st];
+}
+
+/* Begins to lead bullet i; returns for how many frames, 0: there is nothing to go round. */
+static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
+{
+    const struct steps *s = w->steps;
+    const uint32_t does = s->does[st];
+    const bool round = does & DOES_ORBIT || s->how[st] & HOW_AT;
+    struct motion_lead l = { .x = b->x[i], .y = b->y[i], .angle = b->dir[i] };
+    uint32_t n = s->over[st];
+
+    if (s->how[st] & HOW_AT) {
+        l.x = s->x[st];
+        l.y = s->y[st];
+    } else if (does & DOES_ORBIT && !around(b, w, i, true, &l.x, &l.y))
+        return 0;
+    if (round) {
+        fx dx = fx_sub(b->x[i], l.x), dy = fx_sub(b->y[i], l.y);
+        l.radius = fx_hypot(dx, dy);
+        l.angle = dx || dy ? trig_atan2(dy, dx) : l.angle;
+    }
+    if (s->how[st] & HOW_SPEED) {
+        n = frames_to(s, st, l.x, l.y);
+        l.radius = (fx)n;
+    }
+    keep_lead(b, i, &l);
+    return n;
+}
+
+/* Gives bullet i the velocity that ends this frame at (x, y). What is more than a speed may be is a jump. */
+static void lead_to(struct bullets *b, uint32_t i, bool wave, fx x, fx y)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 16, dx = (int64_t)x - b->x[i], dy = (int64_t)y - b->y[i];
+
+    if (int64_abs(dx) > most || int64_abs(dy) > most) {
+        b->x[i] = x;
+        b->y[i] = y;
+        b->vx[i] = b->vy[i] = 0;
+        return;
+    }
+    set_velocity(b, i, (fx)dx, (fx)dy);
+    if (wave)
+        return;
+    if (dx || dy)
+        b->dir[i] = trig_atan2((fx)dy, (fx)dx);
+    b->speed[i] = fx_min(fx_hypot((fx)dx, (fx)dy), (fx)most);
+}
+
+/* The k-th of n frames of a step that leads bullet i; false: what it goes round is not there any more. */
+static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k, uint32_t n)
+{
+    const struct steps *s = w->steps;
+    struct motion_lead l = kept_lead(b, i);
+    fx x, y;
+
+    if (s->does[st] & DOES_ORBIT && !(s->how[st] & HOW_AT) && !around(b, w, i, false, &l.x, &l.y))
+        return false;
+    motion_lead_place(s, st, &l, k, n, &x, &y);
+    lead_to(b, i, s->does[st] & DOES_WAVE, x, y);
+    return true;
+}
+
+/* A frame of a step that leads bullet i, unless a script has taken it away. False: the step is over. */
+static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t n)
+{
+    if (mute & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_PLACE))
+        return true;
+    if (lead(b, w, i, st, n - (b->end[i] - w->clock) + 1, n))
+        return true;
+    b->way[i] = 0;
+    return false;
+}
+
+/* What a step has led is let go. It flies on as it did in the last frame; a wave along its way. */
+static void let_go(struct bullets *b, uint32_t i, uint32_t does)
+{
+    b->way[i] = 0;
+    if (does & DOES_WAVE)
+        bullets_steer(b, i);
+}
+
+/* ---- bounces ---- */
+
+/* Reflects a move from `from` to *to, at speed *v, at the walls lo and hi, those that are. What begins outside is let
+ * pass. */
+static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool at_hi)
+{
+    bool any = false;
+
+    if (from < lo || from > hi)
+        return false;
+    for (;; any = true) {
+        if (at_lo && *v < 0 && *to < lo)
+            *to = 2 * (int64_t)lo - *to;
+        else if (at_hi && *v > 0 && *to > hi)
+            *to = 2 * (int64_t)hi - *to;
+        else
+            return any;
+        *v = -*v;
+    }
+}
+
+/* Turns bullet i back where this frame's move would lead it out. It ends the frame at the reflected place; `way` keeps
+ * the velocity that it has then, till the next frame. */
+static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned walls)
+{
+    int64_t x = (int64_t)b->x[i] + b->vx[i], y = (int64_t)b->y[i] + b->vy[i];
+    fx vx = b->vx[i], vy = b->vy[i];
+    const bool side = reflect(b->x[i], &x, &vx, f->x0, f->x1, walls & HOW_LEFT, walls & HOW_RIGHT);
+    const bool end = reflect(b->y[i], &y, &vy, f->y0, f->y1, walls & HOW_TOP, walls & HOW_BOTTOM);
+
+    if (!side && !end)
+        return;
+    if (vx != b->vx[i])
+        b->dir[i] = 0x80000000u - b->dir[i];
+    if (vy != b->vy[i])
+        b->dir[i] = 0u - b->dir[i];
+    b->way[i] = (int64_t)((uint64_t)(uint32_t)vx << 32 | (uint32_t)vy);
+    set_velocity(b, i, (fx)(x - b->x[i]), (fx)(y - b->y[i]));
+}
+
+/* The frame after a bounce: it has its velocity, unless a script has given it another. */
+static void bounced(struct bullets *b, uint32_t i, unsigned mute)
+{
+    if (!(mute & (OVERRIDE_DIR | OVERRIDE_SPEED)))
+        set_velocity(b, i, (fx)(b->way[i] >> 32), (fx)b->way[i]);
+    b->way[i] = 0;
+}
+
+/* A frame of bullet i on its way to a wall, since the clock before `pace`. Returns the step that it goes on with in this
+ * frame; pc: none. */
+static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t pc)
+{
+    const struct steps *s = w->steps;
+    const uint32_t st = w->motions->first[b->motion[i] - 1u] + pc;
+
+    if (b->way[i]) {
+        bounced(b, i, mute);
+        return pc + 1;
+    }
+    if (w->clock + 1 - (uint32_t)b->pace[i] >= s->over[st])
+        return s->jump[st];
+    bounce(b, &w->field, i, s->how[st]);
+    return pc;
 }
 
 /* The step after one that opens or closes a loop. */
@@ -635,6 +839,18 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         b->ran++;
         if (does & (DOES_LOOP | DOES_NEXT)) {
             pc = loop_step(shared->steps, &b->rounds[i * MOTION_DEPTH], st, pc);
+            if (does & DOES_BOUNCE)
+                b->pace[i] = (int64_t)shared->clock + 1;
+            continue;
+        }
+        if (does & DOES_BOUNCE) {
+            const uint32_t next = fly_to_wall(b, shared, i, mute, pc);
+            mute = next == pc ? mute | STEP_BEGUN : 0;
+            b->pc[i] = (uint16_t)pc;
+            b->mute[i] = (uint8_t)mute;
+            if (next == pc)
+                return PROGRAM_RUNS;
+            pc = next;
             continue;
         }
         w = shared;
@@ -643,9 +859,11 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
             w = &own.w;
             st = 0;
         }
-        const uint32_t n = w->steps->over[st];
+        uint32_t n = does & DOES_LEAD && mute & STEP_BEGUN ? frames_led(b, w->steps, i, st) : w->steps->over[st];
         if (!(mute & STEP_BEGUN)) {
             b->from[i] = bullets_speed(b, i);
+            if (does & DOES_LEAD)
+                n = begin_lead(b, w, i, st);
             b->end[i] = w->clock + n;
             if (does & (DOES_KIND | DOES_BANK))
                 restyle(b, w, i, st);
@@ -660,11 +878,18 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
             b->mute[i] = (uint8_t)mute;
             if (does & DOES_DRIVE)
                 drive(b, w, i, mute, st, n - (b->end[i] - w->clock) + 1, n);
+            else if (does & DOES_LEAD && !lead_on(b, w, i, mute, st, n)) {
+                mute = 0;
+                pc++;
+                continue;
+            }
             b->due[i] = (uint8_t)b->end[i];
-            return does & DOES_DRIVE || fine ? PROGRAM_RUNS : PROGRAM_WAITS;
+            return does & (DOES_DRIVE | DOES_LEAD) || fine ? PROGRAM_RUNS : PROGRAM_WAITS;
         }
         if (!n && does & DOES_DRIVE)
             drive(b, w, i, mute, st, 1, 1);
+        if (does & DOES_LEAD && n)
+            let_go(b, i, mute & OVERRIDE_PLACE ? 0 : does);
         mute = 0;
         pc++;
     }

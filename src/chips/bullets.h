@@ -40,7 +40,8 @@ enum {
     /* in the column `mute` */
     OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
     OVERRIDE_SPEED = 1 << 1,
-    STEP_BEGUN = 1 << 7, /* the step at pc has begun */
+    OVERRIDE_PLACE = 1 << 2, /* the place, while this step leads it */
+    STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
 
     MAX_KINDS = 1024
 };
@@ -80,12 +81,14 @@ struct bullets {
     int64_t *from;    /* speed when the step began, as pace */
     uint8_t *mute;    /* of the step at pc: OVERRIDE_, STEP_BEGUN */
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
-    int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx */
+    int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx; else the clock after the last
+                    * bounce, or after the step `bounce` began, 0: there was none */
     int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
     fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
-    fx value_start[MAX_VALUES];            /* what they are in a new bullet */
+    int64_t *around;                       /* the thing that orbits go round, 0: none; the board gives it a meaning */
+    fx value_start[MAX_VALUES];            /* what the values are in a new bullet */
     int32_t *hp;                           /* 0: shots pass it; HP_FOREVER; NULL: not asked for */
     int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
     uint8_t *stands;       /* STANDS, STOOD */
@@ -132,6 +135,11 @@ struct motion_world {
     struct targets targets;
     uint32_t clock;
     bool shots; /* they run the programs: names of values are theirs */
+    /* Where the thing is that `around` means, or where it was in the frame before; false: it is not there. The slots of
+     * the pool that moves now have done so below `moved`; what is of that pool is always where it was. */
+    bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
+    const void *context; /* of where */
+    struct box field;    /* its edges are walls */
 };
 
 struct bullet_shape {
@@ -143,6 +151,7 @@ struct bullet_shape {
     bool clouded;   /* its kind has a cloud, and there is a delay */
     uint32_t delay; /* frames */
     int32_t hp;
+    int64_t around;
     uint32_t by;
 };
 

@@ -1,6 +1,5 @@
 /*
- * enemies.c - see enemies.h. Easing is quadratic. The share of a move is a fraction of whole numbers, and a place is
- * rounded once.
+ * enemies.c - see enemies.h.
  */
 #include "enemies.h"
 
@@ -126,64 +125,6 @@ void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
     e->y1[i] = shifted(e->y1[i], dy);
 }
 
-/* A share of a move: part / whole, exactly; part <= whole < 2^62. */
-struct share {
-    uint64_t part, whole;
-};
-
-/* After k of n frames, n < 2^31. */
-static struct share eased(enum ease ease, uint64_t k, uint64_t n)
-{
-    uint64_t rest = n - k, whole = n * n;
-
-    switch (ease) {
-    case EASE_IN:
-        return (struct share){ k * k, whole };
-    case EASE_OUT:
-        return (struct share){ whole - rest * rest, whole };
-    case EASE_BOTH:
-        return (struct share){ 2 * k < n ? 2 * k * k : whole - 2 * rest * rest, whole };
-    default:
-        return (struct share){ k, n };
-    }
-}
-
-/* d * s, cut to a whole number; *left of s.whole is over. A bit a step, where the product may be too long. */
-static uint32_t share_bits(uint32_t d, struct share s, uint64_t *left)
-{
-    uint32_t q = 0;
-
-    *left = 0;
-    for (int bit = 31; bit >= 0; bit--) {
-        *left = 2 * *left + (d >> bit & 1 ? s.part : 0); /* < 3 whole */
-        q *= 2;
-        for (; *left >= s.whole; *left -= s.whole)
-            q++;
-    }
-    return q;
-}
-
-static uint32_t share_of(uint32_t d, struct share s, uint64_t *left)
-{
-    if (s.whole >> 32)
-        return share_bits(d, s, left);
-    uint64_t product = d * s.part;
-    *left = product % s.whole;
-    return (uint32_t)(product / s.whole);
-}
-
-/* a, and a share of the way to b: the place nearest to it, ties to the even one. */
-static fx between(fx a, fx b, struct share s)
-{
-    uint32_t d = a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
-    uint64_t left;
-    uint32_t q = share_of(d, s, &left);
-    uint64_t to_next = s.whole - left;
-
-    q += (left > to_next) | ((left == to_next) & ((uint32_t)a ^ q) & 1);
-    return (fx)(a < b ? (uint32_t)a + q : (uint32_t)a - q);
-}
-
 static bool far(fx a, fx b)
 {
     const int64_t most = (int64_t)MAX_SPEED << 16;
@@ -216,9 +157,9 @@ static void step(struct enemies *e, uint32_t i)
     fx x = e->x[i], y = e->y[i];
 
     if (!stands(e, i) && e->over[i]) {
-        struct share s = eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
-        e->x[i] = between(e->x0[i], e->x1[i], s);
-        e->y[i] = between(e->y0[i], e->y1[i], s);
+        struct motion_share s = motion_eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
+        e->x[i] = motion_between(e->x0[i], e->x1[i], s);
+        e->y[i] = motion_between(e->y0[i], e->y1[i], s);
         if (e->made[i] == e->over[i])
             e->over[i] = 0;
     }

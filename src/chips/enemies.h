@@ -26,8 +26,6 @@ enum {
     MAX_ENEMIES = 4096
 };
 
-enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
-
 /* What enemy.def declares; its functions and drops stay with the scripts. */
 struct enemy_kinds {
     struct slots s;
@@ -83,8 +81,7 @@ void enemies_drop(struct enemies *e, uint32_t i);
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
 /* Moves enemy i to (x, y) in the next `over` calls of enemies_move, 1 <= over < 2^31; it arrives exactly. After k of n
- * it is at the place nearest to from + (to - from) * share on either axis, ties to the even one; share is k/n (linear),
- * (k/n)^2 (in), 1 - (1 - k/n)^2 (out); both: 2 (k/n)^2 in the first half, then 1 - 2 (1 - k/n)^2. */
+ * it is at the place nearest to that share of its way (motion_eased) on either axis, ties to the even one. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
 /* Moves enemy i on by (dx, dy) at once, and with it the move it makes; both stay within the world. */

@@ -1,12 +1,16 @@
 /*
- * motion.c - the store of motion programs. Equal programs are one, so a script may build them in a loop.
+ * motion.c - the store of motion programs, and the formulas of moves. Equal programs are one, so a script may build
+ * them in a loop. Easing is quadratic: a share of a move is a fraction of whole numbers, and a place is rounded once.
  */
 #include "motion.h"
+#include "../base/int.h"
+#include "../base/trig.h"
 
 static const struct column step_columns[] = {
-    COLUMN(steps, does), COLUMN(steps, over),  COLUMN(steps, kind),  COLUMN(steps, bank),  COLUMN(steps, dir),
-    COLUMN(steps, turn), COLUMN(steps, home),  COLUMN(steps, speed), COLUMN(steps, accel), COLUMN(steps, count),
-    COLUMN(steps, jump), COLUMN(steps, depth), COLUMN(steps, named),
+    COLUMN(steps, does),    COLUMN(steps, over),  COLUMN(steps, kind),  COLUMN(steps, bank),  COLUMN(steps, dir),
+    COLUMN(steps, turn),    COLUMN(steps, home),  COLUMN(steps, speed), COLUMN(steps, accel), COLUMN(steps, count),
+    COLUMN(steps, jump),    COLUMN(steps, depth), COLUMN(steps, x),     COLUMN(steps, y),     COLUMN(steps, size),
+    COLUMN(steps, size_to), COLUMN(steps, how),   COLUMN(steps, named),
 };
 
 static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length),
@@ -30,7 +34,12 @@ void motion_step_at(const struct steps *s, uint32_t i, struct motion_step *out)
                                  .turn = s->turn[i],
                                  .speed = s->speed[i],
                                  .accel = s->accel[i],
-                                 .named = s->named[i] };
+                                 .named = s->named[i],
+                                 .x = s->x[i],
+                                 .y = s->y[i],
+                                 .size = s->size[i],
+                                 .size_to = s->size_to[i],
+                                 .how = s->how[i] };
 }
 
 /* A turn is 360 * 2^16 units of fx, so one is 2^13 / 45 units of ang. 45 is odd: there are no ties. */
@@ -46,7 +55,8 @@ static bool same(const struct steps *s, uint32_t i, const struct motion_step *p)
     return s->does[i] == p->does && s->over[i] == p->over && s->kind[i] == p->kind && s->bank[i] == p->bank &&
            s->dir[i] == p->dir && s->turn[i] == p->turn && s->home[i] == p->home && s->speed[i] == p->speed &&
            s->accel[i] == p->accel && s->count[i] == p->count && s->jump[i] == p->jump && s->depth[i] == p->depth &&
-           s->named[i] == p->named;
+           s->named[i] == p->named && s->x[i] == p->x && s->y[i] == p->y && s->size[i] == p->size &&
+           s->size_to[i] == p->size_to && s->how[i] == p->how;
 }
 
 static void store(struct steps *s, uint32_t i, const struct motion_step *p)
@@ -64,6 +74,11 @@ static void store(struct steps *s, uint32_t i, const struct motion_step *p)
     s->jump[i] = p->jump;
     s->depth[i] = p->depth;
     s->named[i] = p->named;
+    s->x[i] = p->x;
+    s->y[i] = p->y;
+    s->size[i] = p->size;
+    s->size_to[i] = p->size_to;
+    s->how[i] = p->how;
 }
 
 int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine)
@@ -90,4 +105,130 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
     for (uint32_t i = 0; i < n; i++)
         store(s, (uint32_t)slots_append(&s->s), &steps[i]);
     return made;
+}
+
+struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n)
+{
+    uint64_t rest = n - k, whole = n * n;
+
+    switch (ease) {
+    case EASE_IN:
+        return (struct motion_share){ k * k, whole };
+    case EASE_OUT:
+        return (struct motion_share){ whole - rest * rest, whole };
+    case EASE_BOTH:
+        return (struct motion_share){ 2 * k < n ? 2 * k * k : whole - 2 * rest * rest, whole };
+    default:
+        return (struct motion_share){ k, n };
+    }
+}
+
+/* d * s, cut to a whole number; *left of s.whole is over. A bit a step, where the product may be too long. */
+static uint32_t share_bits(uint32_t d, struct motion_share s, uint64_t *left)
+{
+    uint32_t q = 0;
+
+    *left = 0;
+    for (int bit = 31; bit >= 0; bit--) {
+        *left = 2 * *left + (d >> bit & 1 ? s.part : 0); /* < 3 whole */
+        q *= 2;
+        for (; *left >= s.whole; *left -= s.whole)
+            q++;
+    }
+    return q;
+}
+
+static uint32_t share_of(uint32_t d, struct motion_share s, uint64_t *left)
+{
+    if (s.whole >> 32)
+        return share_bits(d, s, left);
+    uint64_t product = d * s.part;
+    *left = product % s.whole;
+    return (uint32_t)(product / s.whole);
+}
+
+fx motion_between(fx a, fx b, struct motion_share s)
+{
+    uint32_t d = a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+    uint64_t left;
+    uint32_t q = share_of(d, s, &left);
+    uint64_t to_next = s.whole - left;
+
+    q += (left > to_next) | ((left == to_next) & ((uint32_t)a ^ q) & 1);
+    return (fx)(a < b ? (uint32_t)a + q : (uint32_t)a - q);
+}
+
+int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
+{
+    uint64_t d = (uint64_t)(to < from ? from - to : to - from), part = d % n * k;
+    uint64_t q = d / n * k + part / n, twice = part % n * 2;
+
+    q += (twice > n) | ((twice == n) & (q & 1));
+    return to < from ? from - (int64_t)q : from + (int64_t)q;
+}
+
+/* What is flown in k frames, in Q32; far outside of the world it stops. */
+static int64_t flown(int64_t pace, uint32_t k)
+{
+    const int64_t far = (int64_t)1 << 47;
+
+    if (int64_abs(pace) > far / (k ? k : 1))
+        return pace < 0 ? -far : far;
+    return pace * k;
+}
+
+/* a in Q32 and (r cos dir, r sin dir) */
+static void add_polar(int64_t r, ang dir, int64_t *x, int64_t *y)
+{
+    int64_t dx, dy;
+
+    trig_stride(0, r, dir, &dx, &dy);
+    *x += dx;
+    *y += dy;
+}
+
+/* How far a wave is to the side in frame k, less where it began, in Q32. */
+static int64_t aside(const struct steps *s, uint32_t st, uint32_t k)
+{
+    const uint32_t every = s->count[st];
+    const int64_t size = (int64_t)s->size[st] * (1 << PACE_BITS);
+    const ang along = (ang)((((uint64_t)(k % every) << 32) + every / 2) / every);
+    int64_t unused, from, to;
+
+    trig_stride(0, size, s->dir[st], &unused, &from);
+    trig_stride(0, size, s->dir[st] + along, &unused, &to);
+    return to - from;
+}
+
+/* The fx nearest to a place in Q32, within the world. */
+static fx place_fx(int64_t v)
+{
+    const int64_t most = (int64_t)WORLD << 16;
+
+    return (fx)int64_clamp((v + 0x8000) >> PACE_BITS, -most, most);
+}
+
+void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
+                       fx *y)
+{
+    const ang a = l->angle + (ang)s->turn[st] * k;
+    int64_t px = (int64_t)l->x * (1 << PACE_BITS), py = (int64_t)l->y * (1 << PACE_BITS);
+
+    if (s->does[st] & DOES_GO_TO) {
+        struct motion_share part = motion_eased((enum ease)(s->how[st] & HOW_EASE), k, n);
+        *x = motion_between(l->x, s->x[st], part);
+        *y = motion_between(l->y, s->y[st], part);
+        return;
+    }
+    if (s->does[st] & DOES_POLAR)
+        add_polar((int64_t)l->radius * (1 << PACE_BITS) + flown(s->speed[st], k), a, &px, &py);
+    else if (s->does[st] & DOES_ORBIT) {
+        int64_t from = (int64_t)s->size[st] * (1 << PACE_BITS), to = (int64_t)s->size_to[st] * (1 << PACE_BITS);
+        add_polar(s->how[st] & HOW_TO ? motion_part_way(from, to, k, n) : from, a, &px, &py);
+    } else {
+        add_polar(flown((int64_t)l->speed * (1 << PACE_BITS), k), l->angle, &px, &py);
+        add_polar(aside(s, st, k), l->angle + 0x40000000u, &px, &py);
+    }
+    *x = place_fx(px);
+    *y = place_fx(py);
 }

@@ -72,14 +72,36 @@ enum {
     DOES_LOOP = 1 << 10,  /* opens a loop of `count` rounds; `jump`: the step after its end */
     DOES_NEXT = 1 << 11,  /* closes it; `jump`: its first step */
     DOES_NAMED = 1 << 12, /* some of its numbers are values of the bullet: `named` */
-    DOES_ALL = (1 << 13) - 1,
+    DOES_GO_TO =
+        1 << 13, /* the bullet is led: in each frame it is at a place that a formula gives (motion_lead_place) */
+    DOES_POLAR = 1 << 14,
+    DOES_WAVE = 1 << 15,
+    DOES_ORBIT = 1 << 16,
+    DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
+    DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; without: flies to the next one */
+    DOES_ALL = (1 << 18) - 1,
     MOTION_DEPTH = 4, /* loops inside loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS = 16 /* RAM for steps, a program on average */
 };
 
-/* The numbers of a step in whose place a value's name may stand. Of each, `named` has NAMED_BITS: the value's column + 1
- * for bullets, then for shots; 0: the number is the step's own. */
+enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
+
+/* In `how`. */
+enum {
+    HOW_EASE = 3,       /* enum ease */
+    HOW_AT = 1 << 2,    /* round (x, y); else polar goes round where it began, orbit round the bullet's `around` */
+    HOW_TO = 1 << 3,    /* an orbit's radius goes to size_to */
+    HOW_SPEED = 1 << 4, /* go_to flies at `speed`, for as many frames as that takes */
+    HOW_LEFT = 1 << 0,  /* of DOES_BOUNCE: the edges of the field that are walls */
+    HOW_RIGHT = 1 << 1,
+    HOW_TOP = 1 << 2,
+    HOW_BOTTOM = 1 << 3,
+    HOW_WALLS = 15
+};
+
+/* The numbers of a step in whose place a value's name may stand. Of each, `named` has NAMED_BITS: the value's column
+ * + 1 for bullets, and NAMED_SHOTS times that for shots; 0: the number is the step's own. */
 enum step_number {
     NUMBER_OVER, /* cut to whole frames, at least 1 */
     NUMBER_BANK, /* its low 4 bits */
@@ -88,15 +110,20 @@ enum step_number {
     NUMBER_HOME, /* from 0 to 180 */
     NUMBER_SPEED,
     NUMBER_ACCEL,
+    NUMBER_X,
+    NUMBER_Y,
+    NUMBER_SIZE,    /* from 0 to MAX_SPEED, but of a wave */
+    NUMBER_SIZE_TO, /* the same */
+    NUMBER_COUNT,   /* of a wave: cut to whole frames, at least 1 */
     STEP_NUMBERS,
-    NAMED_POOL = 3, /* bits for bullets, and as many for shots */
-    NAMED_BITS = 2 * NAMED_POOL
+    NAMED_BITS = 5,
+    NAMED_SHOTS = MAX_VALUES + 1
 };
 
 /* The steps of all programs, one behind the other. */
 struct steps {
     struct slots s;
-    uint16_t *does;
+    uint32_t *does;
     uint32_t *over; /* frames */
     uint16_t *kind;
     uint8_t *bank;
@@ -106,8 +133,12 @@ struct steps {
     int64_t *speed;  /* px/frame in Q32; whole fx unless the program is fine */
     int64_t *accel;  /* px/frame in Q32, a frame or once */
     uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
-    uint16_t *jump;  /* counted from the program's first step */
+    uint16_t *jump;  /* of a loop, and the step after the bounces; counted from the program's first step */
     uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
+    fx *x, *y;       /* of go_to, and with HOW_AT what polar and orbit go round */
+    fx *size;        /* px to each side of a wave, radius of an orbit */
+    fx *size_to;     /* radius at the end of an orbit, with HOW_TO */
+    uint8_t *how;    /* enum ease, and HOW_ */
     uint64_t *named; /* NAMED_BITS for each of enum step_number */
 };
 
@@ -119,14 +150,52 @@ struct motions {
 };
 
 struct motion_step {
-    uint16_t does, kind, count, jump;
-    uint32_t over;
-    uint8_t bank, depth;
+    uint32_t does, over;
+    uint16_t kind, count, jump;
+    uint8_t bank, depth, how;
+    fx x, y, size, size_to;
     ang dir, home;
     int32_t turn;
     int64_t speed, accel;
     uint64_t named;
 };
+
+/* What a step that leads a bullet found when it began. */
+struct motion_lead {
+    fx x, y;   /* where the bullet was; of polar and orbit, what they go round */
+    fx radius; /* of polar: how far off it was */
+    ang angle; /* of polar and orbit: in which direction; of a wave: where it flew */
+    fx speed;  /* of a wave */
+};
+
+/*
+ * Where step st of s leads to in the k-th of its n frames: the fx nearest to the formula on either axis, unless that is
+ * within 2^-30 px of halfway. With a = angle + k turn:
+ *   go_to  (x, y) and a share of the way from there to the step's place, as enemies_go eases
+ *   polar  (x, y) + (radius + k speed) (cos a, sin a)
+ *   orbit  (x, y) + r (cos a, sin a), r going from size to size_to in n equal parts
+ *   wave   (x, y) + k speed along angle, and size (sin b - sin dir) along angle + 90 degrees, b being dir and
+ *          k / count turns, to the nearest ang
+ */
+void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
+                       fx *y);
+
+/* from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame
+ * k comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as
+ * well: a change of speed ends where the closed form says. */
+int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n);
+
+/* A share of a move: part / whole, exactly; part <= whole < 2^62. */
+struct motion_share {
+    uint64_t part, whole;
+};
+
+/* After k of n frames, n < 2^31: k/n (linear), (k/n)^2 (in), 1 - (1 - k/n)^2 (out); both: 2 (k/n)^2 in the first half,
+ * then 1 - 2 (1 - k/n)^2. */
+struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n);
+
+/* a, and a share of the way to b: the place nearest to it, ties to the even one. */
+fx motion_between(fx a, fx b, struct motion_share s);
 
 /* Degrees as an angle: the nearest. */
 ang motion_angle(fx degrees);

@@ -436,6 +436,29 @@ static void push_value(lua_State *L, const struct api_param *p)
     }
 }
 
+static const struct api_param *named_key(const struct api_param *keys, size_t n, const char *name)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!strcmp(keys[i].name, name))
+            return &keys[i];
+    return keys;
+}
+
+/* { x, y } */
+static void push_place(lua_State *L)
+{
+    static const struct api_param p = { "x", A_FX, OPT, -WORLD, WORLD, NULL, NULL };
+
+    lua_newtable(L);
+    for (lua_Integer i = 1; i <= 2; i++) {
+        if (one_in(5))
+            lua_pushliteral(L, "goal");
+        else
+            push_value(L, &p);
+        lua_rawseti(L, -2, i);
+    }
+}
+
 /* A motion program: most are good. */
 static void push_steps(lua_State *L, int depth)
 {
@@ -450,18 +473,40 @@ static void push_steps(lua_State *L, int depth)
         { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
         { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
         { "die", A_BOOL, OPT, 0, 0, NULL, NULL },
+        { "go_to", A_TABLE, OPT, 0, 0, NULL, NULL },
+        { "polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
+        { "wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL },
+        { "orbit", A_FX, OPT, 0, MAX_SPEED, NULL, NULL },
+        { "spin", A_DIR, OPT, 0, 0, NULL, NULL },
+        { "at", A_TABLE, OPT, 0, 0, NULL, NULL },
+        { "every", A_INT, OPT, 1, 65535, NULL, NULL },
+        { "phase", A_DIR, OPT, 0, 0, NULL, NULL },
+        { "radius_to", A_FX, OPT, 0, MAX_SPEED, NULL, NULL },
+        { "ease", A_EASE, OPT, 0, 0, NULL, NULL },
     };
+    static const struct {
+        const char *with, *word;
+    } belong[] = { { "every", "wave" }, { "phase", "wave" }, { "radius_to", "orbit" },
+                   { "spin", "polar" }, { "at", "orbit" },   { "ease", "go_to" } };
 
     lua_newtable(L);
     for (lua_Integer i = 1, n = 1 + (lua_Integer)below(4); i <= n; i++) {
         if (depth < 6 && one_in(5)) {
             push_steps(L, depth + 1);
             lua_pushinteger(L, one_in(4) ? LUA_MAXINTEGER : (lua_Integer)below(9));
-            lua_setfield(L, -2, "loop");
+            lua_setfield(L, -2, one_in(4) ? "bounce" : "loop");
         } else {
             lua_newtable(L);
             for (uint64_t k = 1 + below(2); k--;) {
                 const struct api_param *p = &keys[below(sizeof keys / sizeof *keys)];
+                for (size_t j = 0; j < sizeof belong / sizeof *belong; j++)
+                    if (!strcmp(p->name, belong[j].with) && !one_in(5))
+                        p = named_key(keys, sizeof keys / sizeof *keys, belong[j].word);
+                if (p->type == A_TABLE) {
+                    push_place(L);
+                    lua_setfield(L, -2, p->name);
+                    continue;
+                }
                 if (p->type != A_BULLET_KIND && p->type != A_BOOL && one_in(9))
                     lua_pushstring(L, one_in(9) ? "mood" : one_in(2) ? "heat" : "goal");
                 else
@@ -865,6 +910,7 @@ static int setup(void **state)
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
+    m.around = 1;
 
     (void)state;
     m.n_dips = 1;

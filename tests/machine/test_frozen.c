@@ -22,6 +22,12 @@ struct state {
 static struct state plain[3][FRAMES + 1][THINGS]; /* bullets, shots, enemies: after so many moves */
 static int moves[3][THINGS];
 
+/* Is it on its way to a wall? Such a step has no end of its own. */
+static bool bounces(const struct board *b, const struct bullets *s, uint32_t i)
+{
+    return s->motion[i] && b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_BOUNCE;
+}
+
 static struct state of_bullet(const struct board *b, const struct bullets *s, uint32_t i)
 {
     struct state v;
@@ -33,12 +39,12 @@ static struct state of_bullet(const struct board *b, const struct bullets *s, ui
     bullets_place(s, i, &v.x, &v.y);
     bullets_velocity(s, i, &v.vx, &v.vy);
     v.speed = bullets_speed(s, i);
-    v.pace = s->pace[i];
+    v.pace = s->flags[i] & BULLET_FINE || !s->pace[i] ? s->pace[i] : b->core.clock - s->pace[i]; /* a clock */
     v.way = s->way[i];
     v.from = s->from[i];
     v.dir = s->dir[i];
     v.age = b->core.clock - s->born[i];
-    v.left = s->mute[i] & STEP_BEGUN ? s->end[i] - b->core.clock : 0;
+    v.left = s->mute[i] & STEP_BEGUN && !bounces(b, s, i) ? s->end[i] - b->core.clock : 0;
     v.kind = s->kind[i];
     v.bank = s->bank[i];
     v.motion = s->motion[i];
@@ -103,6 +109,11 @@ static const char world[] =
     "  if rng.chance(0.5) then p = { fine = p.fine, { wait = 3 }, { loop = rng.int(1, 5), step(blind), { wait = 2 }, "
     "step(blind) "
     "}, p[1] } end\n"
+    "  if not p.fine and rng.chance(0.5) then\n"
+    "    p[#p + 1] = rng.pick { { polar = 0.5, spin = 2, over = 25 }, { wave = 8, every = 20, over = 40 },\n"
+    "      { go_to = { 100, 90 }, over = 30, ease = 'both' }, { orbit = 30, at = { 120, 120 }, spin = 3, over = 45 },\n"
+    "      { bounce = 3, walls = 'left right top', over = 90, { turn = 5, over = 4 } } }\n"
+    "  end\n"
     "  if rng.chance(0.2) then p[#p + 1] = { wait = 60 } p[#p + 1] = { die = true } end\n"
     "  return motion.def(p)\n"
     "end\n"

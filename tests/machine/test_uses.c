@@ -16,8 +16,9 @@ static struct api_entry copies[MOST];
 static long uses[MOST], reads[HANDLES][PROPS], writes[HANDLES][PROPS];
 static unsigned step_seen, step_timed; /* bits of step_keys */
 
-static const char *const step_keys[] = { "wait", "kind",  "bank",  "dir", "aim",  "turn",
-                                         "home", "speed", "accel", "die", "loop", "over" };
+static const char *const step_keys[] = { "wait",  "kind", "bank",  "dir",   "aim",       "turn",   "home",  "speed",
+                                         "accel", "die",  "loop",  "go_to", "polar",     "wave",   "orbit", "ease",
+                                         "spin",  "at",   "every", "phase", "radius_to", "bounce", "walls", "over" };
 enum { STEP_KEYS = sizeof step_keys / sizeof *step_keys };
 
 /* ---- counting ---- */

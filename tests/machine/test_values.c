@@ -55,6 +55,7 @@ static void test_use(void **state)
           "  b.heat = 1 / 65536 assert(b.heat == 1 / 65536 and c.heat == -32768)\n"
           "  bullet.group('t').goal = 3 assert(b.goal == 0 and c.goal == 3)\n"
           "  bullet.group().goal = 4 assert(b.goal == 4 and c.goal == 4)\n"
+          "  shot.group().heat = 6 enemy.group().anger = 2 assert(s.heat == 6 and e.anger == 2)\n"
           "  pattern.ring { kind = 'dot', x = 50, y = 50, n = 5, speed = 0, heat = 9, tag = 'r' }\n"
           "  local n = 0 bullet.each('r', function(d) n = n + d.heat end) assert(n == 45)\n"
           "  pattern.ring { kind = 'dot', x = 50, y = 50, n = 2, speed = 0, heat = 9, tag = 'q',\n"

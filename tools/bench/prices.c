@@ -20,6 +20,8 @@ static const struct price {
       "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each" },
     { "fine", "is `fine`, and flies straight" },
     { "fine_drive", "is `fine`, and runs `turn` and `speed`" },
+    { "polar", "runs `polar` (`orbit` and `go_to` are like it)" },
+    { "wave", "runs `wave`" },
     { "group", "is written to through a group" },
     { "each", "is visited by `bullet.each`, and written to" },
     { "task", "has a Lua task that waits one frame" },

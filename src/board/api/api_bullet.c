@@ -310,12 +310,23 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
+/* rom.lua gives the room for `around`. */
+static void check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
+{
+    if (v->given && !s->around)
+        api_error(L, entry, "around needs room in rom.lua: board = { around = true }");
+}
+
 #define FLIGHT(kind_type, def_dir)                                                                                     \
     { "kind", kind_type, REQ, 0, 0, NULL, NULL }, { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },     \
         PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, def_dir }, { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },                \
         { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL },                            \
     {                                                                                                                  \
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
+    }
+#define AROUND                                                                                                         \
+    {                                                                                                                  \
+        "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
     }
 
 enum {
@@ -329,13 +340,16 @@ enum {
     F_MOTION,
     F_BY,           /* of a shot */
     F_DELAY = F_BY, /* of a bullet */
-    F_VALUES        /* of both */
+    F_AROUND,       /* of both */
+    F_VALUES
 };
 
 static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"),
-                                                { "delay", A_INT, OPT, 0, 1e9, "frames", "0" } };
+                                                { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
+                                                AROUND };
 static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
-                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL } };
+                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL },
+                                              AROUND };
 
 ang api_aim(const struct board *b, bool shot, fx x, fx y)
 {
@@ -369,6 +383,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.tag = api_tag(L, entry, v[F_TAG].at);
     s.hp = kinds->hp ? kinds->hp[s.kind] : 0;
     s.clouded = s.delay && kinds->flags[s.kind] & KIND_CLOUDED;
+    check_around(L, pool, entry, &v[F_AROUND]);
+    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
     int32_t i = bullets_fire(pool, &s, b->core.clock);
     if (i == NO_SLOT)
         board_full(b, &pool->s);
@@ -485,6 +501,7 @@ enum {
     P_BANK,
     P_TAG,
     P_MOTION,
+    P_AROUND,
     P_AGE,
     P_FROZEN,
     P_LAST,
@@ -509,6 +526,9 @@ enum {
         { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
           PROP_WRITE,                                                                                                  \
           "the motion it runs, or nil; a write starts it anew" },                                                      \
+        { { "around", A_THING, OPT, PLACES, 0, NULL, NULL },                                                           \
+          PROP_WRITE,                                                                                                  \
+          "the thing that its orbits go round, or nil" },                                                              \
         { { "age", A_INT, REQ, 0, 0, NULL, NULL },                                                                     \
           PROP_READ,                                                                                                   \
           "frames since it was fired, without a delay and those it stood" },                                           \
@@ -576,6 +596,12 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         else
             lua_pushnil(L);
         break;
+    case P_AROUND:
+        if (s->around && s->around[i])
+            lua_pushinteger(L, s->around[i]);
+        else
+            lua_pushnil(L);
+        break;
     case P_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
@@ -611,6 +637,17 @@ static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
     }
 }
 
+/* A write of the place takes a bullet away from the step that leads it. */
+static void let_go(const struct board *b, struct bullets *s, uint32_t i)
+{
+    if (!s->motion[i] || !(s->mute[i] & STEP_BEGUN))
+        return;
+    if (b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
+        override(s, i, OVERRIDE_PLACE);
+        bullets_steer(s, i);
+    }
+}
+
 static void set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
                        int p, const struct api_value *v)
 {
@@ -620,6 +657,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
     case P_X:
     case P_Y:
         set_part(s, i, p, units(fine, v));
+        let_go(b, s, i);
         break;
     case P_DIR:
         s->dir[i] = v->a;
@@ -646,6 +684,11 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         break;
     case P_FROZEN:
         bullets_freeze(s, i, v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i);
+        break;
+    case P_AROUND:
+        check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
+        if (s->around)
+            s->around[i] = v->given ? v->i : 0;
         break;
     case P_MOTION:
         bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && motion_fine(b, (uint16_t)v->i));
@@ -761,13 +804,14 @@ static int64_t shifted(int64_t at, int64_t by)
     return int64_clamp(at + by, -edge, edge);
 }
 
-static void shift(struct bullets *s, uint32_t i, const struct api_value *v)
+static void shift(const struct board *b, struct bullets *s, uint32_t i, const struct api_value *v)
 {
     bool fine = s->flags[i] & BULLET_FINE;
     int64_t x, y;
 
     bullets_place(s, i, &x, &y);
     bullets_set_place(s, i, shifted(x, units(fine, &v[ARG_DX])), shifted(y, units(fine, &v[ARG_DY])));
+    let_go(b, s, i);
 }
 
 static void act(struct board *b, bool shot, uint32_t i, enum verb verb, const struct api_value *v)
@@ -783,7 +827,7 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, const st
         s->dir[i] += v[ARG_BY].a;
         break;
     case V_SHIFT:
-        shift(s, i, v);
+        shift(b, s, i, v);
         return;
     case V_REMOVE:
         bullets_drop(s, i);
@@ -849,7 +893,33 @@ static const struct api_param self_only[] = { { "self", A_THING, REQ, FLYING, 0,
 
 /* ---- motion programs ---- */
 
-enum { M_WAIT, M_KIND, M_BANK, M_DIR, M_AIM, M_TURN, M_HOME, M_SPEED, M_ACCEL, M_DIE, M_OVER, M_LOOP, M_KEYS };
+enum {
+    M_WAIT,
+    M_KIND,
+    M_BANK,
+    M_DIR,
+    M_AIM,
+    M_TURN,
+    M_HOME,
+    M_SPEED,
+    M_ACCEL,
+    M_DIE,
+    M_OVER,
+    M_LOOP,
+    M_GO_TO,
+    M_POLAR,
+    M_WAVE,
+    M_ORBIT,
+    M_EASE,
+    M_SPIN,
+    M_AT,
+    M_EVERY,
+    M_PHASE,
+    M_RADIUS_TO,
+    M_BOUNCE,
+    M_WALLS,
+    M_KEYS
+};
 
 static const struct api_param step_keys[M_KEYS] = {
     { "wait", A_COUNT, OPT, 0, 1e9, "frames", NULL },
@@ -862,8 +932,20 @@ static const struct api_param step_keys[M_KEYS] = {
     { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
     { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", NULL },
     { "die", A_BOOL, OPT, 0, 0, NULL, NULL },
-    { "over", A_INT, OPT, 1, 1e9, "frames", NULL },
+    { "over", A_COUNT, OPT, 1, 1e9, "frames", NULL },
     { "loop", A_COUNT, OPT, 0, 65534, "rounds", NULL },
+    { "go_to", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
+    { "wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL },
+    { "orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
+    { "ease", A_EASE, OPT, 0, 0, NULL, NULL },
+    { "spin", A_DIR, OPT, 0, 0, NULL, NULL },
+    { "at", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "every", A_INT, OPT, 1, 65535, "frames", NULL },
+    { "phase", A_DIR, OPT, 0, 0, NULL, NULL },
+    { "radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
+    { "bounce", A_COUNT, OPT, 1, 65534, "times", NULL },
+    { "walls", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -872,6 +954,7 @@ enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 struct reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
+    int bounces; /* open ones */
     bool fine;
 };
 
@@ -929,6 +1012,19 @@ static enum step_number step_number(int k)
         return NUMBER_SPEED;
     case M_ACCEL:
         return NUMBER_ACCEL;
+    case M_POLAR:
+        return NUMBER_SPEED;
+    case M_WAVE:
+    case M_ORBIT:
+        return NUMBER_SIZE;
+    case M_RADIUS_TO:
+        return NUMBER_SIZE_TO;
+    case M_SPIN:
+        return NUMBER_TURN;
+    case M_EVERY:
+        return NUMBER_COUNT;
+    case M_PHASE:
+        return NUMBER_DIR;
     default:
         return STEP_NUMBERS;
     }
@@ -943,7 +1039,7 @@ static uint64_t read_name(lua_State *L, int step, const char *key, int at)
     int best = EDIT_FAR;
 
     if (bullet != NO_SLOT || shot != NO_SLOT)
-        return (uint64_t)(bullet + 1) | (uint64_t)(shot + 1) << NAMED_POOL;
+        return (uint64_t)(bullet + 1) + (uint64_t)(shot + 1) * NAMED_SHOTS;
     for (int k = 0; k < api_values(b, N_BULLET_VALUE); k++)
         api_suggest_nearer(name, api_names_at(b, N_BULLET_VALUE, k), &best, &found);
     for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
@@ -982,33 +1078,157 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
         v[k] = (struct api_value){ 0 };
         if (number != STEP_NUMBERS && lua_type(L, first + k) == LUA_TSTRING) {
             named |= read_name(L, step, step_keys[k].name, first + k) << number * NAMED_BITS;
-            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER };
+            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
         } else
             api_check(L, where, &step_keys[k], first + k, &v[k]);
     }
     return named;
 }
 
-static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
+/* The settings that each step that leads may have beside kind and bank. */
+static const struct {
+    int key;
+    uint32_t may, must;
+} leads[] = {
+    { M_GO_TO, 1u << M_OVER | 1u << M_SPEED | 1u << M_EASE, 0 },
+    { M_POLAR, 1u << M_OVER | 1u << M_SPIN | 1u << M_AT, 1u << M_OVER },
+    { M_WAVE, 1u << M_OVER | 1u << M_EVERY | 1u << M_PHASE, 1u << M_OVER | 1u << M_EVERY },
+    { M_ORBIT, 1u << M_OVER | 1u << M_SPIN | 1u << M_RADIUS_TO | 1u << M_AT, 1u << M_OVER },
+};
+enum { LEADS = sizeof leads / sizeof *leads };
+
+static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step)
 {
-    static const uint16_t does[M_KEYS] = { DOES_WAIT, DOES_KIND,  DOES_BANK,  DOES_DIR, DOES_AIM, DOES_TURN,
-                                           DOES_HOME, DOES_SPEED, DOES_ACCEL, DOES_DIE, 0,        0 };
+    if (v[M_OVER].given == v[M_SPEED].given)
+        step_error(L, step, "go_to needs either over (frames) or speed");
+    if (v[M_SPEED].given && v[M_EASE].given)
+        step_error(L, step, "go_to: ease needs over; with speed it is linear");
+    if (v[M_SPEED].given && v[M_SPEED].at && v[M_SPEED].f <= 0)
+        step_error(L, step, "go_to: speed: expected a number above 0");
+    if (v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "go_to with over = forever never gets there");
+}
+
+/* The key that leads, alone but for its settings; and its settings with it alone. */
+static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
+{
+    int found = -1;
+
+    for (int i = 0; i < LEADS; i++)
+        if (v[leads[i].key].given) {
+            if (found >= 0)
+                api_error(L, DEF, "step %d: %s and %s cannot stand in one step", step, step_keys[leads[found].key].name,
+                          step_keys[leads[i].key].name);
+            found = i;
+        }
+    const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
+    if (v[M_WALLS].given)
+        step_error(L, step, "walls is a setting of bounce");
+    for (int k = 0; k < M_KEYS; k++) {
+        if (found < 0 && v[k].given && own >> k & 1)
+            api_error(L, DEF, "step %d: %s is a setting of go_to, polar, wave or orbit", step, step_keys[k].name);
+        if (found < 0 || k == leads[found].key)
+            continue;
+        const char *word = step_keys[leads[found].key].name;
+        if (v[k].given && k != M_KIND && k != M_BANK && !(leads[found].may >> k & 1))
+            api_error(L, DEF, "step %d: %s cannot stand beside %s", step, step_keys[k].name, word);
+        if (!v[k].given && leads[found].must >> k & 1)
+            api_error(L, DEF, "step %d: %s needs %s", step, word, step_keys[k].name);
+    }
+    if (found >= 0 && fine)
+        api_error(L, DEF, "step %d: %s is exact as it is, and not for a fine motion", step,
+                  step_keys[leads[found].key].name);
+    if (v[M_GO_TO].given)
+        go_to_alone(L, v, step);
+    if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "radius_to with over = forever never gets there");
+    if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.around && !vm_board(L)->shots.around)
+        step_error(L, step, "orbit needs at = { x, y }, or board = { around = true } in rom.lua to go round a thing");
+}
+
+/* A number of a place: itself, or a value's name. */
+static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
+{
+    struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL };
+    struct api_value v = { 0 };
+    char where[40];
+
+    if (lua_type(L, at) == LUA_TSTRING)
+        return read_name(L, step, key, at) << number * NAMED_BITS;
+    snprintf(where, sizeof where, "%s: step %d", DEF, step);
+    api_check(L, where, &p, at, &v);
+    *out = v.f;
+    return 0;
+}
+
+/* { x, y } at v, of go_to or at; returns the names in it. */
+static uint64_t read_place(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
+{
+    int keys = 0, top = lua_gettop(L);
+
+    if (!v->given)
+        return 0;
+    for (lua_pushnil(L); lua_next(L, v->at); lua_pop(L, 1))
+        keys++;
+    if (keys != 2 || lua_rawlen(L, v->at) != 2)
+        api_error(L, DEF, "step %d: %s: expected { x, y }", step, key);
+    lua_rawgeti(L, v->at, 1);
+    lua_rawgeti(L, v->at, 2);
+    uint64_t named = read_part(L, step, key, top + 1, NUMBER_X, &s->x);
+    named |= read_part(L, step, key, top + 2, NUMBER_Y, &s->y);
+    lua_settop(L, top);
+    return named;
+}
+
+/* Sets what a step that leads has beside the others; returns the names in it. */
+static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
+{
+    s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
+    s->size_to = v[M_RADIUS_TO].f;
+    s->count = (uint16_t)v[M_EVERY].i;
+    s->how = (uint8_t)(v[M_EASE].i | (v[M_AT].given ? HOW_AT : 0) | (v[M_RADIUS_TO].given ? HOW_TO : 0) |
+                       (v[M_GO_TO].given && v[M_SPEED].given ? HOW_SPEED : 0));
+    if (v[M_SPIN].given)
+        s->turn = (int32_t)v[M_SPIN].a;
+    if (v[M_PHASE].given)
+        s->dir = v[M_PHASE].a;
+    if (v[M_POLAR].given)
+        s->speed = units(fine, &v[M_POLAR]);
+    if (s->does & DOES_GO_TO) /* speed is its setting */
+        s->does &= ~(uint32_t)DOES_SPEED;
+    return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
+}
+
+/* v's frames; forever is the most there are. */
+static uint32_t frames(const struct api_value *v)
+{
+    return v->i > 1000000000 ? UINT32_MAX : (uint32_t)v->i;
+}
+
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], uint64_t named, int step,
+                      bool fine)
+{
+    static const uint32_t does[M_KEYS] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
+                                           DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
+                                           DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
 
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
             s->does |= does[k];
+    lead_alone(L, v, step, fine);
     if (!s->does)
         step_error(L, step, "does nothing");
     if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
         step_error(L, step, "wait stands alone in its step");
     if (s->does & DOES_DIR && v[M_OVER].given)
         step_error(L, step, "dir is set at once; with over, use turn, aim or home");
+    if (s->does & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "speed with over = forever never gets there");
     if (s->does & DOES_DIE && v[M_OVER].given)
         step_error(L, step, "die happens at once; put a wait before it");
     if (s->does & DOES_HOME && !v[M_OVER].given)
         step_error(L, step, "home needs over (frames)");
-    s->over =
-        s->does & DOES_WAIT ? (v[M_WAIT].i > 1000000000 ? UINT32_MAX : (uint32_t)v[M_WAIT].i) : (uint32_t)v[M_OVER].i;
+    s->over = frames(&v[s->does & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
     s->dir = v[M_DIR].a;
@@ -1016,6 +1236,9 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     trig_from_degrees(v[M_HOME].n, &s->home);
     s->speed = units(fine, &v[M_SPEED]);
     s->accel = units(fine, &v[M_ACCEL]);
+    named |= fill_lead(L, s, v, step, fine);
+    s->named = named;
+    s->does |= named ? DOES_NAMED : 0;
 }
 
 /* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
@@ -1028,6 +1251,88 @@ static uint64_t loop_work(lua_State *L, bool timed, uint64_t inside, int64_t cou
     if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
         step_error(L, step, "this loop has no frame of time inside and too many steps to run at once");
     return inside * rounds;
+}
+
+/* An orbit round a thing may be over at once, as the thing may be gone. */
+static bool takes_time(const struct motion_step *s)
+{
+    if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
+        return false;
+    return s->over > 0 || s->how & HOW_SPEED;
+}
+
+static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
+
+/* The walls that a list of words names. */
+static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
+{
+    static const char *const words[] = { "left", "right", "top", "bottom" };
+    uint8_t walls = 0;
+
+    if (!v->given)
+        return HOW_WALLS;
+    for (const char *at = lua_tostring(L, v->at); *at; at += strspn(at, " ")) {
+        size_t n = 0;
+        int k = 0;
+        while (at[n] && at[n] != ' ')
+            n++;
+        while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
+            k++;
+        if (k == 4)
+            api_error(L, DEF, "step %d: walls: expected words of \"left right top bottom\", got \"%s\"", step,
+                      lua_tostring(L, v->at));
+        walls |= (uint8_t)(1 << k);
+        at += n;
+    }
+    if (!walls)
+        step_error(L, step, "walls: expected words of \"left right top bottom\"");
+    return walls;
+}
+
+/* The way to a wall, inside the loop of bounces that step `open` opens. */
+static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+{
+    if (r->fine)
+        step_error(L, step, "bounce is exact as it is, and not for a fine motion");
+    if (r->bounces++)
+        step_error(L, step, "bounce cannot stand inside bounce");
+    r->steps[r->n - 1].does |= DOES_BOUNCE;
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_BOUNCE;
+    s->how = read_walls(L, step, &v[M_WALLS]);
+    s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
+}
+
+/* Reads a loop or bounces, with the steps inside, from the table at `at`. Returns the steps it runs at once. */
+static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
+                          bool *timed)
+{
+    const int word = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
+    const bool bounce = word == M_BOUNCE;
+    const uint32_t open = r->n;
+    bool inner;
+
+    if (depth == MOTION_DEPTH)
+        step_error(L, step, "loops nest at most 4 deep");
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
+            api_error(L, DEF, "step %d: %s stands alone with its steps", step, step_keys[word].name);
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_LOOP;
+    s->depth = (uint8_t)depth;
+    s->count = v[word].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[word].i;
+    if (bounce)
+        add_bounce(L, r, v, step);
+    uint64_t inside = read_steps(L, r, at, depth + 1, &inner);
+    r->bounces -= bounce;
+    inner |= bounce;
+    *timed |= inner && v[word].i > 0;
+    s = add_step(L, r);
+    *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
+    r->steps[open].jump = (uint16_t)r->n;
+    if (bounce)
+        r->steps[open + 1].jump = (uint16_t)r->n;
+    return loop_work(L, inner, inside, v[word].i, step);
 }
 
 /* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
@@ -1044,33 +1349,14 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         if (lua_rawgeti(L, at, i) != LUA_TTABLE)
             step_error(L, i, "expected a table");
         uint64_t named = read_keys(L, top + 1, i, v);
-        if (!v[M_LOOP].given) {
+        if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
-                step_error(L, i, "steps inside a step need loop = n");
+                step_error(L, i, "steps inside a step need loop = n or bounce = n");
             struct motion_step *s = add_step(L, r);
-            fill_step(L, s, v, i, r->fine);
-            s->named = named;
-            s->does |= named ? DOES_NAMED : 0;
-            *timed |= s->over > 0;
-        } else {
-            bool inner;
-            uint32_t open = r->n;
-            if (depth == MOTION_DEPTH)
-                step_error(L, i, "loops nest at most 4 deep");
-            for (int k = 0; k < M_LOOP; k++)
-                if (v[k].given)
-                    step_error(L, i, "loop stands alone with its steps");
-            struct motion_step *s = add_step(L, r);
-            s->does = DOES_LOOP;
-            s->depth = (uint8_t)depth;
-            s->count = v[M_LOOP].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[M_LOOP].i;
-            uint64_t inside = read_steps(L, r, top + 1, depth + 1, &inner);
-            work += loop_work(L, inner, inside, v[M_LOOP].i, i);
-            *timed |= inner && v[M_LOOP].i > 0;
-            s = add_step(L, r);
-            *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
-            r->steps[open].jump = (uint16_t)r->n;
-        }
+            fill_step(L, s, v, named, i, r->fine);
+            *timed |= takes_time(s);
+        } else
+            work += read_loop(L, r, top + 1, depth, v, i, timed);
         work++;
         lua_settop(L, top);
     }
@@ -1111,6 +1397,7 @@ static const char *read_head(lua_State *L, struct reader *r)
         api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
+    r->bounces = 0;
     r->fine = v[HEAD_FINE].i;
     return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }

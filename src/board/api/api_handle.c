@@ -82,6 +82,27 @@ static int value_named(lua_State *L, const struct board *b, enum handle_kind kin
     return api_values(b, names) ? api_names_find(L, names, name) : NO_SLOT;
 }
 
+/* The pool of things of that kind, or that such a group is of. */
+static const struct slots *pool(const struct board *b, enum handle_kind kind)
+{
+    switch (kind) {
+    case H_BULLET:
+    case H_GROUP:
+        return &b->bullets.s;
+    case H_SHOT:
+    case H_SHOTS:
+        return &b->shots.s;
+    default:
+        return &b->enemies.s;
+    }
+}
+
+/* The tags of its things. */
+static const uint16_t *tags_of(const struct board *b, enum handle_kind group)
+{
+    return group == H_GROUP ? b->bullets.tag : group == H_SHOTS ? b->shots.tag : b->enemies.tag;
+}
+
 static int get_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
 {
     enum handle_kind kind = handle_kind(h);
@@ -89,8 +110,8 @@ static int get_value(lua_State *L, struct board *b, const struct api_thing *t, i
 
     if (k == NO_SLOT)
         return no_property(L, t, (int)kind, name);
-    if (kind == H_GROUP)
-        return vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", name);
+    if (handle_kind_group(kind))
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read of a group (only count can)", t->name, name);
     if (board_there(b, h))
         lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
     else
@@ -106,31 +127,17 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
     struct api_value v = { 0 };
 
     api_check(L, t->name, &p, 3, &v);
-    if (kind != H_GROUP) {
+    if (!handle_kind_group(kind)) {
         if (board_alive(b, h))
             column[handle_slot(h)] = v.f;
         return 0;
     }
-    vm_charge(L, b->bullets.s.live);
-    EACH_LIVE (i, &b->bullets.s)
-        if (!handle_slot(h) || b->bullets.tag[i] == handle_slot(h))
+    const struct slots *s = pool(b, kind);
+    vm_charge(L, s->live);
+    EACH_LIVE (i, s)
+        if (api_has_tag(tags_of(b, kind), i, handle_slot(h)))
             column[i] = v.f;
     return 0;
-}
-
-/* The pool of things of that kind, or that such a group is of. */
-static const struct slots *pool(const struct board *b, enum handle_kind kind)
-{
-    switch (kind) {
-    case H_BULLET:
-    case H_GROUP:
-        return &b->bullets.s;
-    case H_SHOT:
-    case H_SHOTS:
-        return &b->shots.s;
-    default:
-        return &b->enemies.s;
-    }
 }
 
 /* Properties that rom.lua switches on. */

@@ -18,8 +18,10 @@ enum api_names api_value_names_of(enum handle_kind kind)
     case H_GROUP:
         return N_BULLET_VALUE;
     case H_SHOT:
+    case H_SHOTS:
         return N_SHOT_VALUE;
     case H_ENEMY:
+    case H_ENEMIES:
         return N_ENEMY_VALUE;
     default:
         return NAME_LISTS;
