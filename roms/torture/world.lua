@@ -18,6 +18,7 @@ enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, scor
 enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false })
 enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief })
 enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
+enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief })
 
 boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
   { id = "one", hp = 60, time = 240, bonus = 500, run = function(e)
@@ -138,6 +139,7 @@ end
 local function volleys()
   for n = 0, forever do
     local g = shot.group(n % 2 == 0 and "volley" or "own")
+    if n % 9 == 2 then g.around = player.nearest(9, 9) end
     board.note(g.count)
     shot.each("volley", function(s) if s.age > 20 then s.tag = "own" end end)
     if n % 8 == 1 then g:aim(n % 7) g.bank = n % 16 end
@@ -188,7 +190,7 @@ local function enemies()
       for i = 1, 26 do more[i]:remove() end
     end
     wait_until(function() return enemy.count() < 20 end, 30)
-    enemy.spawn { kind = n % 6 == 0 and "shade" or "globe", x = 40 + n * 29 % 150, y = 200 }
+    enemy.spawn { kind = n % 6 == 0 and "shade" or n % 6 == 3 and "pearl" or "globe", x = 40 + n * 29 % 150, y = 200 }
     local e = enemy.spawn { kind = n % 3 == 0 and "wall" or "drone", x = 20 + n * 37 % 180, y = 20 + n % 50, tag = "crowd",
       hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
     enemy.spawn { kind = "drone", path = n % 2 == 0 and swoop or across, mirror = n % 3 == 1, dx = n % 7, dy = n % 5 }

@@ -142,7 +142,7 @@ static int sys_check(lua_State *L)
         bool own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);
-        else if (!own || !p->def)
+        else if (!own || !p->def || p->type == A_FIRE) /* older library modules hand on all that they get */
             continue;
         else if (p->type == A_BOOL)
             lua_pushboolean(L, (int)v[i].i);

@@ -27,6 +27,14 @@ bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
   { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 }, { speed = 2.75, over = 9 } }
+value.def("turning", { start = 1.5 })
+value.def("rage", { of = "enemy" })
+bullet.def("pin", { sprite = "dart", hit = { capsule = { 5, 1.5 } }, turns = true, cloud = "dot", order = 3 })
+bullet.def("nut", { sprite = "dot", hit = { circles = { { -2, 0, 2 }, { 2, 0, 2 } } }, hp = 3, score = 40, vanish = "pop" })
+shot.def("brush", { sprite = "dot", hit = { circle = 4 }, cancels = true })
+motion.def { name = "lead", { go_to = { 76, 60 }, over = 40, ease = "both" }, { turn = "turning", over = 30 }, { wave = 6, every = 20, over = 40 } }
+motion.def { name = "walls", { bounce = 3, walls = "left right", over = 200, { bank = 5 } } }
+motion.def { name = "moon", { orbit = 20, spin = 4, over = 90 }, { polar = 1, spin = 2, over = forever } }
 motion.def { name = "spin", { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
 motion.def { name = "arc", fine = true, { speed = 0.7 }, { turn = 0.9, over = 200 } }
 
@@ -35,12 +43,20 @@ local function volley(e)
     wait(rng.int(20, 40))
     pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 2, hard = 3 }, spread = 71.5, aim = true, speed = 1.3 }
     pattern.stack { from = e, kind = "orb", n = 3, dir = 90, speed = 0.9, speed_to = 1.4 }
+    pattern.star { from = e, kind = "pin", n = 10, points = 5, speed = 1.5, delay = 20, turning = rng.number(-3, 3), motion = "lead", tag = "star" }
+    pattern.scatter { from = e, kind = "nut", n = 3, spread = 60, speed = 0.8, speed_to = 1.2, motion = "walls" }
+    pattern.ring { from = e, kind = "orb", n = 4, speed = 0, around = e, motion = "moon", skip = { 2, 2 } }
+    shot.fire { kind = "brush", x = 76, y = 140, speed = 3 }
+    bullet.group("star").frozen = 8
+    e.rage = e.rage + 1
+    if e.rage % 3 == 2 then bullet.sweep { from = e, radius_to = 30, over = 6, tag = "star", spark = "pop" } end
+    board.note(#query.box { what = "bullet", x = 76, y = 70, w = 60, h = 60 } + enemy.group().count)
   end
 end
-enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 5, score = 170, spark = "pop", run = volley })
-enemy.def("eye", { sprite = "dot", hit = { circle = 6 }, hp = 14, score = 400, spark = "pop", on_hit = function(e) spark.burst { kind = "pop", from = e, n = 1, speed = 2 } end,
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", run = volley })
+enemy.def("eye", { sprite = "dot", hit = { circle = 4 }, hp = 14, score = 400, spark = "pop", on_hit = function(e) spark.burst { kind = "pop", from = e, n = 1, speed = 2 } end,
   on_death = function(e) pattern.ring { from = e, kind = "orb", n = 5, aim = true, speed = 1.1 } end, run = volley })
-enemy.def("king", { sprite = "dot", hit = { box = { 12, 12 } }, hp = 10, score = 9000, spark = "pop" })
+enemy.def("king", { sprite = "dot", hit = { box = { 8, 8 } }, hp = 10, score = 9000, spark = "pop" })
 
 local loop = path.def { { x = -5, y = 20 }, { x = 60, y = 45, over = 53, ease = "out" }, { wait = 17 }, { x = 155, y = 15, over = 61, ease = "both" } }
 local dive = path.def { { x = 30, y = -6 }, { x = 40, y = 60, over = 70, ease = "both" }, { x = 20, y = 150, over = 90, ease = "in" } }

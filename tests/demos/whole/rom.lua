@@ -2,7 +2,8 @@
 return {
   id = "whole", title = "Whole", author = "The Curtain authors", version = 1,
   screen = { w = 160, h = 160 }, field = { x = 8, y = 16, w = 144, h = 136, margin = 16 },
-  board = { bullets = 256, shots = 64, enemies = 16, sparks = 64, sprites = 16, motions = 32, tasks = 128, lua_kib = 1024 },
+  board = { bullets = 256, shots = 64, enemies = 16, sparks = 64, sprites = 16, motions = 32, tasks = 128, lua_kib = 1024, nvram = 8,
+    values = { bullet = 1, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true },
   sheets = { all = { file = "art/all.png" } },
   sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
   difficulties = { "easy", "hard" }, difficulty = "hard", extends = { 2000, 9000 },
