@@ -9,14 +9,14 @@ bullet.def("needle", { sprite = "arrow", hit = { capsule = { 14, 2 } }, turns = 
 bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order = 9, clearable = false, vanish = "long" })
 
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
-bullet.def("late", { sprite = "steps", hit = { circles = { { -2, 0.5, 2.5 }, { 3, 0, 1.5 } } }, bank = 6, swept = false })
+bullet.def("late", { sprite = "steps", hit = { circles = { { -1.5, 0.5, 2.5 }, { 2.5, 0, 1.5 } } }, bank = 6, swept = false })
 
 bullet.def("nut", { sprite = "box", hit = { box = { 12, 12 } }, hp = 5, score = 30, spark = "ping", cloud = "steps",
   on_death = function(b, p) board.note(b.x + b.y + b.hp + (p and p.index or 0) + (b.alive and 9 or 0)) end })
 bullet.def("shield", { sprite = "letter", hit = { circle = 6 }, hp = forever, clearable = false, bank = 2 })
 
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
-shot.def("ball", { sprite = "steps", hit = { capsule = { 5, 3 } }, bank = 5, swept = false })
+shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false })
 shot.def("wiper", { sprite = "steps", hit = { circle = 2 }, cancels = true, order = 2 })
 shot.def("flash", { sprite = "letter", hit = "none" })
 
