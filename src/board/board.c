@@ -110,7 +110,7 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players and be blocked, a shot may hit one thing, an enemy may touch, die and leave. */
+/* A bullet may graze or hit both players and be blocked, a shot hits one thing, an enemy may touch, die and leave. */
 static uint64_t event_room(const struct manifest *m)
 {
     return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;

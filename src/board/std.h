@@ -26,8 +26,8 @@ int std_of(const char *name);
 const char *std_adds_to(int i);
 int std_of_field(const char *table, const char *field);
 
-/* Modules of which a script with this text may read a global or a field: bit i for module i. What can compute names (_G, _ENV,
- * load) names them all. */
+/* Modules of which a script with this text may read a global or a field: bit i for module i. What can compute names
+ * (_G, _ENV, load) names them all. */
 uint64_t std_named(const char *text, size_t n);
 
 /* The same of module i's own text, which may name its table without needing what others add to it. */

@@ -785,8 +785,8 @@ static void bounced(struct bullets *b, uint32_t i, unsigned mute)
     b->way[i] = 0;
 }
 
-/* A frame of bullet i on its way to a wall, since the clock before `pace`. Returns the step that it goes on with in this
- * frame; pc: none. */
+/* A frame of bullet i on its way to a wall, since the clock before `pace`. Returns the step that it goes on with in
+ * this frame; pc: none. */
 static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t pc)
 {
     const struct steps *s = w->steps;

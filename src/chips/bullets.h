@@ -207,8 +207,8 @@ void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]
 /* Sets `solid`. False: no bullet is. */
 bool bullets_find_solid(struct bullets *b);
 
-/* Those of a block, live or held, that ended the last move within reach and their own speed of (x, y), on both axes; and
- * maybe some others. */
+/* Those of a block, live or held, that ended the last move within reach and their own speed of (x, y), on both axes;
+ * and maybe some others. */
 uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach);
 
 /* Recomputes vx, vy from dir and speed. */
@@ -216,8 +216,8 @@ void bullets_steer(struct bullets *b, uint32_t i);
 
 /* Gives bullet i another kind; its cloud, if it is delayed and that kind has one. */
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
-/* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was. Of
- * a chip with GROUP_FROZEN. */
+/* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was.
+ * Of a chip with GROUP_FROZEN. */
 void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames);
 
 /* At the end of a frame in which the clock goes on: what stood in it grows no older. */

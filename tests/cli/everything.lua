@@ -42,7 +42,8 @@ boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
   { id = "b", spell = "Second", hp = 90, time = 150, rest = 10, bonus = 3000, run = function(e)
       while true do
         pattern.ring { from = e, kind = "orb", n = 7, dir = rng.dir(), speed = 0.9, motion = "bloom", tag = "petal" }
-        pattern.fan { from = e, kind = "spore", n = 3, spread = 50, speed = 1.3, motion = "spin", delay = rng.int(1, 30) }
+        pattern.fan { from = e, kind = "spore", n = 3, spread = 50, speed = 1.3, motion = "spin",
+          delay = rng.int(1, 30) }
         e:move { x = rng.int(10, 50), y = rng.int(5, 30), over = 17, ease = "in" }
         wait(18)
       end

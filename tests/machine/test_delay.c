@@ -1,5 +1,6 @@
 /*
- * test_delay.c - bullets with a delay: still and harmless while it lasts, and from its end on as one that was fired then.
+ * test_delay.c - bullets with a delay: still and harmless while it lasts, and from its end on as one that was fired
+ * then.
  */
 #include "rig.h"
 
@@ -38,8 +39,8 @@ static uint64_t bullets_hash(const struct rig *r)
     return 0;
 }
 
-/* One is fired with a delay of n, another n frames later: from then on their boards' bullets are equal, in every column,
- * also after a snapshot in the middle. */
+/* One is fired with a delay of n, another n frames later: from then on their boards' bullets are equal, in every
+ * column, also after a snapshot in the middle. */
 static void same(const char *args, const char *writes, int n)
 {
     const char *fire = "task.go(function() wait(%d) local b = bullet.fire { %s, delay = %d }\n"

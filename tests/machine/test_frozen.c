@@ -139,7 +139,7 @@ static const char world[] =
     "    if i % 4 == 0 then b.vx = 0.3 end\n"
     "    if i % 3 == 0 then task.own(b, own, 90) end\n"
     "    if i <= 40 then\n"
-    "      a.motion, a.delay = rng.chance(0.8) and program(true) or nil, nil\n" /* enemies may stand: what it aims at is not the same */
+    "      a.motion, a.delay = rng.chance(0.8) and program(true) or nil, nil\n" /* enemies may stand */
     "      local s = shot.fire(a)\n"
     "      if i % 3 == 1 then task.own(s, own, 90) end\n"
     "    end\n"

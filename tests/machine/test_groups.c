@@ -1,7 +1,7 @@
 /*
- * test_groups.c - what is done to a group in C is what a loop over its things does: random writes and verbs of groups of
- * bullets, shots and enemies on one board, the same one by one on another, and equal columns in every frame. Clears and
- * queries of circles, boxes and lines take what whole numbers say in Lua.
+ * test_groups.c - what is done to a group in C is what a loop over its things does: random writes and verbs of groups
+ * of bullets, shots and enemies on one board, the same one by one on another, and equal columns in every frame. Clears
+ * and queries of circles, boxes and lines take what whole numbers say in Lua.
  */
 #include "rig.h"
 

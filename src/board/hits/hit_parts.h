@@ -118,8 +118,8 @@ struct hit_solids {
 /* False: no shot can hit any. */
 bool hit_find_solids(struct board *b, struct hit_solids *f);
 
-/* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot; nearer
- * than *apart, a squared distance, which becomes the bullet's. */
+/* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot;
+ * nearer than *apart, a squared distance, which becomes the bullet's. */
 int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint64_t *apart);
 
 /* Shots against enemies and bullets: raises an event for each shot that hits. */

@@ -425,7 +425,8 @@ static inline uint32_t target(const struct board *b, const struct grid *g, const
     return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i) : slot;
 }
 
-/* Raises shot i's event with the bullet that it hits, if that was nearer than the enemy that it touches (NO_ENEMY: none).
+/* Raises shot i's event with the bullet that it hits, if that was nearer than the enemy that it touches (NO_ENEMY:
+ * none).
  */
 static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
 {
