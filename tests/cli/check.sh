@@ -49,11 +49,11 @@ game everything <"$repo/tests/cli/everything.lua"
 fine 'a game that uses everything' everything
 mkdir -p pages
 python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
-for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stage that has kinds of its own
+for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua
-    { echo 'local used = { "lamp", "ember", "glow", "ghost" }' && cat "$repo/tests/cli/drive.lua"; } >page/main.lua
+    rm page/glow.lua page/looks.lua
+    { echo 'local used = { "lamp", "ember", "glow", "ghost", "star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200" }' && cat "$repo/tests/cli/drive.lua"; } >page/main.lua
     case $file in
     *.task) { echo 'return function(e, p)' && cat "$file" && echo 'end'; } >page/try.lua ;;
     *) cp "$file" page/try.lua ;;

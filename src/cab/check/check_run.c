@@ -12,6 +12,7 @@
 #include "../../board/board.h"
 #include "../../board/inspect.h"
 #include "../../board/rom/cart.h"
+#include "../pack/art.h"
 #include "../demo/demo.h"
 #include "../run/guard.h"
 #include "../run/sections.h"
@@ -73,16 +74,17 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
 
     for (int i = 0; i < c->art.n_sprites; i++) {
         const struct art_sprite *s = &c->art.sprites[i];
-        int side = s->w > s->h ? s->w : s->h;
+        int pic_w = art_resized(s->w, s->percent), pic_h = art_resized(s->h, s->percent),
+            side = pic_w > pic_h ? pic_w : pic_h;
         bool any_way = kind->turns && kind->shape == INSPECT_BOX;
         if (strcmp(s->name, kind->sprite) != 0 ||
-            (w <= (int64_t)(any_way ? side : s->w) << 16 && h <= (int64_t)(any_way ? side : s->h) << 16))
+            (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16))
             continue;
         const char *file = declared(c, kind->of, kind->name, &line);
         diagnostics_add(&c->found, file, line,
                         "%s \"%s\": its %s of %.7g x %.7g px %s larger than its picture, \"%s\" of %d x %d px",
                         kind->of, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
-                        kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, s->w, s->h);
+                        kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, pic_w, pic_h);
     }
 }
 

@@ -245,7 +245,7 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
     return true;
 }
 
-static int resized(int side, int percent)
+int art_resized(int side, int percent)
 {
     int to = (side * percent + 50) / 100;
 
@@ -263,7 +263,7 @@ static int resized_at(int v, int percent)
 /* Replaces the frames by copies of another size, turned about (ox, oy). */
 static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *err, size_t err_size)
 {
-    const int w = resized(s->w, percent), h = resized(s->h, percent);
+    const int w = art_resized(s->w, percent), h = art_resized(s->h, percent);
     struct stack to;
     struct turn t;
 
@@ -362,8 +362,8 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
         ox = resized_at(ox, sprite->percent);
         oy = resized_at(oy, sprite->percent);
         if (!sprite->origin) {
-            ox = resized(sprite->w, sprite->percent) / 2;
-            oy = resized(sprite->h, sprite->percent) / 2;
+            ox = art_resized(sprite->w, sprite->percent) / 2;
+            oy = art_resized(sprite->h, sprite->percent) / 2;
         }
         good = resize_frames(&s, sprite->percent, ox, oy, err, err_size);
     }

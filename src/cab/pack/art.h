@@ -40,6 +40,9 @@ struct art_strays {
 struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
                                   const uint8_t rgb[CART_PALETTE]);
 
+/* A side of a sprite, in px, at so many percent of its size: rounded, at least 1. */
+int art_resized(int side, int percent);
+
 /* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc. */
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
                      const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
