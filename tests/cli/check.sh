@@ -53,7 +53,11 @@ for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without 
     rm -rf page
     cp -r "$repo/examples/sandbox" page
     rm page/glow.lua page/looks.lua
-    { echo 'local used = { "lamp", "ember", "glow", "ghost", "star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200" }' && cat "$repo/tests/cli/drive.lua"; } >page/main.lua
+    {
+        printf 'local used = { "lamp", "ember", "glow", "ghost", '
+        echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200" }'
+        cat "$repo/tests/cli/drive.lua"
+    } >page/main.lua
     case $file in
     *.task) { echo 'return function(e, p)' && cat "$file" && echo 'end'; } >page/try.lua ;;
     *) cp "$file" page/try.lua ;;
