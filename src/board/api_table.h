@@ -42,6 +42,7 @@ enum api_type {
     A_LAYER,
     A_ALIGN,
     A_FIRE, /* what a pattern fires */
+    A_EMIT, /* a pattern of the step emit */
 };
 
 /* What is declared under a name. */
