@@ -221,6 +221,10 @@ static void test_full(void **state)
           "kind =\n"
           "    'dot', speed = 1 } }, { die = true } } } end\n"
           "  wait(1) is(board.live 'bullets', 256) is(board.refused 'bullets', 345 + 600 - 256)\n"
+          "  bullet.group():remove() for i = 1, 256 do dot { x = 50, y = 50, motion = { { emit = { kind = 'dot', speed "
+          "=\n"
+          "    1 } }, { die = true } } } end\n"
+          "  wait(1) is(board.live 'bullets', 256) is(board.refused 'bullets', 345 + 600 - 256)\n"
           "end)\n");
     for (int f = 0; f < 6; f++) {
         const struct board_out *out = board_tick(rig.b, none);
@@ -353,7 +357,8 @@ static void test_signals(void **state)
     /* another program in the same frame does not hear it */
     holds(KINDS "task.go(function()\n"
                 "  local a = dot { x = 10, y = 50, motion = { { wait_for = { tag = 'go' } }, { bank = 7 } } }\n"
-                "  wait(2) bullet.group('go'):signal() a.motion = a.motion wait(2) is(a.bank, 0)\n"
+                "  bullet.group('go'):signal() wait(2) is(a.bank, 0)\n"
+                "  bullet.group('go'):signal() a.motion = a.motion wait(2) is(a.bank, 0)\n"
                 "  bullet.group('go'):signal() wait(1) is(a.bank, 7) bullet.group('go'):signal() wait(1)\n"
                 "end)\n",
           9);
