@@ -42,6 +42,7 @@ enum api_type {
     A_LAYER,
     A_ALIGN,
     A_FIRE, /* what a pattern fires */
+    A_MEET, /* which of two bullets that meet goes */
 };
 
 /* What is declared under a name. */

@@ -40,7 +40,8 @@ static uint32_t value_groups(int32_t n)
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
-           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
 }
 
 static uint32_t shot_groups(const struct manifest *m)
@@ -110,10 +111,11 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players and be blocked, a shot hits one thing, an enemy may touch, die and leave. */
+/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, an enemy
+ * may touch, die and leave. */
 static uint64_t event_room(const struct manifest *m)
 {
-    return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
+    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -369,7 +371,7 @@ void board_move(struct board *b)
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep, query, solid);
+    bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }

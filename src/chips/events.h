@@ -18,12 +18,14 @@ enum event_kind {
     EV_LEAVE,  /* a: enemy handle */
     EV_EXTEND, /* a: player */
     EV_SCRIPT, /* a: index of what sys.emit queued */
-    EV_BLOCK   /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_MEET    /* a, b: bullet handles, of the first and the second tag of a pair */
 };
 
 struct event {
     int64_t a, b;
     uint32_t kind; /* enum event_kind */
+    uint32_t pair; /* of EV_MEET */
 };
 
 struct events {

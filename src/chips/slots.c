@@ -230,13 +230,18 @@ static const uint8_t *column_at(const struct column *c, const void *self)
     return at;
 }
 
+static bool hashed_register(const struct column *c, uint32_t groups)
+{
+    return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
+}
+
 uint64_t slots_hash(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
     uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
 
     for (int c = 0; c < chip->count; c++)
-        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+        if (hashed_register(&chip->columns[c], s->groups))
             h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
     uint32_t end = s->used ? s->top : s->live;
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
@@ -276,7 +281,7 @@ static void visit_registers(const struct chip *chip, const void *self, slots_vis
     v.value = s->refused;
     visit(context, &v);
     for (int c = 0; c < chip->count; c++)
-        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+        if (hashed_register(&chip->columns[c], s->groups))
             visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
 }
 

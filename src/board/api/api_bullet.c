@@ -190,7 +190,7 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_HARMLESS };
 
 /* Of shot_def alone. */
 enum { D_CANCELS = D_ORDER + 1 };
@@ -208,7 +208,7 @@ static const struct api_param bullet_def[] = {
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
     { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static const struct api_param shot_def[] = {
@@ -291,6 +291,8 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
     if (!v[D_CLEARABLE].i)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
+    if (v[D_HARMLESS].i)
+        b->bullet_kinds.flags[i] |= KIND_HARMLESS;
     b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     define_hp(L, b, i, v);
     if (v[D_CLOUD].given)
@@ -1459,6 +1461,10 @@ static const struct api_entry entries[] = {
       "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
       "and h about it, "
       "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
+    { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
+      "bullets with the tag first and bullets with the tag second meet when they touch: on_meet(a, b) is called, then "
+      "those that clear names are gone, each leaving the named spark or its kind's; with all, also what is not "
+      "clearable" },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
       "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
       "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },

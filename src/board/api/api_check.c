@@ -255,7 +255,8 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
     static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
     static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                              *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" };
+                             *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" },
+                             *const meets[] = { "none", "first", "second", "both" };
 
     v->at = at;
     v->given = !lua_isnoneornil(L, at);
@@ -336,6 +337,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         break;
     case A_FIRE:
         check_word(L, entry, p, at, v, fires, 2);
+        break;
+    case A_MEET:
+        check_word(L, entry, p, at, v, meets, 4);
         break;
     }
 }

@@ -35,6 +35,7 @@ static const char *type_words(const struct api_param *p)
         [A_LAYER] = "back, middle or front",
         [A_ALIGN] = "left, center or right",
         [A_FIRE] = "bullet or shot",
+        [A_MEET] = "none, first, second or both",
     };
 
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];

@@ -137,6 +137,11 @@ int api_clear(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
 
+/* bullet.meet. */
+enum { MEET_PARAMS = 6 };
+extern const struct api_param api_meet_params[MEET_PARAMS];
+int api_meet(lua_State *L, struct board *b, struct api_value *v);
+
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
 
