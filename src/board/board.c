@@ -126,7 +126,7 @@ static uint64_t ram_needed(const struct cart *cart)
     for (int i = 0; i < PARTS; i++)
         sum += slots_size(machine_parts[i].chip, l.cap[i], l.groups[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
-    sum += aligned(event_room(&cart->m) * sizeof(struct event));
+    sum += aligned(events_size((uint32_t)event_room(&cart->m)));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
@@ -192,7 +192,7 @@ static void set_up(struct board *b)
  *   order of PART_LIST                                               the live entries (slots.h)
  *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
  *                                 ROM's sprites
- *   events                        event_room times struct event      none; there are no events between frames
+ *   events                        events_size of event_room          none; there are no events between frames
  *   Lua's heap                    board.lua_kib KiB                  what is in use
  */
 static void lay_out(struct board *b)
@@ -210,8 +210,8 @@ static void lay_out(struct board *b)
     }
     b->pictures = (struct sprite *)next;
     next += aligned((uint64_t)b->cart.sprites * sizeof(struct sprite));
-    b->events = (struct events){ .cap = (uint32_t)event_room(&b->cart.m), .list = (struct event *)next };
-    next += aligned(event_room(&b->cart.m) * sizeof(struct event));
+    events_layout(&b->events, (uint32_t)event_room(&b->cart.m), next);
+    next += aligned(events_size(b->events.cap));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;

@@ -458,7 +458,7 @@ int events_run(lua_State *L)
 
     luaL_checkstack(L, 32, NULL);
     for (uint32_t i = 0; i < b->events.n; i++) {
-        struct event e = b->events.list[i];
+        struct event e = events_at(&b->events, i);
         apply(b, L, &e);
     }
     b->events.n = 0;

@@ -1,5 +1,6 @@
 /*
- * events.h - what happened this frame, in the order it was found. Empty between frames.
+ * events.h - what happened this frame, in the order it was found. Empty between frames. Kept as columns, for there is
+ * room for several a bullet, and a struct would be 7 bytes of padding larger.
  * floor: chips
  */
 #ifndef CHIPS_EVENTS_H
@@ -30,8 +31,20 @@ struct event {
 
 struct events {
     uint32_t cap, n;
-    struct event *list;
+    int64_t *a, *b;
+    uint8_t *kind;
 };
+
+/* Bytes of RAM that so many take. */
+uint64_t events_size(uint32_t cap);
+
+/* Points the columns into memory of events_size(cap) bytes, aligned as an int64_t, and empties them. */
+void events_layout(struct events *e, uint32_t cap, uint8_t *at);
+
+static inline struct event events_at(const struct events *e, uint32_t i)
+{
+    return (struct event){ e->a[i], e->b[i], e->kind[i] };
+}
 
 /* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */
 bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b);

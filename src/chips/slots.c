@@ -27,9 +27,15 @@ static uint64_t values(const struct column *c, uint64_t slots)
     return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
+/* Slots there are columns for: of a pool whole blocks, of a list no more than can live. */
+static uint32_t room_for(const struct chip *chip, uint32_t cap)
+{
+    return chip->list ? cap : blocks(cap);
+}
+
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
 {
-    uint64_t room = blocks(cap), size = 0;
+    uint64_t room = room_for(chip, cap), size = 0;
 
     if (!chip->list)
         size = aligned(room / 8) + aligned(room * 4);
@@ -50,7 +56,7 @@ static void *carve(uint8_t **next, uint64_t bytes)
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next)
 {
     struct slots *s = self;
-    uint64_t room = blocks(cap);
+    uint64_t room = room_for(chip, cap);
 
     *s = (struct slots){ .cap = cap, .groups = groups };
     if (!chip->list) {

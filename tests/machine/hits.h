@@ -407,10 +407,10 @@ static inline void reference(const struct board *b)
 static inline void compare(const struct board *b, int scene)
 {
     for (int i = 0; i < expected_n && i < (int)b->events.n; i++) {
-        const struct event *e = &b->events.list[i], *x = &expected[i];
-        if (e->kind != x->kind || e->a != x->a || e->b != x->b)
-            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e->kind,
-                     handle_slot(e->a), handle_slot(e->b), x->kind, handle_slot(x->a), handle_slot(x->b));
+        const struct event e = events_at(&b->events, (uint32_t)i), *x = &expected[i];
+        if (e.kind != x->kind || e.a != x->a || e.b != x->b)
+            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e.kind,
+                     handle_slot(e.a), handle_slot(e.b), x->kind, handle_slot(x->a), handle_slot(x->b));
     }
     if ((int)b->events.n != expected_n)
         fail_msg("scene %d: %u events, expected %d", scene, b->events.n, expected_n);

@@ -402,12 +402,9 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 /* Raises the event as board_event does, which it calls only when there is no room. */
 static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 {
-    struct events *e = &b->events;
     int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
 
-    if (e->n < e->cap)
-        e->list[e->n++] = (struct event){ .kind = EV_SHOT, .a = who, .b = whom };
-    else
+    if (!events_push(&b->events, EV_SHOT, who, whom))
         board_event(b, EV_SHOT, who, whom);
 }
 
