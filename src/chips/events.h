@@ -20,13 +20,13 @@ enum event_kind {
     EV_EXTEND, /* a: player */
     EV_SCRIPT, /* a: index of what sys.emit queued */
     EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
-    EV_MEET    /* a, b: bullet handles, of the first and the second tag of a pair */
+    EV_MEET    /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
 };
 
 struct event {
     int64_t a, b;
     uint32_t kind; /* enum event_kind */
-    uint32_t pair; /* of EV_MEET */
+    uint32_t pair; /* of EV_MEET; else 0 */
 };
 
 struct events {
@@ -43,7 +43,9 @@ void events_layout(struct events *e, uint32_t cap, uint8_t *at);
 
 static inline struct event events_at(const struct events *e, uint32_t i)
 {
-    return (struct event){ e->a[i], e->b[i], e->kind[i] };
+    const uint32_t kind = e->kind[i], pair = kind > EV_MEET ? kind - EV_MEET : 0;
+
+    return (struct event){ e->a[i], e->b[i], kind - pair, pair };
 }
 
 /* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */

@@ -234,8 +234,8 @@ static void raise_meet(struct board *b, const struct crowd *c, uint32_t p, uint3
 {
     const struct bullets *s = c->s;
 
-    board_event(b, EV_MEET, handle_of(H_BULLET, s->s.gen[first], first), handle_of(H_BULLET, s->s.gen[second], second));
-    b->events.list[b->events.n - 1].pair = p;
+    board_event(b, (enum event_kind)(EV_MEET + p), handle_of(H_BULLET, s->s.gen[first], first),
+                handle_of(H_BULLET, s->s.gen[second], second));
     add(s->met, first);
     if (c->alone)
         add(s->met, second);
