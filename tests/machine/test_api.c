@@ -870,6 +870,39 @@ static void test_no_leak(void **state)
         fail_msg("the heap grew from %zu to %zu bytes", early, late);
 }
 
+/* Functions are made when a script reads them: it must not be able to tell. */
+static void test_made_when_read(void **state)
+{
+    struct rig_game game;
+    struct rig r;
+    int members = 0;
+    char text[1024];
+
+    (void)state;
+    for (int i = 0; i < api_count(); i++)
+        members += !strncmp(api_entry(i)->name, "query.", 6);
+    assert_true(members >= 3);
+    snprintf(text, sizeof text,
+             "local near, n = query.near, 0\n"
+             "assert(near and near == query.near and query.box ~= near and query.none == nil and query[1] == nil)\n"
+             "for name, f in pairs(query) do assert(query[name] == f and type(f) == 'function') n = n + 1 end\n"
+             "assert(n == %d, n)\n"
+             "assert(getmetatable(query) == false)\n"
+             "query.own, rng.of = 7, 8\n"
+             "assert(query.own == 7 and rng.of == 8 and rng.own == nil)\n"
+             "enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
+             "local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
+             "assert(e.kill and e.kill == e.kill and e.hurt ~= e.kill and e.x == 9)\n"
+             "local group = enemy.group()\n"
+             "assert(group.kill and group.kill ~= e.kill)",
+             members);
+    rig_script(&game, NULL, text);
+    rig_power(&r, &game, NULL);
+    rig_run(&r, 1);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
 /* A start that no manifest allows is refused, not believed. */
 static void test_start(void **state)
 {
@@ -939,9 +972,10 @@ static int teardown(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forged),     cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
-        cmocka_unit_test(test_death_once), cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
-        cmocka_unit_test(test_start),      cmocka_unit_test(test_entries),        cmocka_unit_test(test_properties),
+        cmocka_unit_test(test_forged),         cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
+        cmocka_unit_test(test_death_once),     cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
+        cmocka_unit_test(test_made_when_read), cmocka_unit_test(test_start),          cmocka_unit_test(test_entries),
+        cmocka_unit_test(test_properties),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -36,9 +36,24 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
-/* Sets the number type's metatable: handles' properties and methods. Pushes the table of a handle kind's methods. */
+/* The part behind the split of an entry in C that is `of`'s: "fire" of "bullet.fire", of "bullet" and '.'; else NULL. */
+const char *api_member(const struct api_entry *e, const char *of, char split);
+
+/* Pushes the function of the entry that is so called; false, and nothing is pushed: there is none. */
+bool api_push_member(lua_State *L, const char *of, char split, const char *name);
+
+/* From now on the table on top, the global of that name, is one of the API's. */
+void api_add_space(lua_State *L, const char *name);
+
+/* Raises the fault of a read of a field that a table of the API does not have, if it is reserved or of a module that is
+ * not there. */
+void api_no_field(lua_State *L, const char *of, const char *name);
+
+/* Sets the number type's metatable: handles' properties and methods. */
 void api_open_handles(lua_State *L);
-void api_push_methods(lua_State *L, int kind);
+
+/* Pushes the method of that name, or false. */
+bool api_push_method(lua_State *L, int kind, const char *name);
 
 /* Whose hit shape it is: they may have different ones. */
 enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
