@@ -14,27 +14,14 @@ static const char kinds[] =
 
 static struct rig_game g;
 static struct rig rig;
-static char log_text[8192];
 
-/* What a script says in so many frames: the fault's message, or what was printed. */
+/* What a script says in so many frames. */
 static const char *said(const char *script, int frames)
 {
-    const uint16_t none[PADS] = { 0 };
-    size_t n = 0;
-
     rig_with_sys(&g, NULL, script);
-    rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < frames && !rig_fault(&rig); f++) {
-        const struct board_out *out = board_tick(rig.b, none);
-        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
-            log_text[n++] = out->log[i];
-    }
-    log_text[n] = 0;
-    if (rig_fault(&rig))
-        snprintf(log_text, sizeof log_text, "%s", rig_fault(&rig)->message);
-    rig_free(&rig);
+    const char *all = rig_said(&g, frames, true);
     rig_game_free(&g);
-    return log_text;
+    return all;
 }
 
 /* Of `text` from line 2 of main.lua on, as a task, with player 1 in the game. */

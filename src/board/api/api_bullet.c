@@ -415,11 +415,9 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- groups ---- */
 
-enum { EACH_TAG, EACH_F };
-
-static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-                                          { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+const struct api_param api_tag_params[TAG_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
+const struct api_param api_each_params[EACH_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+                                                        { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
 {
@@ -439,21 +437,22 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
-             uint32_t tag, int f)
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+             const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
     int list = lua_gettop(L) + 1;
     lua_Integer n = 0;
 
     lua_newtable(L);
     EACH_LIVE (i, s)
-        if (!tag || tags[i] == tag) {
+        if (api_has_tag(tags, i, tag)) {
             lua_pushinteger(L, board_handle(b, kind, (int32_t)i));
             lua_rawseti(L, list, ++n);
         }
     vm_charge(L, (uint64_t)n);
     for (lua_Integer k = 1; k <= n; k++) {
-        lua_pushvalue(L, f);
+        lua_pushvalue(L, v[EACH_F].at);
         lua_rawgeti(L, list, k);
         if (board_alive(b, lua_tointeger(L, -1)))
             lua_call(L, 1, 0);
@@ -465,16 +464,12 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "bullet.each", v[EACH_TAG].at) : 0;
-
-    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
+    return api_each(L, b, H_BULLET, "bullet.each", &b->bullets.s, b->bullets.tag, v);
 }
 
 static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "shot.each", v[EACH_TAG].at) : 0;
-
-    return api_each(L, b, H_SHOT, &b->shots.s, b->shots.tag, tag, v[EACH_F].at);
+    return api_each(L, b, H_SHOT, "shot.each", &b->shots.s, b->shots.tag, v);
 }
 
 static const struct api_param bullet_sweep[] = {
@@ -1450,13 +1445,23 @@ static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0,
     }
 const struct api_entry api_fire[2] = { BULLET_FIRE, SHOT_FIRE };
 
+#define CLEAR_ONE(thing)                                                                                               \
+    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark")
+#define CLEAR_GROUP(thing)                                                                                             \
+    API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
+             "removes those in the shape, or all, each leaving the named spark")
+/* The verbs of one and of a group; `it` names who does it. */
+#define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
+    API_VERB(thing ":aim", verb_aim, self_add, 2, NULL,                                                                \
+             it " points at the " target " nearest to it, plus so many degrees"),                                      \
+        API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, it " turns by so many degrees"),                          \
+        API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL, it " is moved on by dx, dy at once, and flies on"),  \
+        CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, it " goes without a trace")
+
 static const struct api_entry entries[] = {
     { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
     BULLET_FIRE,
-    { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
-      "every live bullet with that tag (without one: all) as one thing to write to" },
-    { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
+    API_GROUPS("bullet", bullet_group, bullet_each),
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
       "and h about it, "
@@ -1468,21 +1473,8 @@ static const struct api_entry entries[] = {
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
       "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
       "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
-    { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      "points it at the nearest player, plus so many degrees" },
-    { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
-    { "bullet:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "it is moved on by dx, dy at once, and flies on" },
-    { "bullet:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
-    { "bullet:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
-    { "group:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest player" },
-    { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
-    { "group:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once, and flies on" },
-    { "group:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
-    { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
+    FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
+    FLYING_VERBS("group", "each", "player", CLEAR_GROUP),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
       "it a "
@@ -1490,23 +1482,8 @@ static const struct api_entry entries[] = {
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
     SHOT_FIRE,
-    { "shot.group", shot_group, PARAMS(tag_only), 1, API_CHANGES, "group",
-      "every live shot with that tag (without one: all) as one thing to write to" },
-    { "shot.each", shot_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(shot) for each with that tag (nil: all), in slot order; f cannot wait" },
-    { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
-    { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
-    { "shot:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "it is moved on by dx, dy at once, and flies on" },
-    { "shot:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
-    { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
-    { "shots:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest enemy" },
-    { "shots:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
-    { "shots:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once, and flies on" },
-    { "shots:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
-    { "shots:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
+    API_GROUPS("shot", shot_group, shot_each),
+    FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
+    FLYING_VERBS("shots", "each", "enemy", CLEAR_GROUP),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

@@ -81,11 +81,6 @@ struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose
 int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                  const struct api_shape *s);
 
-/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
- * that come during the calls are not visited. */
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
-             uint32_t tag, int f);
-
 /* The values declared for what the entry makes (API_VALUES, API_FIRE), or for that kind of thing; NAME_LISTS: it has
  * none. */
 enum api_names api_value_names(const struct api_entry *e);
@@ -109,8 +104,37 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
     return !tag || tags[i] == tag;
 }
 
+/* Arguments of what names things by a tag alone, and of what visits them. */
+enum { EACH_TAG, EACH_F, EACH_PARAMS, TAG_PARAMS = 1 };
+extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_PARAMS];
+
+/* A method's row. */
+#define API_VERB(name, run, params, plain, returns, help)                                                              \
+    {                                                                                                                  \
+        name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, help                                      \
+    }
+
+/* The rows of the functions that do. `noun` names one of the things. */
+#define API_GROUPS(noun, group, each)                                                                                  \
+    { noun ".group",                                                                                                   \
+      group,                                                                                                           \
+      PARAMS(api_tag_params),                                                                                          \
+      1,                                                                                                               \
+      API_CHANGES,                                                                                                     \
+      "group",                                                                                                         \
+      "every living " noun " with that tag (without one: all) as one thing to write to" },                             \
+    {                                                                                                                  \
+        noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
+            "calls f(" noun ") for each with that tag (nil: all), in slot order; f cannot wait"                        \
+    }
+
 /* Pushes the group of things with the tag that is given, or of all. */
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
+
+/* Calls the function among the arguments v with each live thing of a pool that has their tag (none: all), in slot
+ * order. Things that come during the calls are not visited. */
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+             const uint16_t *tags, const struct api_value v[EACH_PARAMS]);
 
 /* What place and shape words name together: everywhere, a circle, a box or a line with a width. */
 enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
