@@ -446,12 +446,12 @@ static void test_who(void **state)
 static void test_harmless(void **state)
 {
     (void)state;
-    holds(
-        "on.hit(function() told = told .. 'hit ' end) on.graze(function() told = told .. 'graze ' end)",
-        "p.safe = 0 local b = fire('fire', p.x, p.y, { kind = 'shade' }) fire('fire', p.x + 14, p.y, { kind = 'shade' }) wait(3)\n"
-        "assert(told == '' and b.alive, told) b.kind = 'dot' p.safe = 0 wait(2) assert(told == 'hit ', "
-        "told)",
-        0, 0);
+    holds("on.hit(function() told = told .. 'hit ' end) on.graze(function() told = told .. 'graze ' end)",
+          "p.safe = 0 local b = fire('fire', p.x, p.y, { kind = 'shade' }) fire('fire', p.x + 14, p.y, { kind = "
+          "'shade' }) wait(3)\n"
+          "assert(told == '' and b.alive, told) b.kind = 'dot' p.safe = 0 wait(2) assert(told == 'hit ', "
+          "told)",
+          0, 0);
 }
 
 /* The pairs are in the trace. */

@@ -488,7 +488,8 @@ static void test_pack(void **state)
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
 static void test_unpack_old(void **state)
 {
-    struct result *r = read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true } }");
+    struct result *r =
+        read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
