@@ -213,6 +213,7 @@ enemy.def("e", { sprite = "dot", hit = "none", run = function(e) for k in pairs(
 on.hit(function(_, by) print(#by) end)
 boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
   phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
+bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 ----
 main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
 main.lua:4: ipairs: what shot.fire returns is a shot, not a table
@@ -223,7 +224,8 @@ main.lua:8: #: what bullet.each hands to its function is a thing, not a table
 main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
 main.lua:10: #: what on.hit hands to its function is a thing, not a table
 main.lua:12: #: what boss.def hands to its function is a thing, not a table
-9 problems
+main.lua:13: #: what bullet.meet hands to its function is a thing, not a table
+10 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
 local n = 3

@@ -43,6 +43,7 @@ static const char world[] =
     "end\n"
     "function string.fails() error('fails') end\n"
     "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos)\n"
+    "bullet.meet('t', 't', { clear = 'both', on_meet = string.chaos })\n"
     "sys.join(1, 'ship')\n"
     "if pad.down('fire') then sys.join(2, 'ship') end\n"
     "local t = {}\n"
@@ -309,7 +310,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                              *const aligns[] = { "left", "center", "right" },
                              *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
                              *const sprites[] = { "dot", "arrow", "wink" }, *const fires[] = { "bullet", "shot" },
-                             *const pools[] = { "bullet", "shot", "enemy" };
+                             *const pools[] = { "bullet", "shot", "enemy" },
+                             *const meets[] = { "none", "first", "second", "both" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -429,6 +431,9 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_pushinteger(L, (lua_Integer)below(12) - 1);
             lua_rawseti(L, -2, i);
         }
+        break;
+    case A_MEET:
+        push_from(L, meets, 4);
         break;
     case A_FIRE:
         push_from(L, fires, 2);
@@ -951,7 +956,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = 1;
+    m.frozen = m.meet = 1;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_power(&rig, &g, NULL);

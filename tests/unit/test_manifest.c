@@ -488,7 +488,8 @@ static void test_pack(void **state)
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
 static void test_unpack_old(void **state)
 {
-    struct result *r = read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, items = 9 } }");
+    struct result *r =
+        read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9 } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
@@ -502,7 +503,8 @@ static void test_unpack_old(void **state)
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
     assert_int_equal(r->m.items, 9);
-    r->m.items = 0;
+    assert_int_equal(r->m.meet, 1);
+    r->m.items = r->m.meet = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));

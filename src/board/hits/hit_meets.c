@@ -45,6 +45,7 @@ struct search {
     int64_t x0, y0, x1, y1; /* the box in which was what it touches */
     uint64_t best;          /* the square of the distance of what was found */
     uint32_t found;         /* its slot, or LAST */
+    uint32_t tested;        /* how many shapes were */
 };
 
 static inline int64_t was_x(const struct bullets *s, uint32_t i)
@@ -181,6 +182,7 @@ static void search_list(struct search *q, uint32_t i)
             continue;
         if (has(c->s->taken, i) || (c->alone && has(c->s->met, i)))
             continue;
+        q->tested++;
         if (!hit_pieces_touch(q->piece, q->n, piece, pieces_of(c, i, piece), true))
             continue;
         q->best = d;
@@ -202,7 +204,7 @@ static void search_cells(struct search *q)
 }
 
 /* The bullet that i meets, or LAST. */
-static uint32_t partner(const struct crowd *c, uint32_t i)
+static uint32_t partner(struct board *b, const struct crowd *c, uint32_t i)
 {
     const struct bullets *s = c->s;
     const struct extent e = extent(s, c->k, i);
@@ -218,6 +220,7 @@ static uint32_t partner(const struct crowd *c, uint32_t i)
     q.y0 = int64_min(s->y[i], q.y) - e.y - c->reach_y;
     q.y1 = int64_max(s->y[i], q.y) + e.y + c->reach_y;
     search_cells(&q);
+    b->counts.tested += q.tested;
     return q.found;
 }
 
@@ -258,7 +261,7 @@ static void meet(struct board *b, struct crowd *c, uint32_t p)
             uint32_t i = block * SLOTS_BLOCK + bits_lowest(m), other;
             if (has(s->taken, i) || has(s->met, i)) /* since the block was read */
                 continue;
-            other = partner(c, i);
+            other = partner(b, c, i);
             if (other != LAST)
                 raise_meet(b, c, p, i, other);
         }
