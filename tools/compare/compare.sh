@@ -6,13 +6,14 @@
 # BASE: a commit, which is built in build/compare/COMMIT, or another checkout's folder. GAME: a folder, roms/glasstide
 # unless named; it is BASE's, so that it uses nothing that is new. START: a practice start, "one" unless named, "" for
 # the game's title. Both engines run in turns: ROUNDS (9) times FRAMES (1200) frames, of which the median ratio counts.
-# With valgrind there, instructions are counted too, which are the same in every run.
+# With valgrind there, instructions are counted too, which hardly differ from run to run; COUNT=none: they are not.
 # shellcheck disable=SC2086 # flags and libraries are lists
 set -eu
 cd "$(dirname "$0")/../.."
 export LC_ALL=C
-: "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -O2 -D_DEFAULT_SOURCE}" "${LIBS:=-llua5.4 -lm}"
-: "${ROUNDS:=9}" "${FRAMES:=1200}"
+: "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4)}"
+: "${LIBS:=$(pkg-config --libs lua5.4) -lm}"
+: "${ROUNDS:=9}" "${FRAMES:=1200}" "${COUNT:=valgrind}"
 base=${1:-} game=${2:-roms/glasstide} start=${3-one}
 fail() { echo "compare: $*" >&2; exit 2; }
 [ -n "$base" ] || fail 'what with? make compare BASE=COMMIT, or the folder of another checkout'
@@ -35,7 +36,7 @@ fi
 # weigher TREE: builds TREE's engine, and weigh with it.
 weigher() {
     echo "compare: building $1" >&2
-    make -C "$1" --no-print-directory -s CC="$CC" "$OUT/curtain-bare" >&2 || fail "$1 does not build"
+    make -C "$1" --no-print-directory -s -j2 CC="$CC" CONFIG="${OUT#build/}" "$OUT/curtain-bare" >&2 || fail "$1 does not build"
     (
         cd "$1"
         mkdir -p tools/compare
@@ -60,12 +61,12 @@ done >"$figures"
 
 # counted TREE LOADS FRAMES: its instructions.
 counted() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null \
+    "$COUNT" --tool=callgrind --callgrind-out-file=/dev/null \
         "$1/$OUT/weigh" "$1/$OUT/weigh.rom" "$2" "$3" "$start" 2>&1 >/dev/null |
         sed -n 's/,//g; s/.*refs: *//p'
 }
 few=$((FRAMES < 300 ? FRAMES : 300))
-if command -v valgrind >/dev/null 2>&1; then
+if command -v "$COUNT" >/dev/null 2>&1; then
     for side in base here; do
         if [ $side = base ]; then of=$tree; else of=.; fi
         one=$(counted "$of" 1 0) two=$(counted "$of" 2 0) played=$(counted "$of" 1 $few)
