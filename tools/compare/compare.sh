@@ -36,7 +36,8 @@ fi
 # weigher TREE: builds TREE's engine, and weigh with it.
 weigher() {
     echo "compare: building $1" >&2
-    make -C "$1" --no-print-directory -s -j2 CC="$CC" CONFIG="${OUT#build/}" "$OUT/curtain-bare" >&2 || fail "$1 does not build"
+    make -C "$1" --no-print-directory -s -j2 CC="$CC" CONFIG="${OUT#build/}" "$OUT/curtain-bare" >&2 ||
+        fail "$1 does not build"
     (
         cd "$1"
         mkdir -p tools/compare
