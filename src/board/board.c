@@ -130,13 +130,13 @@ static uint64_t ram_needed(const struct cart *cart)
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
-bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
+/* board_size, of a cart that it opens. */
+static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, char *err, size_t err_size)
 {
-    struct cart cart;
-
-    if (!cart_open(&cart, rom, err, err_size))
+    memset(cart, 0, sizeof *cart); /* it goes into RAM */
+    if (!cart_open(cart, rom, err, err_size))
         return false;
-    uint64_t sum = ram_needed(&cart);
+    uint64_t sum = ram_needed(cart);
     if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
                  (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
@@ -144,6 +144,13 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     }
     *size = (size_t)sum;
     return true;
+}
+
+bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
+{
+    struct cart cart;
+
+    return open_cart(&cart, rom, size, err, err_size);
 }
 
 static fx pixels(int v)
@@ -289,17 +296,18 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
 {
     struct board *b = (struct board *)ram;
     const char *wrong = ieee_fault();
+    struct cart cart;
     size_t need;
 
     if (wrong) {
         snprintf(err, err_size, "%s", wrong);
         return NULL;
     }
-    if (!board_size(rom, &need, err, err_size))
+    if (!open_cart(&cart, rom, &need, err, err_size))
         return NULL;
     assert(size >= need && ((uintptr_t)ram & 15) == 0);
     memset(b, 0, sizeof *b);
-    cart_open(&b->cart, rom, err, err_size);
+    b->cart = cart;
     b->ram = ram;
     b->ram_size = size;
     b->start = *start;

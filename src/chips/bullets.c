@@ -154,7 +154,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = (uint16_t)(shape->kind - shape->clouded);
+    b->kind[i] = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -328,7 +328,7 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 {
     bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
 
-    b->kind[i] = (uint16_t)(kind - cloud);
+    b->kind[i] = (uint16_t)(kind + (cloud ? ROW_CLOUD : ROW_KIND));
     b->bank[i] = kinds->bank[kind];
     if (b->hp)
         b->hp[i] = kinds->hp[kind];

@@ -26,8 +26,8 @@ enum {
     KIND_SWEPT = 1 << 2, /* hits look at the whole path of a frame, not at its end alone */
     KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
     KIND_BLEND_ONE = 1 << 3,
-    KIND_CLOUDED = 1 << 5,  /* the kind before is its cloud */
-    KIND_CLOUD = 1 << 6,    /* what a delayed bullet of the next kind looks like; no name, no shape */
+    KIND_CLOUDED = 1 << 5,  /* it has a ROW_CLOUD */
+    KIND_CLOUD = 1 << 6,    /* it is one */
     KIND_FIXED = 1 << 7,    /* a clear passes it over, unless it takes all */
     KIND_CANCELS = 1 << 8,  /* of a shot: it takes clearable bullets away */
     KIND_HARMLESS = 1 << 9, /* it neither hits nor grazes players */
@@ -58,7 +58,7 @@ struct bullet_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
+    fx *a, *b, *x, *y; /* of the shape */
     uint16_t *flags;
     uint8_t *bank;
     int32_t *damage;  /* of a shot */
@@ -192,7 +192,7 @@ extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds
 /* The kind that bullet i was declared to have: not its cloud, which `kind` names while a delay lasts. */
 static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
 {
-    return (uint16_t)(b->kind[i] + (kinds->flags[b->kind[i]] & KIND_CLOUD ? 1 : 0));
+    return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? ROW_CLOUD : ROW_KIND));
 }
 
 /* Frames since it was fired, or since its delay was over; 0 while that lasts. */

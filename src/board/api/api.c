@@ -195,10 +195,11 @@ bool api_push_member(lua_State *L, const char *of, char split, const char *name)
     return false;
 }
 
-/* Pushes the name of the API's table at `at`, or nil; returns it, or NULL. */
+/* Pushes the name of the API's table at `at`, or nil; returns it, or NULL. A Lua of tests has no API. */
 static const char *push_space(lua_State *L, int at)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key) != LUA_TTABLE)
+        return NULL;
     lua_pushvalue(L, at);
     lua_rawget(L, -2);
     lua_remove(L, -2);

@@ -172,8 +172,8 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
         int32_t row = slots_append(kinds);
         if (row == NO_SLOT)
             api_error(L, entry,
-                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (several "
-                      "circles count as a kind each)",
+                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (a cloud, "
+                      "and each of several circles but the first, counts as one)",
                       MAX_KINDS);
         k->shape[row] = s->shape;
         k->a[row] = s->row[i].a;
@@ -220,7 +220,7 @@ static const struct api_param shot_def[] = {
     { "cancels", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
-/* The cloud of the kind that is declared next: a kind without a name and a shape. */
+/* The ROW_CLOUD of the kind that is declared next. */
 static void declare_cloud(lua_State *L, struct bullet_kinds *k)
 {
     const struct api_shape none = { .shape = SHAPE_NONE, .rows = 1 };
@@ -229,13 +229,15 @@ static void declare_cloud(lua_State *L, struct bullet_kinds *k)
     api_kind(L, "bullet.def", &k->s, &columns, &none);
 }
 
-/* Sets the cloud of kind i, which stands before it. */
+/* Sets the cloud of kind i. */
 static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 {
-    k->sprite[i - 1] = sprite;
-    k->bank[i - 1] = k->bank[i];
-    k->order[i - 1] = k->order[i];
-    k->flags[i - 1] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
+    const int cloud = i + ROW_CLOUD;
+
+    k->sprite[cloud] = sprite;
+    k->bank[cloud] = k->bank[i];
+    k->order[cloud] = k->order[i];
+    k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_CLOUDED;
 }
 

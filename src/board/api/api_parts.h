@@ -36,7 +36,8 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
-/* The part behind the split of an entry in C that is `of`'s: "fire" of "bullet.fire", of "bullet" and '.'; else NULL. */
+/* What stands behind `of` and the split in the name of an entry in C: of "bullet.fire", "bullet" and '.', "fire"; else
+ * NULL. */
 const char *api_member(const struct api_entry *e, const char *of, char split);
 
 /* Pushes the function of the entry that is so called; false, and nothing is pushed: there is none. */
