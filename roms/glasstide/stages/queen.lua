@@ -63,7 +63,7 @@ local function let_go(e)
   local odd = false
   bullet.each("breath", function(b)
     odd = not odd
-    b.frozen, b.tag = 0, "let go"
+    b.tag = "let go"
     if odd then
       b.kind, b.motion = "drop", pounce
       b.bank = 1 -- after kind, which brings its own
@@ -86,8 +86,10 @@ local function held(e)
     wait(18)
     do
       local still <close> = sea.still()
-      breath.frozen, breath.bank = forever, 0
+      bullet.group().frozen = forever
+      breath.bank = 0
       gather(by_difficulty { easy = 6, normal = 9, hard = 13 })
+      bullet.group().frozen = 0
     end
     let_go(e)
     wander(e, 60)
