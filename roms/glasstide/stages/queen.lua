@@ -78,7 +78,7 @@ local function held(e)
   local breath = bullet.group("breath")
   for k = 1, forever do
     local n = by_difficulty { easy = 16, normal = 22, hard = 28 }
-    for i = 1, 7 do
+    for i = 1, 6 do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 6, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = 2.4 }
       wait(10)
@@ -88,12 +88,12 @@ local function held(e)
       local still <close> = sea.still()
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by_difficulty { easy = 6, normal = 9, hard = 13 })
+      gather(by_difficulty { easy = 5, normal = 8, hard = 12 })
       bullet.group().frozen = 0
     end
     let_go(e)
     wander(e, 60)
-    wait(70)
+    wait(90)
   end
 end
 
