@@ -52,7 +52,7 @@ python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
 for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua page/looks.lua
+    rm page/glow.lua page/looks.lua page/moves.lua
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200" }'
@@ -608,7 +608,7 @@ same 'a fault in a stage' 1 $?
 check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
-sed -i '0,/kind = "needle"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
+sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
 check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
