@@ -248,6 +248,17 @@ int vm_collect(lua_State *L)
 
 /* ---- scripts ---- */
 
+void vm_seal(lua_State *L)
+{
+    lua_createtable(L, 0, 3);
+    lua_rotate(L, -3, 1);
+    lua_setfield(L, -3, "__newindex");
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
+
 void vm_load(lua_State *L, const char *name)
 {
     const char *text, *what;
@@ -351,14 +362,9 @@ static int no_new_global(lua_State *L)
 static void seal_globals(lua_State *L)
 {
     lua_pushglobaltable(L);
-    lua_createtable(L, 0, 3);
     lua_pushcfunction(L, undeclared);
-    lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, no_new_global);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2);
+    vm_seal(L);
     lua_pop(L, 1);
 }
 

@@ -274,7 +274,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
         return;
     if (!k->hp)
         api_error(L, "bullet.def", "hp: %s", NO_HP);
-    k->hp[i] = v[D_HP].i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v[D_HP].i;
+    k->hp[i] = api_or_forever(&v[D_HP]);
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     if (!v[D_ON_DEATH].given)
@@ -605,7 +605,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
     case P_FROZEN:
-        lua_pushinteger(L, s->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen[i]);
+        api_push_or_forever(L, s->frozen[i]);
         break;
     default:
         if (s->player[i])
@@ -682,7 +682,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
     case P_FROZEN:
-        bullets_freeze(s, i, v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i);
+        bullets_freeze(s, i, api_or_forever(v));
         break;
     case P_AROUND:
         check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
@@ -712,7 +712,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
     if (p == P_DELAY)
         lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
     else if (p == P_HP)
-        lua_pushinteger(L, hp_of(L, b)[i] == HP_FOREVER ? LUA_MAXINTEGER : s->hp[i]);
+        api_push_or_forever(L, hp_of(L, b)[i]);
     else
         get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
@@ -720,7 +720,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     if (p == P_HP)
-        hp_of(L, b)[i] = v->i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v->i;
+        hp_of(L, b)[i] = api_or_forever(v);
     else
         set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }

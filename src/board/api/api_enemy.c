@@ -259,13 +259,13 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         api_push_tag(L, e->tag[i]);
         break;
     case P_SAFE:
-        lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
+        api_push_or_forever(L, e->safe[i]);
         break;
     case P_KIND:
         api_names_push(L, N_ENEMY, e->kind[i]);
         break;
     case P_FROZEN:
-        lua_pushinteger(L, e->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : e->frozen[i]);
+        api_push_or_forever(L, e->frozen[i]);
         break;
     default:
         lua_pushinteger(L, b->core.clock - e->born[i]);
@@ -295,10 +295,10 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
     case P_FROZEN:
-        e->frozen[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
+        e->frozen[i] = api_or_forever(v);
         break;
     default:
-        e->safe[i] = v->i == LUA_MAXINTEGER ? SAFE_FOREVER : (int32_t)v->i;
+        e->safe[i] = api_or_forever(v);
     }
 }
 

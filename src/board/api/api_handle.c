@@ -260,13 +260,8 @@ static int set_property(lua_State *L)
 void api_open_handles(lua_State *L)
 {
     lua_pushinteger(L, 0);
-    lua_createtable(L, 0, 2);
     lua_pushcfunction(L, get_property);
-    lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_property);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2); /* of the number type */
+    vm_seal(L); /* of the number type */
     lua_pop(L, 1);
 }

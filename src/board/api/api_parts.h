@@ -99,6 +99,21 @@ fx *api_value_column(struct board *b, enum api_names names, int k);
 /* Sets the new thing in slot i to the values that api_arguments put at v. */
 void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v);
 
+/* A count (A_COUNT) as a chip keeps it, in 32 bits with -1 for forever, and back. */
+enum { COUNT_FOREVER = -1 };
+static inline int32_t api_or_forever(const struct api_value *v)
+{
+    return v->i == LUA_MAXINTEGER ? COUNT_FOREVER : (int32_t)v->i;
+}
+
+static inline void api_push_or_forever(lua_State *L, int32_t n)
+{
+    lua_pushinteger(L, n == COUNT_FOREVER ? LUA_MAXINTEGER : n);
+}
+_Static_assert((int)COUNT_FOREVER == FROZEN_FOREVER && (int)COUNT_FOREVER == SAFE_FOREVER &&
+                   (int)COUNT_FOREVER == HP_FOREVER,
+               "chips keep forever as -1");
+
 /* Has slot i the tag? 0: any. */
 static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 {
