@@ -14,13 +14,3 @@ void events_layout(struct events *e, uint32_t cap, uint8_t *at)
 
     *e = (struct events){ .cap = cap, .a = a, .b = b, .kind = (uint8_t *)(b + cap) };
 }
-
-bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
-{
-    if (e->n == e->cap)
-        return false;
-    e->a[e->n] = a;
-    e->b[e->n] = b;
-    e->kind[e->n++] = (uint8_t)kind;
-    return true;
-}

@@ -49,6 +49,14 @@ static inline struct event events_at(const struct events *e, uint32_t i)
 }
 
 /* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */
-bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b);
+static inline bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
+{
+    if (e->n == e->cap)
+        return false;
+    e->a[e->n] = a;
+    e->b[e->n] = b;
+    e->kind[e->n++] = (uint8_t)kind;
+    return true;
+}
 
 #endif
