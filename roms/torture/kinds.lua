@@ -52,3 +52,19 @@ motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { 
 motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = true, turn = 5, speed = 3 } }
 motion.def { name = "drift", fine = true, { kind = "late", speed = 0.4, over = 40 }, { turn = 0.001, over = 30 },
   { accel = 0.00001, over = 50 }, { aim = true } }
+
+-- ---- what fires, waits and follows ----
+
+motion.def { name = "third", { wait_for = { tag = "go", limit = 20 } }, { emit = { kind = "ghost", speed = "heat", tag = "late", delay = "goal" } },
+  { die = true } }
+motion.def { name = "burst", { wait_for = { near = 60, limit = "goal" } },
+  { emit = { pattern = "ring", n = 3, skip = { 2, 2 }, kind = "dot", speed = 1.25, bank = "goal", motion = "third", heat = "goal" } },
+  { emit = { pattern = "line", n = "goal", width = 30, kind = "seed", speed = 1, aim = true, delay = 4, tag = "ring" } }, { die = true } }
+motion.def { name = "sower", { loop = forever, { wait_for = { y = "heat", limit = 9 } }, { wait = 2 }, { turn = 20 },
+  { emit = { pattern = "fan", n = 2, spread = "heat", kind = "dot", speed = 2, motion = "burst", goal = 3 } },
+  { wait_for = { x = 112, limit = 9 } }, { emit = { pattern = "arc", n = 2, sweep = 90, dir = 10, kind = "needle", speed = 1.5 } },
+  { emit = { pattern = "stack", n = 3, speed_to = 2, kind = "dot", speed = 1, tag = "b1" } } } }
+motion.def { name = "cluster", { wait_for = { tag = "go", limit = 12 } }, { emit = { fire = "shot", pattern = "fan", n = 3, spread = 30,
+  kind = "ball", speed = 4, heat = "heat", tag = "volley" } }, { die = true } }
+local hook = path.def { { x = 9, y = 9 }, { x = 40, y = 20.5, over = 12, ease = "both" }, { wait = 4 }, { x = 30, y = 90, over = 20 } }
+motion.def { name = "hooked", { path = hook, mirror = true, kind = "late" }, { path = hook, bank = 3 } }

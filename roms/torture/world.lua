@@ -101,6 +101,11 @@ local function groups()
       board.note(nut.alive and nut.hp or 0)
       if n % 5 == 2 then nut.hp = n % 3 == 0 and forever or n % 3 end
     end
+    if n % 8 == 2 then
+      local sower = bullet.fire { kind = "dot", x = 50 + n % 90, y = 30, speed = 1, motion = "sower", heat = 40, goal = 4 }
+      if sower.alive and n % 16 == 2 then sower.motion = "hooked" end
+    end
+    if n % 6 == 3 then bullet.group("go"):signal() end
     if n % 31 == 7 then bullet.group("hard").hp = 2 bullet.group("hard").kind = n % 2 == 0 and "nut" or "dot" end
     if n % 12 == 2 then bullet.fire { kind = "veil", x = 20 + n * 11 % 180, y = 70, speed = 0.2, dir = n * 40, tag = "veil" } end
     if n % 10 == 3 then pattern.fan { x = 112, y = 60, kind = "saw", n = 3, spread = 100, speed = 0.4, tag = "b" .. n % 5 } end
@@ -146,6 +151,10 @@ local function volleys()
     if n % 8 == 1 then g:aim(n % 7) g.bank = n % 16 end
     if n % 8 == 0 then g.frozen = n % 9 shot.each("own", function(s) s.frozen = s.frozen // 2 end) end
     if n % 8 == 2 then g:turn(10) g.speed = 5 end
+    if n % 4 == 1 then
+      shot.fire { kind = "bolt", x = 112, y = 200, speed = 2, motion = "cluster", heat = n, by = player.nearest(9, 9) }
+      shot.group(n % 8 == 1 and "go" or nil):signal()
+    end
     if n % 8 == 3 then g:shift(1, -2) g.dir = 265 + n % 10 end
     if n % 8 == 4 then g.vx = 0.5 g.vy = -4 end
     if n % 8 == 5 then g.x = 100 g.y = 180 g.kind = "ball" end

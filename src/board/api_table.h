@@ -44,6 +44,7 @@ enum api_type {
     A_ALIGN,
     A_FIRE, /* what a pattern fires */
     A_MEET, /* which of two bullets that meet goes */
+    A_EMIT, /* a pattern of the step emit */
 };
 
 /* What is declared under a name. */

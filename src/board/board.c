@@ -375,6 +375,7 @@ void board_move(struct board *b)
     struct bullets_query query[PADS];
     const bool solid = hit_solid_possible(b);
 
+    emit_none(b);
     player_move(&b->player, &b->player_kinds, held, &b->area);
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
@@ -384,7 +385,7 @@ void board_move(struct board *b)
     b->counts.moved = b->bullets.moved;
 }
 
-/* Moves, then hits. For vm_call: a full event list is a fault. */
+/* Moves, then hits, then what programs fire. For vm_call: a full event list is a fault. */
 static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -393,6 +394,7 @@ static int move_and_hit(lua_State *L)
     vm_charge(L, b->bullets.ran + b->shots.ran);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
+    vm_charge(L, emit_run(b));
     return 0;
 }
 
@@ -597,7 +599,8 @@ struct motion_world board_world(const struct board *b, bool shots)
                               shots,
                               where,
                               b,
-                              { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) } };
+                              { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) },
+                              emit_queue };
 
     if (shots) {
         w.kinds = NULL;

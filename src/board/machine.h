@@ -27,6 +27,7 @@
 #include "../chips/sprites.h"
 #include "api_table.h"
 #include "board.h"
+#include "emit.h"
 #include "handle.h"
 #include "rom/cart.h"
 #include "tasks.h"
@@ -60,10 +61,11 @@ struct output {
     struct board_fault fault;
     size_t log_size;
     char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
-    char shortage[VM_PLACE];      /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;             /* bytes of a text that was too long, 0: none */
-    bool deep;                    /* that allocation was in many nested calls */
-    const char *line;             /* that board_eval runs */
+    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;        /* bytes of a text that was too long, 0: none */
+    bool deep;               /* that allocation was in many nested calls */
+    const char *line;        /* that board_eval runs */
+    struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;
 };

@@ -600,9 +600,9 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
         bullets_begun(b, k)[i] = bullets_value(b, k)[i];
     motion_step_at(w->steps, st, p);
     for (int n = 0; n < STEP_NUMBERS; n++) {
-        uint64_t code = p->named >> n * NAMED_BITS & ((1 << NAMED_BITS) - 1);
-        int k = (int)(w->shots ? code / NAMED_SHOTS : code % NAMED_SHOTS) - 1;
-        if (code)
+        bool is;
+        const int k = motion_named(p->named, n, w->shots, &is);
+        if (is)
             set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
     }
     own->steps = (struct steps){ .does = &p->does,
@@ -810,6 +810,50 @@ static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uin
     return pc;
 }
 
+/* ---- waiting ---- */
+
+/* Is a number that was `from` at `line`, or beyond it? */
+static bool crossed(fx from, fx now, fx line)
+{
+    return from <= line ? now >= line : now <= line;
+}
+
+/* Has what bullet i waits for come? */
+static bool has_come(const struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st)
+{
+    const struct steps *s = w->steps;
+
+    switch (s->how[st]) {
+    case HOW_X:
+        return crossed((fx)(b->from[i] >> 32), b->x[i], s->x[st]);
+    case HOW_Y:
+        return crossed((fx)b->from[i], b->y[i], s->y[st]);
+    case HOW_NEAR: {
+        const int32_t t = targets_nearest(&w->targets, b->x[i], b->y[i]);
+        return t != NO_SLOT && distance_squared(&w->targets, (uint32_t)t, b->x[i], b->y[i]) <
+                                   (uint64_t)((int64_t)s->size[st] * s->size[st]);
+    }
+    default:
+        return mute & STEP_SIGNALLED;
+    }
+}
+
+void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i, uint16_t tag)
+{
+    if (!b->motion[i] || !(b->mute[i] & STEP_BEGUN))
+        return;
+    const uint32_t st = w->motions->first[b->motion[i] - 1u] + b->pc[i];
+    if (!(w->steps->does[st] & DOES_AWAIT) || w->steps->how[st] != HOW_SIGNAL)
+        return;
+    if (tag && w->steps->count[st] != tag)
+        return;
+    b->mute[i] |= STEP_SIGNALLED;
+    if (!stands(b, i))
+        set_busy(b, i, true);
+}
+
+/* ---- running ---- */
+
 /* The step after one that opens or closes a loop. */
 static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
@@ -822,87 +866,137 @@ static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, 
     return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-/* A bullet's program after a frame. */
-enum program_state {
-    PROGRAM_OVER, /* it is over, or the bullet gone */
-    PROGRAM_RUNS, /* it runs in the next frame too */
-    PROGRAM_WAITS /* it does nothing until the clock is `end` */
+/* Where a bullet's program is while it runs: `pc` and `mute`, kept when it waits for the next frame. */
+struct run {
+    uint32_t pc;
+    unsigned mute;
 };
+
+static void keep_run(struct bullets *b, uint32_t i, const struct run *r)
+{
+    b->pc[i] = (uint16_t)r->pc;
+    b->mute[i] = (uint8_t)r->mute;
+}
+
+/* A program after a step of this frame. */
+enum program_state {
+    PROGRAM_NEXT,  /* the next step follows in this frame */
+    PROGRAM_OVER,  /* it is over, or the bullet gone */
+    PROGRAM_RUNS,  /* it runs in the next frame too */
+    PROGRAM_WAITS, /* it does nothing until the clock is `end` */
+};
+
+static enum program_state step_over(struct run *r)
+{
+    r->mute = 0;
+    r->pc++;
+    return PROGRAM_NEXT;
+}
+
+/* Loops, bounces and emits. */
+static enum program_state run_turn(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                   struct run *r)
+{
+    const unsigned does = w->steps->does[st];
+
+    if (does & (DOES_LOOP | DOES_NEXT)) {
+        r->pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r->pc);
+        if (does & DOES_BOUNCE)
+            b->pace[i] = (int64_t)w->clock + 1;
+        return PROGRAM_NEXT;
+    }
+    if (does & DOES_EMIT) {
+        w->emit(w, b, i, st);
+        r->pc += EMIT_ROWS;
+        return PROGRAM_NEXT;
+    }
+    const uint32_t next = fly_to_wall(b, w, i, r->mute, r->pc);
+    const bool flies = next == r->pc;
+    r->mute = flies ? r->mute | STEP_BEGUN : 0;
+    keep_run(b, i, r);
+    r->pc = next;
+    return flies ? PROGRAM_RUNS : PROGRAM_NEXT;
+}
+
+/* Returns the frames that the step takes. */
+static uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
+{
+    const unsigned does = w->steps->does[st];
+    uint32_t n = w->steps->over[st];
+
+    b->from[i] = bullets_speed(b, i);
+    if (does & DOES_LEAD)
+        n = begin_lead(b, w, i, st);
+    else if (does & DOES_AWAIT)
+        b->from[i] = (int64_t)((uint64_t)(uint32_t)b->x[i] << 32 | (uint32_t)b->y[i]);
+    b->end[i] = w->clock + n;
+    if (does & (DOES_KIND | DOES_BANK))
+        restyle(b, w, i, st);
+    return n;
+}
+
+/* Any other step. */
+static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                   struct run *r)
+{
+    const unsigned does = w->steps->does[st];
+    uint32_t n;
+
+    if (!(r->mute & STEP_BEGUN))
+        n = begin_step(b, w, i, st);
+    else
+        n = does & DOES_LEAD ? frames_led(b, w->steps, i, st) : w->steps->over[st];
+    if (does & DOES_DIE) {
+        bullets_drop(b, i);
+        return PROGRAM_OVER;
+    }
+    if (n && b->end[i] != w->clock) {
+        r->mute |= STEP_BEGUN;
+        keep_run(b, i, r);
+        if (does & DOES_DRIVE)
+            drive(b, w, i, r->mute, st, n - (b->end[i] - w->clock) + 1, n);
+        else if (does & (DOES_LEAD | DOES_AWAIT)) {
+            if (does & DOES_LEAD ? !lead_on(b, w, i, r->mute, st, n) : has_come(b, w, i, r->mute, st))
+                return step_over(r);
+        }
+        b->due[i] = (uint8_t)b->end[i];
+        const bool acts = does & (DOES_DRIVE | DOES_LEAD) || (does & DOES_AWAIT && w->steps->how[st] != HOW_SIGNAL);
+        return acts || b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_WAITS;
+    }
+    if (!n && does & DOES_DRIVE)
+        drive(b, w, i, r->mute, st, 1, 1);
+    if (does & DOES_LEAD && n)
+        let_go(b, i, r->mute & OVERRIDE_PLACE ? 0 : does);
+    return step_over(r);
+}
 
 /* Runs bullet i's program for this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
-    const struct motion_world *const shared = w;
     const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
                    length = w->motions->length[program];
     const bool fine = b->flags[i] & BULLET_FINE;
-    uint32_t pc = b->pc[i];
-    unsigned mute = b->mute[i];
+    struct run r = { b->pc[i], b->mute[i] };
     struct own_step own;
 
-    while (pc < length) {
-        uint32_t st = first + pc;
-        const unsigned does = shared->steps->does[st];
+    while (r.pc < length) {
+        const uint32_t st = first + r.pc;
+        const unsigned does = w->steps->does[st];
+        enum program_state state;
 
         b->ran++;
-        if (does & (DOES_LOOP | DOES_NEXT)) {
-            pc = loop_step(shared->steps, &b->rounds[i * MOTION_DEPTH], st, pc);
-            if (does & DOES_BOUNCE)
-                b->pace[i] = (int64_t)shared->clock + 1;
-            continue;
+        if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
+            state = run_turn(b, w, i, st, &r);
+        else {
+            const bool named = does & DOES_NAMED;
+            if (named)
+                own_step(b, w, i, st, r.mute & STEP_BEGUN, &own);
+            state = run_step(b, named ? &own.w : w, i, named ? 0 : st, &r);
         }
-        if (does & DOES_BOUNCE) {
-            const uint32_t next = fly_to_wall(b, shared, i, mute, pc);
-            mute = next == pc ? mute | STEP_BEGUN : 0;
-            b->pc[i] = (uint16_t)pc;
-            b->mute[i] = (uint8_t)mute;
-            if (next == pc)
-                return PROGRAM_RUNS;
-            pc = next;
-            continue;
-        }
-        w = shared;
-        if (does & DOES_NAMED) {
-            own_step(b, shared, i, st, mute & STEP_BEGUN, &own);
-            w = &own.w;
-            st = 0;
-        }
-        uint32_t n = does & DOES_LEAD && mute & STEP_BEGUN ? frames_led(b, w->steps, i, st) : w->steps->over[st];
-        if (!(mute & STEP_BEGUN)) {
-            b->from[i] = bullets_speed(b, i);
-            if (does & DOES_LEAD)
-                n = begin_lead(b, w, i, st);
-            b->end[i] = w->clock + n;
-            if (does & (DOES_KIND | DOES_BANK))
-                restyle(b, w, i, st);
-        }
-        if (does & DOES_DIE) {
-            bullets_drop(b, i);
-            return PROGRAM_OVER;
-        }
-        if (n && b->end[i] != w->clock) {
-            mute |= STEP_BEGUN;
-            b->pc[i] = (uint16_t)pc;
-            b->mute[i] = (uint8_t)mute;
-            if (does & DOES_DRIVE)
-                drive(b, w, i, mute, st, n - (b->end[i] - w->clock) + 1, n);
-            else if (does & DOES_LEAD && !lead_on(b, w, i, mute, st, n)) {
-                mute = 0;
-                pc++;
-                continue;
-            }
-            b->due[i] = (uint8_t)b->end[i];
-            return does & (DOES_DRIVE | DOES_LEAD) || fine ? PROGRAM_RUNS : PROGRAM_WAITS;
-        }
-        if (!n && does & DOES_DRIVE)
-            drive(b, w, i, mute, st, 1, 1);
-        if (does & DOES_LEAD && n)
-            let_go(b, i, mute & OVERRIDE_PLACE ? 0 : does);
-        mute = 0;
-        pc++;
+        if (state != PROGRAM_NEXT)
+            return state;
     }
-    b->pc[i] = (uint16_t)pc;
-    b->mute[i] = (uint8_t)mute;
+    keep_run(b, i, &r);
     if (!fine)
         b->motion[i] = 0;
     return fine ? PROGRAM_RUNS : PROGRAM_OVER;

@@ -42,6 +42,7 @@ enum {
     OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
     OVERRIDE_SPEED = 1 << 1,
     OVERRIDE_PLACE = 1 << 2, /* the place, while this step leads it */
+    STEP_SIGNALLED = 1 << 6, /* what the step at pc waits for has come */
     STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
 
     /* of a pair of tags: what goes when two bullets meet */
@@ -79,13 +80,13 @@ struct bullets {
     uint8_t *bank;
     uint16_t *tag; /* 0: none */
     uint8_t *flags;
-    uint32_t *born;   /* clock; of a delayed one, at which it was fired */
+    uint32_t *born;   /* clock of its first move; of a delayed one, at which it was fired */
     uint32_t *by;     /* serial of the task that fired it, 0: none */
     uint8_t *player;  /* of a shot: 1 or 2, 0: none */
     uint16_t *motion; /* program + 1, 0: none */
     uint16_t *pc;     /* the step it is at */
     uint32_t *end;    /* clock at which a timed step, or the delay, is over */
-    int64_t *from;    /* speed when the step began, as pace */
+    int64_t *from;    /* speed when the step began, as pace; of steps that lead or await, the place: x << 32 | y */
     uint8_t *mute;    /* of the step at pc: OVERRIDE_, STEP_BEGUN */
     uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
     int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx; else the clock after the last
@@ -154,8 +155,10 @@ struct motion_world {
     /* Where the thing is that `around` means, or where it was in the frame before; false: it is not there. The slots of
      * the pool that moves now have done so below `moved`; what is of that pool is always where it was. */
     bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
-    const void *context; /* of where */
+    const void *context; /* of where and emit */
     struct box field;    /* its edges are walls */
+    /* Queues what the emit that begins with step st fires from bullet i as it is now. */
+    void (*emit)(const struct motion_world *w, const struct bullets *b, uint32_t i, uint32_t st);
 };
 
 struct bullet_shape {
@@ -195,10 +198,16 @@ static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet
     return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? ROW_CLOUD : ROW_KIND));
 }
 
+/* Frames since the column born says; 0 before that frame. */
+static inline uint32_t bullets_stood(const struct bullets *b, uint32_t i, uint32_t clock)
+{
+    return b->born[i] == clock + 1 ? 0 : clock - b->born[i];
+}
+
 /* Frames since it was fired, or since its delay was over; 0 while that lasts. */
 static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t clock)
 {
-    return b->flags[i] & BULLET_DELAYED ? 0 : clock - b->born[i];
+    return b->flags[i] & BULLET_DELAYED ? 0 : bullets_stood(b, i, clock);
 }
 
 /* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
@@ -241,6 +250,9 @@ void bullets_stay(struct bullets *b);
 
 /* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
+
+/* The group of that tag (0: any) is signalled: bullet i goes on if it has that tag's signal to wait for. */
+void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i, uint16_t tag);
 
 /*
  * Speed, velocity and place as scripts read and write them: in Q32, of which ordinary bullets use whole fx. Setting the

@@ -3,6 +3,7 @@
  * them in a loop. Easing is quadratic: a share of a move is a fraction of whole numbers, and a place is rounded once.
  */
 #include "motion.h"
+#include <string.h>
 #include "../base/int.h"
 #include "../base/trig.h"
 
@@ -107,6 +108,65 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
     return made;
 }
 
+static int64_t bits_of(double v)
+{
+    int64_t bits;
+
+    memcpy(&bits, &v, sizeof bits);
+    return bits;
+}
+
+static double double_of(int64_t bits)
+{
+    double v;
+
+    memcpy(&v, &bits, sizeof v);
+    return v;
+}
+
+void motion_emit_steps(const struct motion_emit *e, struct motion_step out[EMIT_ROWS])
+{
+    out[0] = (struct motion_step){ .does = DOES_EMIT,
+                                   .over = e->delay,
+                                   .kind = e->kind,
+                                   .count = e->n,
+                                   .jump = e->tag,
+                                   .bank = e->bank,
+                                   .depth = e->pattern,
+                                   .how = e->flags,
+                                   .x = e->value[0],
+                                   .y = e->value[1],
+                                   .size = e->value[2],
+                                   .size_to = e->value[3],
+                                   .dir = (ang)e->first,
+                                   .home = (ang)e->last,
+                                   .turn = e->motion,
+                                   .speed = bits_of(e->speed),
+                                   .accel = bits_of(e->size),
+                                   .named = e->named };
+    out[1] = (struct motion_step){ .does = DOES_EMIT, .speed = bits_of(e->dir), .accel = e->around };
+}
+
+void motion_emit_at(const struct steps *s, uint32_t i, struct motion_emit *out)
+{
+    *out = (struct motion_emit){ .pattern = s->depth[i],
+                                 .flags = s->how[i],
+                                 .bank = s->bank[i],
+                                 .kind = s->kind[i],
+                                 .tag = s->jump[i],
+                                 .motion = (uint16_t)s->turn[i],
+                                 .n = s->count[i],
+                                 .first = (int32_t)s->dir[i],
+                                 .last = (int32_t)s->home[i],
+                                 .delay = s->over[i],
+                                 .dir = double_of(s->speed[i + 1]),
+                                 .speed = double_of(s->speed[i]),
+                                 .size = double_of(s->accel[i]),
+                                 .value = { s->x[i], s->y[i], s->size[i], s->size_to[i] },
+                                 .around = s->accel[i + 1],
+                                 .named = s->named[i] };
+}
+
 struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n)
 {
     uint64_t rest = n - k, whole = n * n;
@@ -200,12 +260,18 @@ static int64_t aside(const struct steps *s, uint32_t st, uint32_t k)
     return to - from;
 }
 
-/* The fx nearest to a place in Q32, within the world. */
-static fx place_fx(int64_t v)
+/* A place in whole fx, within the world. */
+static fx in_world(int64_t v)
 {
     const int64_t most = (int64_t)WORLD << 16;
 
-    return (fx)int64_clamp((v + 0x8000) >> PACE_BITS, -most, most);
+    return (fx)int64_clamp(v, -most, most);
+}
+
+/* The fx nearest to a place in Q32, within the world. */
+static fx place_fx(int64_t v)
+{
+    return in_world((v + 0x8000) >> PACE_BITS);
 }
 
 void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
@@ -216,8 +282,9 @@ void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_l
 
     if (s->does[st] & DOES_GO_TO) {
         struct motion_share part = motion_eased((enum ease)(s->how[st] & HOW_EASE), k, n);
-        *x = motion_between(l->x, s->x[st], part);
-        *y = motion_between(l->y, s->y[st], part);
+        const bool by = s->how[st] & HOW_BY;
+        *x = motion_between(l->x, by ? in_world((int64_t)l->x + s->x[st]) : s->x[st], part);
+        *y = motion_between(l->y, by ? in_world((int64_t)l->y + s->y[st]) : s->y[st], part);
         return;
     }
     if (s->does[st] & DOES_POLAR)

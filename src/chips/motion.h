@@ -87,7 +87,9 @@ enum {
     DOES_ORBIT = 1 << 16,
     DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
     DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; without: flies to the next one */
-    DOES_ALL = (1 << 18) - 1,
+    DOES_EMIT = 1 << 18,   /* fires; it takes EMIT_ROWS steps (motion_emit_at) */
+    DOES_AWAIT = 1 << 19,  /* flies on until what `how` says, but for at most `over` frames */
+    DOES_ALL = (1 << 20) - 1,
     MOTION_DEPTH = 4, /* loops inside loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS = 16 /* RAM for steps, a program on average */
@@ -101,11 +103,16 @@ enum {
     HOW_AT = 1 << 2,    /* round (x, y); else polar goes round where it began, orbit round the bullet's `around` */
     HOW_TO = 1 << 3,    /* an orbit's radius goes to size_to */
     HOW_SPEED = 1 << 4, /* go_to flies at `speed`, for as many frames as that takes */
+    HOW_BY = 1 << 5,    /* of go_to: (x, y) counts from where the bullet was when the step began */
     HOW_LEFT = 1 << 0,  /* of DOES_BOUNCE: the edges of the field that are walls */
     HOW_RIGHT = 1 << 1,
     HOW_TOP = 1 << 2,
     HOW_BOTTOM = 1 << 3,
-    HOW_WALLS = 15
+    HOW_WALLS = 15,
+    HOW_X = 1 << 0, /* of DOES_AWAIT: it is at x, or beyond it as seen from where the step began */
+    HOW_Y = 1 << 1,
+    HOW_NEAR = 1 << 2,  /* a target is nearer than size */
+    HOW_SIGNAL = 1 << 3 /* the group of the tag `count` was signalled (bullets_signal) */
 };
 
 /* The numbers of a step in whose place a value's name may stand. Of each, `named` has NAMED_BITS: the value's column
@@ -140,11 +147,11 @@ struct steps {
     ang *home;       /* at most so much a frame */
     int64_t *speed;  /* px/frame in Q32; whole fx unless the program is fine */
     int64_t *accel;  /* px/frame in Q32, a frame or once */
-    uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end */
+    uint16_t *count; /* rounds of a loop, MOTION_FOREVER for no end; a tag */
     uint16_t *jump;  /* of a loop, and the step after the bounces; counted from the program's first step */
     uint8_t *depth;  /* of a loop, 0 .. MOTION_DEPTH-1 */
-    fx *x, *y;       /* of go_to, and with HOW_AT what polar and orbit go round */
-    fx *size;        /* px to each side of a wave, radius of an orbit */
+    fx *x, *y;       /* of go_to, with HOW_AT what polar and orbit go round, of DOES_AWAIT a line */
+    fx *size;        /* px to each side of a wave, radius of an orbit, how near a target is to come */
     fx *size_to;     /* radius at the end of an orbit, with HOW_TO */
     uint8_t *how;    /* enum ease, and HOW_ */
     uint64_t *named; /* NAMED_BITS for each of enum step_number */
@@ -168,6 +175,44 @@ struct motion_step {
     uint64_t named;
 };
 
+enum emit_pattern { EMIT_ONE, EMIT_RING, EMIT_FAN, EMIT_ARC, EMIT_STACK, EMIT_LINE, EMIT_PATTERNS };
+
+enum {
+    EMIT_SHOTS = 1 << 0, /* fires shots */
+    EMIT_AIM = 1 << 1,   /* dir counts from the nearest target */
+    EMIT_DIR = 1 << 2,   /* dir is given; else it is 0 with EMIT_AIM, and the bullet's own without */
+    EMIT_BANK = 1 << 3,  /* bank is given */
+    EMIT_VALUES = 1 << 4 /* the first of MAX_VALUES flags: that value is given */
+};
+
+/* The numbers of an emit in whose place a value's name may stand. */
+enum emit_number {
+    EMIT_NUMBER_N,    /* cut to a whole number, at least 0 */
+    EMIT_NUMBER_BANK, /* its low 4 bits */
+    EMIT_NUMBER_DELAY,
+    EMIT_NUMBER_DIR,
+    EMIT_NUMBER_SPEED, /* from -MAX_SPEED to MAX_SPEED, as speed_to */
+    EMIT_NUMBER_SIZE,
+    EMIT_NUMBER_VALUE, /* and the next */
+    EMIT_NUMBERS = EMIT_NUMBER_VALUE + MAX_VALUES
+};
+
+/* What an emit fires: a pattern's arguments, and those of bullet.fire. Its numbers are those that Lua calculates with,
+ * so that what is fired is, to the bit, what the pattern in Lua fires. */
+struct motion_emit {
+    uint8_t pattern, flags; /* enum emit_pattern; EMIT_ */
+    uint8_t bank;
+    uint16_t kind, tag, motion; /* motion: program + 1, 0: none */
+    uint16_t n;
+    int32_t first, last; /* of those that are skipped; the first is 1 */
+    uint32_t delay;      /* frames */
+    double dir, speed;   /* degrees, px/frame */
+    double size;         /* of a fan its spread, of an arc its sweep, of a stack speed_to, of a line its width */
+    fx value[MAX_VALUES];
+    int64_t around;
+    uint64_t named; /* NAMED_BITS for each of enum emit_number */
+};
+
 /* What a step that leads a bullet found when it began. */
 struct motion_lead {
     fx x, y;   /* where the bullet was; of polar and orbit, what they go round */
@@ -179,7 +224,8 @@ struct motion_lead {
 /*
  * Where step st of s leads to in the k-th of its n frames: the fx nearest to the formula on either axis, unless that is
  * within 2^-30 px of halfway. With a = angle + k turn:
- *   go_to  (x, y) and a share of the way from there to the step's place, as enemies_go eases
+ *   go_to  (x, y) and a share of the way from there to the step's place, as enemies_go eases; with HOW_BY that place
+ *          counts from (x, y), and ends at the edge of the world
  *   polar  (x, y) + (radius + k speed) (cos a, sin a)
  *   orbit  (x, y) + r (cos a, sin a), r going from size to size_to in n equal parts
  *   wave   (x, y) + k speed along angle, and size (sin b - sin dir) along angle + 90 degrees, b being dir and
@@ -215,5 +261,20 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
 
 /* Step i of the list. */
 void motion_step_at(const struct steps *s, uint32_t i, struct motion_step *out);
+
+/* An emit as steps of a program, and the emit that begins with step i of the list. So emits are interned with the
+ * programs, and a game without them has no room for any. */
+enum { EMIT_ROWS = 2 };
+void motion_emit_steps(const struct motion_emit *e, struct motion_step out[EMIT_ROWS]);
+void motion_emit_at(const struct steps *s, uint32_t i, struct motion_emit *out);
+
+/* The value that the code for a number in `named` means: its column, or -1: none of the pool's. */
+static inline int motion_named(uint64_t named, int number, bool shots, bool *is)
+{
+    const uint64_t code = named >> number * NAMED_BITS & ((1 << NAMED_BITS) - 1);
+
+    *is = code != 0;
+    return (int)(shots ? code / NAMED_SHOTS : code % NAMED_SHOTS) - 1;
+}
 
 #endif

@@ -23,6 +23,9 @@ motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5
   { speed = 4.75, over = 9 } }
 motion.def { name = "spin",
   { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
+motion.def { name = "burst", { wait_for = { tag = "petal", limit = 25 } },
+  { emit = { pattern = "fan", n = 3, spread = 50.5, kind = "rice", speed = 1.3, motion = "spin" } },
+  { path = path.def { { x = 0, y = 0 }, { x = 9.3, y = 7.1, over = 9, ease = "both" } } }, { die = true } }
 enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
   run = function(e)
     while true do
@@ -100,6 +103,8 @@ task.go(function()
       palette.fade { to = 0x203040, over = 20, first = 0, last = 99 }
       bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
       petals:shift(1.5, -2)
+      petals:signal()
+      bullet.fire { kind = "axe", x = 30, y = 5, speed = 1.5, aim = true, motion = "burst" }
       petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
       shot.group():turn(3)
       bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }

@@ -305,13 +305,13 @@ static void push_steps(lua_State *L, int depth);
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                             *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" },
-                             *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
-                             *const sprites[] = { "dot", "arrow", "wink" }, *const fires[] = { "bullet", "shot" },
-                             *const pools[] = { "bullet", "shot", "enemy" },
-                             *const meets[] = { "none", "first", "second", "both" };
+    static const char
+        *const buttons[] = PAD_NAMES,
+               *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
+               *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
+               *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
+               *const fires[] = { "bullet", "shot" }, *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -438,6 +438,9 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_FIRE:
         push_from(L, fires, 2);
         break;
+    case A_EMIT:
+        push_from(L, emits, 6);
+        break;
     }
 }
 
@@ -461,6 +464,83 @@ static void push_place(lua_State *L)
         else
             push_value(L, &p);
         lua_rawseti(L, -2, i);
+    }
+}
+
+static const struct api_entry *entry_named(const char *name)
+{
+    for (int i = 0; i < api_count(); i++)
+        if (!strcmp(api_entry(i)->name, name))
+            return api_entry(i);
+    return NULL;
+}
+
+/* Sets a field of the table on top, in one of nine to a value's name. */
+static void set_field(lua_State *L, const struct api_param *p)
+{
+    if (p->type != A_BULLET_KIND && one_in(9))
+        lua_pushstring(L, one_in(9) ? "mood" : one_in(2) ? "heat" : "goal");
+    else
+        push_value(L, p);
+    lua_setfield(L, -2, p->name);
+}
+
+/* The table of emit: a pattern with what it needs, and some of the rest. */
+static void push_emit(lua_State *L)
+{
+    static const char *const patterns[][2] = { { "one", "" },      { "ring", "" },          { "fan", "spread" },
+                                               { "arc", "sweep" }, { "stack", "speed_to" }, { "line", "width" } };
+    const struct api_entry *e = entry_named("motion.def emit");
+    const uint64_t k = below(6);
+    const bool wild = one_in(8);
+
+    lua_newtable(L);
+    for (int i = 0; i < e->count; i++) {
+        const struct api_param *p = &e->params[i];
+        const char *name = p->name;
+        const bool size = strstr("spread sweep speed_to width", name) != NULL;
+        const bool need = !p->optional || !strcmp(name, patterns[k][1]) || (k && !strcmp(name, "n"));
+        if (wild ? one_in(2) : need || (!size && strcmp(name, "n") && one_in(4)))
+            set_field(L, p);
+    }
+    lua_pushstring(L, patterns[k][0]);
+    lua_setfield(L, -2, "pattern");
+    if (one_in(4))
+        set_field(L, &(struct api_param){ "heat", A_FX, OPT, -32768, 32767, NULL, NULL });
+}
+
+static void push_await(lua_State *L)
+{
+    const struct api_entry *e = entry_named("motion.def wait_for");
+
+    lua_newtable(L);
+    set_field(L, &e->params[below(4)]);
+    if (one_in(9))
+        set_field(L, &e->params[below(4)]);
+    lua_pushinteger(L, (lua_Integer)below(9));
+    lua_setfield(L, -2, "limit");
+}
+
+/* A step whose word stands alone. */
+static void push_alone(lua_State *L)
+{
+    static const struct api_param route = { "path", A_ROUTE, OPT, 0, 0, NULL, NULL };
+
+    lua_newtable(L);
+    switch (below(3)) {
+    case 0:
+        push_emit(L);
+        lua_setfield(L, -2, "emit");
+        return;
+    case 1:
+        push_await(L);
+        lua_setfield(L, -2, "wait_for");
+        return;
+    default:
+        push_value(L, &route);
+        lua_setfield(L, -2, "path");
+        lua_pushboolean(L, one_in(2));
+        lua_setfield(L, -2, "mirror");
     }
 }
 
@@ -500,7 +580,9 @@ static void push_steps(lua_State *L, int depth)
             push_steps(L, depth + 1);
             lua_pushinteger(L, one_in(4) ? LUA_MAXINTEGER : (lua_Integer)below(9));
             lua_setfield(L, -2, one_in(4) ? "bounce" : "loop");
-        } else {
+        } else if (one_in(3))
+            push_alone(L);
+        else {
             lua_newtable(L);
             for (uint64_t k = 1 + below(2); k--;) {
                 const struct api_param *p = &keys[below(sizeof keys / sizeof *keys)];

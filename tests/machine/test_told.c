@@ -130,8 +130,6 @@ static void test_later(void **state)
     SAYS("bullet.clear { items = 3 }", "main.lua:2: bullet.clear: items is not there yet; the name is kept for it");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
          "main.lua:2: pattern.ring: unknown argument \"needle\"");
-    SAYS("motion.def { { wait = 1 }, { emit = 30 } }",
-         "main.lua:2: motion.def: step 2: emit is not there yet; the name is kept for it");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",
          "main.lua:2: enemy: orbit is not there yet; the name is kept for it");
 }

@@ -314,8 +314,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
-/* rom.lua gives the room for `around`. */
-static void check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
+void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
 {
     if (v->given && !s->around)
         api_error(L, entry, "around needs room in rom.lua: board = { around = true }");
@@ -385,15 +384,9 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.dir = api_aim(b, shot, s.x, s.y) + (v[F_DIR].given ? v[F_DIR].a : 0);
     if (v[F_TAG].given)
         s.tag = api_tag(L, entry, v[F_TAG].at);
-    s.hp = kinds->hp ? kinds->hp[s.kind] : 0;
-    s.clouded = s.delay && kinds->flags[s.kind] & KIND_CLOUDED;
-    check_around(L, pool, entry, &v[F_AROUND]);
+    api_check_around(L, pool, entry, &v[F_AROUND]);
     s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
-    int32_t i = bullets_fire(pool, &s, b->core.clock);
-    if (i == NO_SLOT)
-        board_full(b, &pool->s);
-    if (i != NO_SLOT && s.fine)
-        bullets_set_speed(pool, (uint32_t)i, units(true, &v[F_SPEED]));
+    int32_t i = emit_fire(b, shot, &s, units(true, &v[F_SPEED]), b->core.clock);
     if (i != NO_SLOT)
         api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + F_VALUES);
     lua_pushinteger(L, board_handle(b, h, i));
@@ -685,7 +678,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         bullets_freeze(s, i, api_or_forever(v));
         break;
     case P_AROUND:
-        check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
+        api_check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
         if (s->around)
             s->around[i] = v->given ? v->i : 0;
         break;
@@ -880,6 +873,20 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
+/* What waits for the group's tag need not have it. */
+static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t h = v[ARG_SELF].i;
+    const bool shots = handle_kind(h) == H_SHOTS;
+    struct bullets *s = shots ? &b->shots : &b->bullets;
+    const struct motion_world w = board_world(b, shots);
+
+    vm_charge(L, s->s.live);
+    EACH_LIVE (i, &s->s)
+        bullets_signal(s, &w, i, (uint16_t)handle_slot(h));
+    return 0;
+}
+
 enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
 static const struct api_param self_add[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
                                              { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
@@ -889,6 +896,8 @@ static const struct api_param self_shift[] = { { "self", A_THING, REQ, FLYING, 0
                                                { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
                                                { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
 static const struct api_param self_only[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL } };
+
+static const struct api_param self_group[] = { { "self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL } };
 
 /* ---- motion programs ---- */
 
@@ -917,6 +926,10 @@ enum {
     M_RADIUS_TO,
     M_BOUNCE,
     M_WALLS,
+    M_EMIT,
+    M_PATH,
+    M_MIRROR,
+    M_WAIT_FOR,
     M_KEYS
 };
 
@@ -945,6 +958,10 @@ static const struct api_param step_keys[M_KEYS] = {
     { "radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
     { "bounce", A_COUNT, OPT, 1, 65534, "times", NULL },
     { "walls", A_STR, OPT, 1, 31, NULL, NULL },
+    { "emit", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "path", A_ROUTE, OPT, 0, 0, NULL, NULL },
+    { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "wait_for", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -980,8 +997,6 @@ static void unknown_key(lua_State *L, int step, int at)
 
     if (!strcmp(name, "fine") || !strcmp(name, "name"))
         api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
-    if (api_reserved("motion.def step", '{', name))
-        api_error(L, DEF, "step %d: %s %s", step, name, NOT_YET);
     for (int k = 0; k < M_KEYS; k++) {
         int distance = edit_distance(name, step_keys[k].name);
         if (distance < best)
@@ -1029,8 +1044,7 @@ static enum step_number step_number(int k)
     }
 }
 
-/* A value's name stands in place of a number: its NAMED_BITS. */
-static uint64_t read_name(lua_State *L, int step, const char *key, int at)
+uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
 {
     const struct board *b = vm_board(L);
     const char *name = lua_tostring(L, at), *found = NULL;
@@ -1076,7 +1090,7 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
         enum step_number number = step_number(k);
         v[k] = (struct api_value){ 0 };
         if (number != STEP_NUMBERS && lua_type(L, first + k) == LUA_TSTRING) {
-            named |= read_name(L, step, step_keys[k].name, first + k) << number * NAMED_BITS;
+            named |= api_step_name(L, step, step_keys[k].name, first + k) << number * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
         } else
             api_check(L, where, &step_keys[k], first + k, &v[k]);
@@ -1123,6 +1137,8 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
     const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
     if (v[M_WALLS].given)
         step_error(L, step, "walls is a setting of bounce");
+    if (v[M_MIRROR].given)
+        step_error(L, step, "mirror is a setting of path");
     for (int k = 0; k < M_KEYS; k++) {
         if (found < 0 && v[k].given && own >> k & 1)
             api_error(L, DEF, "step %d: %s is a setting of go_to, polar, wave or orbit", step, step_keys[k].name);
@@ -1153,7 +1169,7 @@ static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum 
     char where[40];
 
     if (lua_type(L, at) == LUA_TSTRING)
-        return read_name(L, step, key, at) << number * NAMED_BITS;
+        return api_step_name(L, step, key, at) << number * NAMED_BITS;
     snprintf(where, sizeof where, "%s: step %d", DEF, step);
     api_check(L, where, &p, at, &v);
     *out = v.f;
@@ -1260,6 +1276,61 @@ static bool takes_time(const struct motion_step *s)
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
+/* A step whose word is `word`, beside which may stand what `may` has bits of. */
+static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int word, uint32_t may)
+{
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && k != word && !(may >> k & 1))
+            api_error(L, DEF, "step %d: %s cannot stand beside %s", step, step_keys[k].name, step_keys[word].name);
+}
+
+/* Adds the legs of a route, kind and bank with the first. */
+static void read_path(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+{
+    const uint32_t before = r->n;
+    struct motion_step leg = { .kind = (uint16_t)v[M_KIND].i, .bank = (uint8_t)v[M_BANK].i };
+    struct api_leg at = { .route = v[M_PATH].at, .mirror = v[M_MIRROR].i };
+
+    word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
+    if (r->fine)
+        step_error(L, step, "path is exact as it is, and not for a fine motion");
+    leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
+    while (api_step_leg(L, step, &at, &leg)) {
+        *add_step(L, r) = leg;
+        leg = (struct motion_step){ 0 };
+    }
+    if (r->n == before)
+        step_error(L, step, "path: this route leads nowhere; it needs a second point");
+}
+
+/* Reads a step that holds no others; does time pass in it? */
+static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], uint64_t named, int step)
+{
+    struct motion_step *s, rows[EMIT_ROWS];
+    struct motion_emit e;
+
+    if (v[M_EMIT].given) {
+        word_alone(L, v, step, M_EMIT, 0);
+        api_step_emit(L, step, v[M_EMIT].at, &e);
+        motion_emit_steps(&e, rows);
+        for (int k = 0; k < EMIT_ROWS; k++)
+            *add_step(L, r) = rows[k];
+        return false;
+    }
+    if (v[M_PATH].given) {
+        read_path(L, r, v, step);
+        return true;
+    }
+    s = add_step(L, r);
+    if (v[M_WAIT_FOR].given) {
+        word_alone(L, v, step, M_WAIT_FOR, 0);
+        api_step_await(L, step, v[M_WAIT_FOR].at, s);
+        return s->how == HOW_SIGNAL; /* else it may have come already */
+    }
+    fill_step(L, s, v, named, step, r->fine);
+    return takes_time(s);
+}
+
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
 
 /* The walls that a list of words names. */
@@ -1351,9 +1422,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
                 step_error(L, i, "steps inside a step need loop = n or bounce = n");
-            struct motion_step *s = add_step(L, r);
-            fill_step(L, s, v, named, i, r->fine);
-            *timed |= takes_time(s);
+            *timed |= read_step(L, r, v, named, i);
         } else
             work += read_loop(L, r, top + 1, depth, v, i, timed);
         work++;
@@ -1477,15 +1546,23 @@ static const struct api_entry entries[] = {
       "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each", "player", CLEAR_GROUP),
+    API_VERB("group:signal", verb_signal, self_group, 1, NULL,
+             "every bullet whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
       "it a "
       "name and fine = true keeps places and speeds to 32 fraction bits" },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
+    { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
+      "what the step emit fires: a pattern's arguments, and those of bullet.fire (or shot.fire) but the place" },
+    { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,
+      "what the step wait_for waits for: one of x, y, near and tag, for at most limit frames" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
     SHOT_FIRE,
     API_GROUPS("shot", shot_group, shot_each),
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each", "enemy", CLEAR_GROUP),
+    API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
+             "every shot whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

@@ -207,14 +207,17 @@ static void check_blend(lua_State *L, const char *entry, const struct api_param 
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                          *const layers[] = { "back", "middle", "front" },
                          *const aligns[] = { "left", "center", "right" }, *const what_fires[] = { "bullet", "shot" },
-                         *const meets[] = { "none", "first", "second", "both" };
+                         *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
+                                                                                                    "fan",   "arc",
+                                                                                                    "stack", "line" };
 
 static const struct words {
     const char *const *words;
     int n;
 } WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS }, [A_EASE] = { eases, 4 },
               [A_LAYER] = { layers, LAYERS },        [A_ALIGN] = { aligns, 3 },
-              [A_FIRE] = { what_fires, 2 },          [A_MEET] = { meets, 4 } };
+              [A_FIRE] = { what_fires, 2 },          [A_MEET] = { meets, 4 },
+              [A_EMIT] = { emits, EMIT_PATTERNS } };
 
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -338,6 +341,7 @@ static check *const CHECKS[] = {
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
     [A_MEET] = check_word,
+    [A_EMIT] = check_word,
 };
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)

@@ -95,16 +95,21 @@ static void start_task(lua_State *L, struct board *b, int64_t h, int n)
     tasks_start(b, L, h, n + 1);
 }
 
-static const char no_route[] = "path: expected a route (what path.def returned)";
-
-/* Pushes the module path; false: the game has none, and so no routes. */
-static bool push_routes(lua_State *L)
+/* A game without the module path has no routes. */
+void api_push_routes(lua_State *L, const char *entry, int at, const char *message)
 {
     lua_pushglobaltable(L);
     lua_pushliteral(L, "path");
     lua_rawget(L, -2);
     lua_remove(L, -2);
-    return lua_istable(L, -1);
+    if (!lua_istable(L, -1))
+        api_error(L, entry, "%s", message);
+    lua_getfield(L, -1, "known");
+    lua_pushvalue(L, at);
+    lua_call(L, 1, 1);
+    if (!lua_toboolean(L, -1))
+        api_error(L, entry, "%s", message);
+    lua_pop(L, 1);
 }
 
 /* Routes belong to path.lua: path.place says where one starts, path.travel follows it and removes the enemy. */
@@ -112,14 +117,8 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
 
-    if (!push_routes(L))
-        api_error(L, "enemy.spawn", no_route);
-    lua_getfield(L, -1, "known");
-    lua_pushvalue(L, v[S_PATH].at);
-    lua_call(L, 1, 1);
-    if (!lua_toboolean(L, -1))
-        api_error(L, "enemy.spawn", no_route);
-    lua_getfield(L, -2, "place");
+    api_push_routes(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (what path.def returned)");
+    lua_getfield(L, -1, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
     lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
@@ -129,7 +128,7 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
     py = lua_tonumber(L, -1);
     if (!fx_from_double(px, x) || !fx_from_double(py, y))
         api_error(L, "enemy.spawn", "path: it starts outside the world");
-    lua_pop(L, 4);
+    lua_pop(L, 3);
 }
 
 static void follow(lua_State *L, struct board *b, int64_t h, const struct api_value *v)

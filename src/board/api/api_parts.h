@@ -196,6 +196,28 @@ int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
 enum { MEET_PARAMS = 6 };
 extern const struct api_param api_meet_params[MEET_PARAMS];
 int api_meet(lua_State *L, struct board *b, struct api_value *v);
+/* Raises when `around` is given and the pool has no room for it, which rom.lua gives. */
+void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *around);
+
+/* Motion steps: a value's name stands at `at` in place of a number: its NAMED_BITS. */
+uint64_t api_step_name(lua_State *L, int step, const char *key, int at);
+
+/* What the tables at `at` of emit and wait_for say (api_step.c). */
+enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
+extern const struct api_param api_emit_params[EMIT_PARAMS], api_await_params[AWAIT_PARAMS];
+void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e);
+void api_step_await(lua_State *L, int step, int at, struct motion_step *s);
+
+/* The legs of the route that stands at `route`, one a call; the rest begins as 0. False: that was the last. */
+struct api_leg {
+    int route, i;
+    bool mirror;
+    fx x, y;
+};
+bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step *leg);
+
+/* Pushes the module path; raises with `message` unless a route stands at `at`. */
+void api_push_routes(lua_State *L, const char *entry, int at, const char *message);
 
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);

@@ -25,7 +25,6 @@ static const struct {
     { "bullet.def", '{', "drops" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "motion.def step", '{', "emit path wait_for" },
     { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
     { "shot.def", '{', "every pierce" },
     { "sprite.put", '{', "follow" },

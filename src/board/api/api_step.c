@@ -1,0 +1,381 @@
+/*
+ * api_step.c - motion steps whose settings are a table of their own: emit, wait_for, path.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "api_parts.h"
+
+static const char DEF[] = "motion.def";
+
+enum {
+    E_PATTERN,
+    E_N,
+    E_SPREAD,
+    E_SWEEP,
+    E_SPEED_TO,
+    E_WIDTH,
+    E_SKIP,
+    E_FIRE,
+    E_KIND,
+    E_SPEED,
+    E_DIR,
+    E_AIM,
+    E_BANK,
+    E_TAG,
+    E_MOTION,
+    E_DELAY,
+    E_AROUND
+};
+
+const struct api_param api_emit_params[EMIT_PARAMS] = {
+    { "pattern", A_EMIT, OPT, 0, 0, NULL, "one" },
+    { "n", A_INT, OPT, 0, 65535, "bullets", NULL },
+    { "spread", A_NUM, OPT, -32767, 32767, "degrees", NULL },
+    { "sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL },
+    { "speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
+    { "width", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+    { "skip", A_SPAN, OPT, -65535, 65535, NULL, NULL },
+    { "fire", A_FIRE, OPT, 0, 0, NULL, "bullet" },
+    { "kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL },
+    { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
+    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+    { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "bank", A_INT, OPT, 0, 15, NULL, NULL },
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },
+    { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
+    { "around", A_THING, OPT, PLACES, 0, NULL, NULL },
+};
+
+/* What each pattern must have: n, and the word for its size. */
+static const struct {
+    const char *name;
+    int size;
+} patterns[EMIT_PATTERNS] = {
+    [EMIT_ONE] = { "one", -1 },      [EMIT_RING] = { "ring", -1 },           [EMIT_FAN] = { "fan", E_SPREAD },
+    [EMIT_ARC] = { "arc", E_SWEEP }, [EMIT_STACK] = { "stack", E_SPEED_TO }, [EMIT_LINE] = { "line", E_WIDTH },
+};
+
+/* The number that argument k sets, if a value's name may stand for it; else EMIT_NUMBERS. */
+static enum emit_number number_of(int k)
+{
+    static const uint8_t numbers[EMIT_PARAMS] = {
+        [E_N] = EMIT_NUMBER_N + 1,           [E_SPREAD] = EMIT_NUMBER_SIZE + 1, [E_SWEEP] = EMIT_NUMBER_SIZE + 1,
+        [E_SPEED_TO] = EMIT_NUMBER_SIZE + 1, [E_WIDTH] = EMIT_NUMBER_SIZE + 1,  [E_SPEED] = EMIT_NUMBER_SPEED + 1,
+        [E_DIR] = EMIT_NUMBER_DIR + 1,       [E_BANK] = EMIT_NUMBER_BANK + 1,   [E_DELAY] = EMIT_NUMBER_DELAY + 1,
+    };
+
+    return numbers[k] ? (enum emit_number)(numbers[k] - 1) : EMIT_NUMBERS;
+}
+
+/* An emit being read. Its arguments, and then the values declared for what it fires, stand from stack index `first`. */
+struct reader {
+    int step, first;
+    bool shots;
+    enum api_names values;
+    struct api_value v[EMIT_PARAMS + MAX_VALUES];
+    uint64_t named;
+};
+
+static void unknown(lua_State *L, const struct reader *r, const char *key)
+{
+    static const char places[] = " x y from dx dy ";
+    const char *found = NULL;
+    int best = EDIT_FAR;
+    char word[16];
+
+    if (strlen(key) + 3 <= sizeof word) {
+        lua_pushfstring(L, " %s ", key);
+        if (strstr(places, lua_tostring(L, -1)))
+            api_error(L, DEF, "step %d: emit: %s: it fires from where the bullet is, and takes no place", r->step, key);
+    }
+    if (!strcmp(key, "each"))
+        api_error(L, DEF, "step %d: emit: each: a program runs without Lua; give what it fires a motion", r->step);
+    for (int k = 0; k < EMIT_PARAMS; k++)
+        api_suggest_nearer(key, api_emit_params[k].name, &best, &found);
+    for (int k = 0; k < api_values(vm_board(L), r->values); k++)
+        api_suggest_nearer(key, api_names_at(vm_board(L), r->values, k), &best, &found);
+    if (found)
+        api_error(L, DEF, "step %d: emit: unknown argument \"%s\" (did you mean \"%s\"?)", r->step, key, found);
+    api_error(L, DEF, "step %d: emit: unknown argument \"%s\"", r->step, key);
+}
+
+/* Spreads the table at `at` over the stack. */
+static void spread(lua_State *L, struct reader *r, int at)
+{
+    luaL_checkstack(L, EMIT_PARAMS + MAX_VALUES + 16, NULL);
+    r->first = lua_gettop(L) + 1;
+    lua_settop(L, r->first + EMIT_PARAMS + MAX_VALUES - 1);
+    for (lua_pushnil(L); lua_next(L, at);) {
+        int k = 0;
+        if (lua_type(L, -2) != LUA_TSTRING)
+            api_error(L, DEF, "step %d: emit: expected named arguments ({ name = value })", r->step);
+        const char *key = lua_tostring(L, -2);
+        while (k < EMIT_PARAMS && strcmp(api_emit_params[k].name, key))
+            k++;
+        if (k == EMIT_PARAMS) {
+            const int value = api_names_find(L, r->values, key);
+            if (value == NO_SLOT)
+                unknown(L, r, key);
+            k += value;
+        }
+        lua_replace(L, r->first + k);
+    }
+}
+
+/* Checks argument k by its parameter, or reads the name of a value in its place. */
+static void check(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
+{
+    const int at = r->first + k;
+    char where[48];
+
+    r->v[k] = (struct api_value){ 0 };
+    if (number != EMIT_NUMBERS && lua_type(L, at) == LUA_TSTRING) {
+        r->named |= api_step_name(L, r->step, p->name, at) << number * NAMED_BITS;
+        r->v[k].given = true;
+        return;
+    }
+    snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
+    api_check(L, where, p, at, &r->v[k]);
+}
+
+static void check_all(lua_State *L, struct reader *r)
+{
+    for (int k = 0; k < EMIT_PARAMS; k++) {
+        struct api_param p = api_emit_params[k];
+        if (k == E_KIND && r->shots)
+            p.type = A_SHOT_KIND;
+        check(L, r, k, &p, (int)number_of(k));
+    }
+    for (int k = 0; k < api_values(vm_board(L), r->values); k++) {
+        struct api_param p = api_value_param(api_names_at(vm_board(L), r->values, k));
+        p.optional = OPT;
+        check(L, r, EMIT_PARAMS + k, &p, EMIT_NUMBER_VALUE + k);
+    }
+}
+
+/* Are the settings those of the pattern? */
+static void check_pattern(lua_State *L, const struct reader *r, int pattern)
+{
+    const char *name = patterns[pattern].name;
+
+    for (int k = E_SPREAD; k <= E_WIDTH; k++) {
+        if (r->v[k].given && k != patterns[pattern].size)
+            api_error(L, DEF, "step %d: emit: %s is no setting of %s", r->step, api_emit_params[k].name, name);
+        if (!r->v[k].given && k == patterns[pattern].size)
+            api_error(L, DEF, "step %d: emit: %s needs %s", r->step, name, api_emit_params[k].name);
+    }
+    if (pattern == EMIT_ONE && r->v[E_N].given)
+        api_error(L, DEF, "step %d: emit: n is no setting of one (did you leave out pattern?)", r->step);
+    if (pattern != EMIT_ONE && !r->v[E_N].given)
+        api_error(L, DEF, "step %d: emit: %s needs n", r->step, name);
+    if (r->shots && r->v[E_DELAY].given)
+        api_error(L, DEF, "step %d: emit: delay is of bullets; shots fly at once", r->step);
+}
+
+static void read_skip(lua_State *L, const struct api_value *v, struct motion_emit *e)
+{
+    if (!v->given)
+        return;
+    lua_rawgeti(L, v->at, 1);
+    lua_rawgeti(L, v->at, 2);
+    e->first = (int32_t)lua_tointeger(L, -2);
+    e->last = (int32_t)lua_tointeger(L, -1);
+    lua_pop(L, 2);
+}
+
+static void fill(lua_State *L, const struct reader *r, struct motion_emit *e)
+{
+    const struct api_value *v = r->v;
+    const int pattern = (int)v[E_PATTERN].i, size = patterns[pattern].size;
+
+    *e = (struct motion_emit){ .pattern = (uint8_t)pattern,
+                               .flags = (uint8_t)((r->shots ? EMIT_SHOTS : 0) | (v[E_AIM].i ? EMIT_AIM : 0) |
+                                                  (v[E_DIR].given ? EMIT_DIR : 0) | (v[E_BANK].given ? EMIT_BANK : 0)),
+                               .bank = (uint8_t)v[E_BANK].i,
+                               .kind = (uint16_t)v[E_KIND].i,
+                               .motion = v[E_MOTION].given ? (uint16_t)v[E_MOTION].i : 0,
+                               .n = pattern == EMIT_ONE ? 1 : (uint16_t)v[E_N].i,
+                               .delay = (uint32_t)v[E_DELAY].i,
+                               .dir = v[E_DIR].n,
+                               .speed = v[E_SPEED].n,
+                               .size = size < 0 ? 0 : v[size].n,
+                               .around = v[E_AROUND].given ? v[E_AROUND].i : 0,
+                               .named = r->named };
+    if (v[E_TAG].given)
+        e->tag = api_tag(L, DEF, v[E_TAG].at);
+    read_skip(L, &v[E_SKIP], e);
+    for (int k = 0; k < api_values(vm_board(L), r->values); k++) {
+        if (v[EMIT_PARAMS + k].given)
+            e->flags |= (uint8_t)(EMIT_VALUES << k);
+        e->value[k] = v[EMIT_PARAMS + k].f;
+    }
+}
+
+void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e)
+{
+    struct reader r = { .step = step };
+    const struct board *b = vm_board(L);
+    const int top = lua_gettop(L);
+
+    r.shots = lua_getfield(L, at, "fire") == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
+    r.values = r.shots ? N_SHOT_VALUE : N_BULLET_VALUE;
+    spread(L, &r, at);
+    check_all(L, &r);
+    check_pattern(L, &r, (int)r.v[E_PATTERN].i);
+    api_check_around(L, r.shots ? &b->shots : &b->bullets, DEF, &r.v[E_AROUND]);
+    fill(L, &r, e);
+    lua_settop(L, top);
+}
+
+/* ---- wait_for ---- */
+
+enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
+
+const struct api_param api_await_params[AWAIT_PARAMS] = {
+    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "near", A_FX, OPT, 0, WORLD, "px", NULL },
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "limit", A_COUNT, OPT, 1, 1e9, "frames", "forever" },
+};
+
+static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,
+                                                              NUMBER_OVER };
+
+static void unknown_await(lua_State *L, int step, const char *key)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    for (int k = 0; k < AWAIT_PARAMS; k++)
+        api_suggest_nearer(key, api_await_params[k].name, &best, &found);
+    if (found)
+        api_error(L, DEF, "step %d: wait_for: unknown argument \"%s\" (did you mean \"%s\"?)", step, key, found);
+    api_error(L, DEF, "step %d: wait_for: unknown argument \"%s\"", step, key);
+}
+
+static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAMS])
+{
+    uint64_t named = 0;
+    char where[48];
+
+    snprintf(where, sizeof where, "%s: step %d: wait_for", DEF, step);
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        int k = 0;
+        if (lua_type(L, -2) != LUA_TSTRING)
+            api_error(L, DEF, "step %d: wait_for: expected one of x, y, near and tag", step);
+        while (k < AWAIT_PARAMS && strcmp(api_await_params[k].name, lua_tostring(L, -2)))
+            k++;
+        if (k == AWAIT_PARAMS)
+            unknown_await(L, step, lua_tostring(L, -2));
+    }
+    for (int k = 0; k < AWAIT_PARAMS; k++) {
+        const struct api_param *p = &api_await_params[k];
+        v[k] = (struct api_value){ 0 };
+        if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBERS) {
+            named |= api_step_name(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
+            v[k] = (struct api_value){ .given = true, .i = 1 };
+        } else
+            api_check(L, where, p, lua_gettop(L), &v[k]);
+    }
+    return named;
+}
+
+void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
+{
+    struct api_value v[AWAIT_PARAMS];
+    const int top = lua_gettop(L);
+    const uint64_t named = read_await(L, step, at, v);
+    int n = 0;
+
+    for (int k = W_X; k <= W_TAG; k++)
+        n += v[k].given;
+    if (n != 1)
+        api_error(L, DEF, "step %d: wait_for: expected one of x, y, near and tag, got %d", step, n);
+    *s = (struct motion_step){ .does = DOES_AWAIT | (named ? DOES_NAMED : 0u),
+                               .over = UINT32_MAX,
+                               .how = (uint8_t)(v[W_X].given      ? HOW_X
+                                                : v[W_Y].given    ? HOW_Y
+                                                : v[W_NEAR].given ? HOW_NEAR
+                                                                  : HOW_SIGNAL),
+                               .x = v[W_X].f,
+                               .y = v[W_Y].f,
+                               .size = v[W_NEAR].f,
+                               .named = named };
+    if (v[W_TAG].given)
+        s->count = api_tag(L, DEF, v[W_TAG].at);
+    if (v[W_LIMIT].given && v[W_LIMIT].i != LUA_MAXINTEGER)
+        s->over = (uint32_t)v[W_LIMIT].i;
+    lua_settop(L, top);
+}
+
+/* ---- path ---- */
+
+/* Where the point on top of the stack lies, rounded as an enemy's place is. path.place stands below it. Pops the
+ * point. */
+static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *y)
+{
+    lua_pushvalue(L, place_at);
+    lua_insert(L, -2);
+    lua_pushboolean(L, mirror);
+    lua_pushinteger(L, 0);
+    lua_pushinteger(L, 0);
+    lua_call(L, 4, 2);
+    if (!fx_from_double(lua_tonumber(L, -2), x) || !fx_from_double(lua_tonumber(L, -1), y))
+        api_error(L, DEF, "step %d: path: it leaves the world", step);
+    lua_pop(L, 2);
+}
+
+/* The point on top of the stack as a leg; false: it takes no time. Pops it. */
+static bool leg_to(lua_State *L, int step, int place_at, struct api_leg *at, struct motion_step *leg)
+{
+    static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL };
+    const int point = lua_gettop(L);
+    struct api_value v = { 0 };
+    fx x = at->x, y = at->y;
+
+    leg->does |= DOES_GO_TO;
+    leg->how = HOW_BY;
+    if (lua_getfield(L, point, "wait") != LUA_TNIL)
+        leg->over = (uint32_t)lua_tointeger(L, -1);
+    else {
+        lua_getfield(L, point, "over");
+        leg->over = (uint32_t)lua_tointeger(L, -1);
+        lua_getfield(L, point, "ease");
+        api_check(L, DEF, &ease, lua_gettop(L), &v);
+        leg->how |= (uint8_t)v.i;
+        lua_pushvalue(L, point);
+        place(L, step, place_at, at->mirror, &x, &y);
+    }
+    leg->x = x - at->x;
+    leg->y = y - at->y;
+    at->x = x;
+    at->y = y;
+    lua_settop(L, point - 1);
+    return leg->over > 0;
+}
+
+bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step *leg)
+{
+    const int top = lua_gettop(L);
+    const uint32_t does = leg->does;
+    char message[80];
+
+    luaL_checkstack(L, 16, NULL);
+    snprintf(message, sizeof message, "step %d: path: expected a route (what path.def returned)", step);
+    api_push_routes(L, DEF, at->route, message);
+    lua_getfield(L, -1, "place");
+    if (!at->i) {
+        lua_rawgeti(L, at->route, at->i = 1);
+        place(L, step, top + 2, at->mirror, &at->x, &at->y);
+    }
+    bool found = false;
+    while (!found && lua_rawgeti(L, at->route, ++at->i) == LUA_TTABLE) {
+        leg->does = does;
+        found = leg_to(L, step, top + 2, at, leg);
+    }
+    lua_settop(L, top);
+    return found;
+}

@@ -1,0 +1,54 @@
+/*
+ * emit.h - what motion programs fire (the step `emit`).
+ * floor: board
+ *
+ * A program that comes to an emit queues it, with the place and direction of its bullet at that moment. When all have
+ * moved and hits were found, the queue is fired in its order: shots' emits, then bullets', each in slot order, so the
+ * order in which slots are taken is nowhere seen. What is fired moves in the next frame, as if a task had fired it at
+ * the start of that. Between frames the queue is empty.
+ *
+ * There is an end to it: an emit fires one bullet or more, so of those that a frame brings, no more than the pool has
+ * slots can matter, and of the others only their bullets are counted, as refused. The queue stands in Lua's heap, where
+ * it grows to that size as it is needed; a game whose programs fire nothing has none.
+ */
+#ifndef BOARD_EMIT_H
+#define BOARD_EMIT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "../chips/bullets.h"
+
+struct board;
+
+struct emission {
+    int64_t x, y; /* Q32 */
+    ang dir;
+    uint32_t step; /* the emit in the list of steps */
+    uint32_t by;
+    uint8_t player;
+    bool shot;            /* a shot fires it */
+    fx value[MAX_VALUES]; /* of what fires it */
+};
+
+struct emissions {
+    struct emission *list; /* NULL: nothing was queued in this frame */
+    uint32_t n, room;
+    uint32_t of[2];   /* those of them that fire bullets, and shots */
+    uint64_t over[2]; /* bullets, and shots, of emits that found no room */
+};
+
+/* Empties the queue. */
+void emit_none(struct board *b);
+
+/* struct motion_world's emit; its context is the board. Raises Lua's error when there is no memory. */
+void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t i, uint32_t st);
+
+/* Fires what was queued; returns how many bullets and shots that was. */
+uint64_t emit_run(struct board *b);
+
+/* Fires a bullet or shot: sets the shape's hp and cloud, and counts and logs it when there is no room (NO_SLOT). pace:
+ * its speed in Q32, of which only fine ones have more than shape->speed. clock: of the frame in which it first moves.
+ */
+int32_t emit_fire(struct board *b, bool shot, struct bullet_shape *shape, int64_t pace, uint32_t clock);
+
+#endif
