@@ -36,7 +36,7 @@ glass("shard", { hit = { capsule = { 4, 1.5 } }, turns = true })
 glass("chip",  { hit = { circle = 2 }, sprite = "shard", spin = 11, vanish = "glint" })
 
 -- What is aimed lies over what is not: order.
-glass("kunai",  { hit = { circle = 2.5 },           turns = true, order = 1 })
+glass("kunai",  { hit = { circle = 2.5 }, cloud = "mist_70", turns = true, order = 1 })
 glass("needle", { hit = { capsule = { 8, 1.2 } },   turns = true, order = 1 })
 glass("lance",  { hit = { capsule = { 18, 1.4 } },  turns = true, order = 1, vanish = "glint" })
 

@@ -307,7 +307,7 @@ static void apply_meet(struct board *b, lua_State *L, const struct event *e)
 {
     uint8_t flags = b->bullets.meet_flags[e->pair];
 
-    if (!counts(b, e->a) || !counts(b, e->b))
+    if (!(counts(b, e->a) && counts(b, e->b)))
         return;
     if (events_push_function(L, (uint16_t)e->pair, "on_meet")) {
         push_thing(L, e->a);

@@ -6,27 +6,9 @@
 
 enum { BULLETS = 320, KINDS = 14, PIECES = 6 /* kinds from there on */, TAGS = 5 };
 
-static struct rng rng;
-static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
-
-static bool one_in(uint64_t n)
-{
-    return rng_below(&rng, n) == 0;
-}
-
-static fx within(fx most)
-{
-    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
-}
-
 static fx length(fx most)
 {
     return one_in(9) ? most : one_in(9) ? 0 : (fx)(rng_below(&rng, (uint64_t)most + 1) >> rng_below(&rng, 24));
-}
-
-static fx clamped(int64_t v)
-{
-    return (fx)(v > edge ? edge : v < -edge ? -edge : v);
 }
 
 static fx slower(fx v)
@@ -50,7 +32,7 @@ static void draw_kinds(struct bullet_kinds *k, fx size)
             (uint16_t)((one_in(3) ? 0 : KIND_SWEPT) | (one_in(3) ? KIND_FIXED : 0) | (one_in(2) ? KIND_TURNS : 0));
     }
     for (uint32_t i = PIECES; i < KINDS; i += 4)
-        draw_pieces(&rng, &columns, i, i + 3, false, size);
+        draw_pieces(&columns, i, i + 3, false, size);
 }
 
 static void draw_pairs(struct bullets *s)
@@ -76,8 +58,8 @@ static void draw_bullets(struct bullets *s, uint64_t n, fx span, fx speed, fx gr
         fx most = one_in(30) ? fastest : speed;
         s->vx[i] = still ? 0 : within(most) / grain * grain;
         s->vy[i] = still ? 0 : within(most) / grain * grain;
-        s->x[i] = clamped((int64_t)within(span) / grain * grain + s->vx[i]);
-        s->y[i] = clamped((int64_t)within(span) / grain * grain + s->vy[i]);
+        s->x[i] = clamped((int64_t)within(span) / grain * grain + s->vx[i], edge);
+        s->y[i] = clamped((int64_t)within(span) / grain * grain + s->vy[i], edge);
         if (one_in(9))
             bullets_drop(s, i);
         else if (one_in(9))
@@ -194,8 +176,9 @@ static void compare_pairs(const struct board *b, int scene)
 {
     compare(b, scene);
     for (int i = 0; i < expected_n; i++)
-        if (b->events.list[i].pair != expected[i].pair)
-            fail_msg("scene %d, event %d: pair %u, expected %u", scene, i, b->events.list[i].pair, expected[i].pair);
+        if (events_at(&b->events, (uint32_t)i).pair != expected[i].pair)
+            fail_msg("scene %d, event %d: pair %u, expected %u", scene, i, events_at(&b->events, (uint32_t)i).pair,
+                     expected[i].pair);
 }
 
 /* At all scales up to the ends of the world: crowds of small ones, single large or fast ones, places in a raster. */
