@@ -438,6 +438,9 @@ static void test_price(void **state)
     assert_true(none.heap + 8000 < one.heap && none.heap + 60000 < all.heap);
     assert_true(none.work + 10000 < one.work && none.work + 200000 < all.work);
     assert_true(none.rom + 5000 < one.rom && none.rom + 30000 < all.rom);
+    struct price functions =
+        price_of("for _, of in pairs { enemy, player, query, board } do for _ in pairs(of) do end end");
+    assert_true(none.heap + 2000 < functions.heap); /* of the API, too, it pays for what it reads */
 }
 
 static void fails(struct bed *t, const char *line, const char *want)
@@ -461,6 +464,7 @@ static void test_not_here(void **state)
              "  sprites = { a = { sheet = 's', w = 2, h = 1 } } }");
     put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
     const char *const lines[][2] = { { "pattern.ring { x = 1, y = 1 }", missing },
+                                     { "bullet.sweep { x = 1, y = 1 }", "bullet.sweep: not in this ROM" },
                                      { "pattrn.ring { x = 1, y = 1 }", "undeclared global \"pattrn\"" },
                                      { "enemy.spawn { kind = 'fly', path = {} }",
                                        "enemy.spawn: path: expected a route (what path.def returned)" } };
