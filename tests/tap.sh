@@ -56,7 +56,7 @@ finish() {
     exit $tap_failed
 }
 
-# engine_copy: $copy has links to the engine's sources, and files of its own in src/board/hits, for a fault to be planted.
+# engine_copy: $copy has links to the engine's sources, and files of its own in src/board/hits, to plant a fault in.
 engine_copy() {
     copy=$scratch/copy
     mkdir -p "$copy/src/board/hits"

@@ -8,6 +8,7 @@
 #include "../../src/cab/host/folder.h"
 #include "../../src/cab/play/session.h"
 #include "rig.h"
+#include "../temp.h"
 
 enum { FRAMES = 3600, NAME = 600 };
 
@@ -29,12 +30,10 @@ static void shell(const char *format, const char *a, const char *b)
 static int open_game(void **state)
 {
     struct rig_game g = { 0 };
-    const char *tmp = getenv("TMPDIR");
     struct rig r;
 
     (void)state;
-    snprintf(dir, sizeof dir, "%s/curtain-session-XXXXXX", tmp ? tmp : "/tmp");
-    assert_non_null(mkdtemp(dir));
+    assert_true(temp_folder(dir, sizeof dir, "curtain-session"));
     shell("cp -R '%s/.' '%s'", "roms/glasstide", dir);
     assert_true(rom_image_load(dir, false, &image, err, sizeof err));
     assert_true(cart_open(&cart, &image.rom, err, sizeof err));

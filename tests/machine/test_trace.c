@@ -7,6 +7,7 @@
 #include "../../src/cab/demo/bisect.h"
 #include "../../src/cab/demo/trace.h"
 #include "rig.h"
+#include "../temp.h"
 
 static char dir[256], out[8192];
 
@@ -22,11 +23,8 @@ static const char *file(const char *name)
 
 static int setup(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Trace-XXXXXX", tmp != NULL ? tmp : "/tmp");
-    return mkdtemp(dir) == NULL ? -1 : 0;
+    return temp_folder(dir, sizeof dir, "Trace") ? 0 : -1;
 }
 
 static int teardown(void **state)

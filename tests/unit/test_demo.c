@@ -20,6 +20,7 @@
 #include "../../src/cab/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 #include "../repair.h"
+#include "../temp.h"
 
 enum { MAX_LUMPS = 64, MOST = 1 << 20 };
 
@@ -76,11 +77,8 @@ static void make_rom(void)
 
 static int setup(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Demo-XXXXXX", tmp != NULL ? tmp : "/tmp");
-    if (mkdtemp(dir) == NULL)
+    if (!temp_folder(dir, sizeof dir, "Demo"))
         return -1;
     snprintf(path, sizeof path, "%s/a.demo", dir);
     make_rom();

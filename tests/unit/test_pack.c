@@ -16,6 +16,7 @@
 #include "../../src/board/machine.h"
 #include "../../src/board/std.h"
 #include "../../src/cab/pack/pack.h"
+#include "../temp.h"
 
 enum { PATH = 512 };
 
@@ -25,12 +26,9 @@ static char dir[PATH], err[512];
 
 static int new_folder(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Pack-XXXXXX", tmp != NULL ? tmp : "/tmp");
     err[0] = '\0';
-    return mkdtemp(dir) != NULL ? 0 : -1;
+    return temp_folder(dir, sizeof dir, "Pack") ? 0 : -1;
 }
 
 struct names {

@@ -1,6 +1,7 @@
 /*
  * api_check.c - checks arguments against the API table and words the errors.
  */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -311,6 +312,7 @@ static void check_hit(lua_State *L, const char *entry, const struct api_param *p
 
 typedef void check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
+/* By type; a new one has its row here, and in WORDS if it is one of a few words. */
 static check *const CHECKS[] = {
     [A_INT] = check_int,
     [A_COUNT] = check_int,
@@ -348,8 +350,10 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
 {
     v->at = at;
     v->given = !lua_isnoneornil(L, at);
-    if (v->given || !p->optional)
-        CHECKS[p->type](L, entry, p, at, v);
+    if (!v->given && p->optional)
+        return;
+    assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
+    CHECKS[p->type](L, entry, p, at, v);
 }
 
 double api_default(const struct api_param *p)
