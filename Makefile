@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy bench bench-fx prove cross demos
+         fuzz mutants nightly analyze accuracy bench bench-fx compare prove cross demos
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -58,7 +58,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects accuracy prove cross
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy prove cross
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -78,6 +78,7 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
+	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -319,6 +320,11 @@ $(OUT)/bench: $(BENCH_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OU
 bench: deps-play
 	@$(MAKE) --no-print-directory -j2 $(OUT)/bench
 	@$(OUT)/bench $(ARGS)
+
+# What a game costs beside another commit's engine: BASE=COMMIT, or a folder; GAME=, START= as in compare.sh.
+compare: deps-null
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" \
+		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

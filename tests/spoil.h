@@ -11,6 +11,7 @@
 #include <signal.h>
 #include <sys/time.h>
 #include "machine/rig.h"
+#include "repair.h"
 
 enum { SPOIL_FRAMES = 120, SPOIL_RAM = 24 << 20 /* bytes; a spoilt manifest that asks for more is not powered */ };
 
@@ -58,22 +59,6 @@ static inline void spoil_game(struct rig_game *g)
 
     m.lua_kib = 768;
     rig_script(g, &m, spoil_script);
-}
-
-/* Makes the header and all checksums of a ROM good, as far as its directory makes sense. */
-static inline void spoil_repair(uint8_t *p, size_t size)
-{
-    if (size < ROM_HEADER)
-        return;
-    memcpy(p, "CURTAIN\x1a\x01\0\0\0", 12);
-    bytes_put32(p + 20, (uint32_t)size);
-    for (size_t i = 0; i < bytes_get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
-        uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
-        size_t at = bytes_get32(e + 4), n = bytes_get32(e + 8);
-        if (at <= size && n <= size - at)
-            bytes_put32(e + 12, hash_crc32(p + at, n));
-    }
-    bytes_put32(p + 12, hash_crc32(p + 16, size - 16));
 }
 
 /* Where lump i of a valid ROM stands. */

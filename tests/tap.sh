@@ -56,6 +56,30 @@ finish() {
     exit $tap_failed
 }
 
+# engine_copy: $copy has links to the engine's sources, and files of its own in src/board/hits, to plant a fault in.
+engine_copy() {
+    copy=$scratch/copy
+    mkdir -p "$copy/src/board/hits"
+    ln -s "$PWD/fb" "$copy/fb"
+    ln -s "$PWD/src/base" "$PWD/src/chips" "$copy/src/"
+    cp src/board/*.h "$copy/src/board"
+    ln -s "$PWD/src/board/rom" "$copy/src/board/"
+    cp src/board/hits/* "$copy/src/board/hits"
+}
+
+# engine_build TOOL OBJECTS LIBRARY...: $scratch/TOOL, the program of tools/TOOL, with the C files of src/board/hits of
+# $copy that OBJECTS, a pattern, names, in place of the engine's objects of these names.
+engine_build() {
+    local tool=$1 objects=$2
+    shift 2
+    # shellcheck disable=SC2046,SC2086
+    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
+        -o "$scratch/$tool" "$copy"/src/board/hits/$objects.c \
+        $(printf "$OUT/%s " tools/{$tool,report}/*.c | sed "s/\.c /.o /g") \
+        $(find "$OUT/src" -name '*.o' ! -name "$objects.o" ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) "$@" -lm -pthread
+}
+
 # tree PATTERN...: the files of the repository as they are now: new ones too, removed ones not.
 tree() {
     git ls-files -co --exclude-standard -- "$@" | while read -r f; do

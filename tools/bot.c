@@ -5,6 +5,7 @@
  *     --stage S       practice start instead of the title
  *     --seed N        seed
  *     --deaths N      let the first N bullets that come hit (a run with deaths in it)
+ *     --bombs N       press bomb where no way out is seen, N times at most
  *     --finish        stop two seconds after a score was entered into a table
  *     --quiet         no report
  *
@@ -34,6 +35,7 @@ struct bot {
     size_t room;
     bool finish;
     int deaths; /* it still has to die so often */
+    int bombs;  /* it may still press bomb so often */
     uint16_t pads[PADS];
     uint32_t until; /* frame of the next decision */
     struct tally tally;
@@ -143,7 +145,7 @@ static void search(struct bot *bot, int k, double *best, uint16_t *chosen)
     }
 }
 
-/* Looks further only when the simple ways all end badly. */
+/* Looks further only when the simple ways all end badly; where all do, there is the bomb. */
 static uint16_t decide(struct bot *bot)
 {
     double best = -1e18;
@@ -152,7 +154,10 @@ static uint16_t decide(struct bot *bot)
     save(bot);
     for (int k = 0; k < 3 && best < 1000.0 * AHEAD - 100; k++)
         search(bot, k, &best, &chosen);
-    return chosen;
+    if (best >= 1000.0 * AHEAD - 100 || bot->bombs <= 0)
+        return chosen;
+    bot->bombs--;
+    return chosen | PAD_BOMB;
 }
 
 /* Through menus: fire now and then, so that each screen can be seen. */
@@ -236,6 +241,8 @@ int main(int argc, char **argv)
             start.seed = (uint64_t)atoll(more), i++;
         else if (!strcmp(argv[i], "--deaths"))
             bot.deaths = atoi(more), i++;
+        else if (!strcmp(argv[i], "--bombs"))
+            bot.bombs = atoi(more), i++;
         else if (!strcmp(argv[i], "--finish"))
             bot.finish = true;
         else if (!strcmp(argv[i], "--quiet"))

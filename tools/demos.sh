@@ -7,6 +7,6 @@ bot="${OUT:-build/release}/bot"
 demos=roms/glasstide/demos
 mkdir -p "$demos"
 "$bot" roms/glasstide "$demos/attract.demo" --stage one --frames 2400 --seed 3 --quiet
-"$bot" roms/glasstide "$demos/run.demo" --frames 20000 --finish --deaths 1 --seed 1 --quiet
+"$bot" roms/glasstide "$demos/run.demo" --frames 24000 --finish --deaths 1 --bombs 3 --seed 1 --quiet
 mkdir -p roms/testcard/demos
 "$bot" roms/testcard roms/testcard/demos/card.demo --frames 600 --seed 1 --quiet

@@ -2,6 +2,7 @@
 require "kinds"
 require "glow"
 require "looks"
+require "moves"
 local try = require "try"
 
 stage.def("try", function()

@@ -1,8 +1,8 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
-  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true }, -- room for all that
-  -- chapters 3 and 4 show
+  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
+            meet = true }, -- room for all that chapters 3 and 4 show
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {

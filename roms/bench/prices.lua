@@ -1,6 +1,14 @@
--- prices.lua - n bullets that all do what DIP price says each frame, to be compared with as many that fly straight. They
--- creep, so that none leaves the field, and out of the player's way, so that none is near.
+-- prices.lua - n bullets that all do what DIP price, or one of price_figure, _kind, _step and _verb, says each frame, to be
+-- compared with as many that fly straight. They creep, so that none leaves the field, and out of the player's way, so that
+-- none is near but those that shall be.
+local price = board.dip("price")
+for _, part in ipairs { "figure", "kind", "step", "verb" } do
+  local word = board.dip("price_" .. part)
+  if word ~= "none" then price = word end
+end
+
 bullet.def("d8", { sprite = "d8", hit = { circle = 3 } })
+if price == "value" or price == "named" or price == "valued" then value.def("curl") end
 
 local function ever(...) return motion.def { { loop = forever, ... } } end
 
@@ -19,43 +27,133 @@ local ops = {
 }
 local drive = { loop = forever, { turn = 1, speed = 0.02, over = 60 }, { turn = 1, speed = 0.01, over = 60 } }
 local fine_drive = motion.def { fine = true, drive }
+local gone = motion.def { { die = true } }
 local motions = {
   accel = ops[9], turn = ops[6], aim = ops[5], home = ops[7],
   drive = motion.def { drive },
   fine = motion.def { fine = true },
   fine_drive = fine_drive,
+  go_to = ever({ go_to = { 100, 4 }, over = 60 }, { go_to = { 150, 12 }, over = 60 }),
   polar = motion.def { { polar = 0.001, spin = 1, over = forever } },
+  orbit = motion.def { { orbit = 4, at = { 128, 8 }, spin = 1, over = forever } },
   wave = motion.def { { wave = 4, every = 60, over = forever } },
-  fire = motion.def { { die = true } },
+  bounce = motion.def { { bounce = forever } },
+}
+if price == "around" then motions.around = motion.def { { orbit = 4, spin = 1, over = forever } } end
+if price == "named" then motions.named = ever { turn = "curl", over = 60 } end
+
+-- What a bullet is fired with besides.
+local with = {
+  delay = { delay = 1000000 }, named = { curl = 1 }, hp = { kind = "d8hp" },
 }
 
-local function motion_of(price, i)
+-- Shapes that are as large as each other, of bullets about the player; the kind `reach`, of which there is none, lets all of
+-- them be close to it though they touch nothing.
+local shapes = {
+  circle = { hit = { circle = 3 } },
+  box = { hit = { box = { 6, 6 } } },
+  capsule = { hit = { capsule = { 4, 1 } } },
+  circles = { hit = { circles = { { -2, 0, 1 }, { 0, 0, 1 }, { 2, 0, 1 } } } },
+  turned_circles = { hit = { circles = { { -2, 0, 1 }, { 0, 0, 1 }, { 2, 0, 1 } } }, turns = true },
+}
+if shapes[price] then
+  shapes[price].sprite = "d8"
+  bullet.def("shape", shapes[price])
+  bullet.def("reach", { sprite = "d8", hit = { circle = 40 } })
+end
+if price == "hp" then
+  bullet.def("d8hp", { sprite = "d8", hit = { circle = 3 }, hp = 9 })
+  shot.def("still", { sprite = "d8", hit = { circle = 3 } })
+end
+
+local function motion_of(i)
   if price == "mixed" then return ops[i % #ops + 1] end
   if price == "half" then return i % 2 == 0 and ops[i // 2 % #ops + 1] or nil end
   return motions[price]
 end
 
-local function fire(i, price)
-  return bullet.fire { kind = "d8", x = i % 64 * 4, y = i // 64 % 16, dir = 7 * i, speed = 0.001, tag = "all",
-                       motion = motion_of(price, i) }
+local function fire(i)
+  local b = { kind = "d8", x = i % 64 * 4, y = i // 64 % 16, dir = 7 * i, speed = 0.001, tag = "all", motion = motion_of(i) }
+  for name, v in pairs(with[price] or {}) do b[name] = v end
+  if shapes[price] then b.kind, b.x, b.y = "shape", 160 + 32 * angle.cos(11 * i), 120 + 32 * angle.sin(11 * i) end
+  if price == "around" then b.around = player.get(1) end
+  return bullet.fire(b)
 end
 
--- What a task does that has fired n bullets.
-local then_ = {
-  group = function() local all = bullet.group("all") while true do all.bank = 3 wait(1) end end,
-  each = function() while true do bullet.each("all", function(b) b.bank = 3 end) wait(1) end end,
+-- One that is fired and gone in the same frame.
+local fires = {
+  fire = function(i)
+    bullet.fire { kind = "d8", x = i % 64 * 4, y = i // 64 % 16, dir = 7 * i, speed = 0.001, tag = "all", motion = gone }
+  end,
+  valued = function(i)
+    bullet.fire { kind = "d8", x = i % 64 * 4, y = i // 64 % 16, dir = 7 * i, speed = 0.001, tag = "all", motion = gone,
+                  curl = 1 }
+  end,
 }
 
-return function(n)
-  local price = board.dip("price")
-  if price == "fire" then -- n a frame, gone in the same frame
-    return function() while true do for i = 1, n do fire(i, price) end wait(1) end end
+-- A figure of 64 of them.
+local points, rows = {}, {}
+for i = 1, 64 do points[i] = { i % 8, i // 8 } end
+for i = 1, 8 do rows[i] = "########" end
+local figures = {
+  ring = {}, fan = { spread = 60 }, arc = { sweep = 180 }, stack = { speed_to = 0.002 }, line = { width = 60 },
+  polygon = { sides = 4 }, star = { points = 4 }, ellipse = { speed_to = 0.002 }, rose = { petals = 5, speed_to = 0.002 },
+  whip = { speed_to = 0.002, bend = 40 }, scatter = { spread = 60, speed_to = 0.002 },
+  points = { list = points, n = false }, dots = { dots = table.concat(rows, "\n"), n = false },
+}
+
+local function draw(n)
+  local figure = { kind = "d8", x = 128, y = 8, speed = 0.001, motion = gone, n = 64 }
+  for name, v in pairs(figures[price]) do figure[name] = v or nil end
+  local f = pattern[price == "dots" and "picture" or price]
+  return function() for _ = 1, n // 64 do f(figure) end end
+end
+
+-- What is done each frame once n bullets are fired; where they are not, there is nothing to be found or cleared. The line
+-- passes them at a corner, so that the box around it holds all.
+local aside = { x = 300, y = 200 }
+local from, to = { x = -100, y = 300 }, { x = 300, y = -10 }
+local all
+local verbs = {
+  group = function() all.bank = 3 end,
+  shift = function() all:shift(0, 0) end,
+  aim_all = function() all:aim() end,
+  turn_all = function() all:turn(1) end,
+  value = function() all.curl = 3 end,
+  each = function() bullet.each("all", function(b) b.bank = 3 end) end,
+  clear_circle = function() bullet.clear { x = aside.x, y = aside.y, radius = 8 } end,
+  clear_box = function() bullet.clear { x = aside.x, y = aside.y, w = 16, h = 16 } end,
+  clear_line = function() bullet.clear { x = from.x, y = from.y, to_x = to.x, to_y = to.y, width = 4 } end,
+  near = function() query.near { what = "bullet", x = aside.x, y = aside.y, radius = 8 } end,
+  near_box = function() query.box { what = "bullet", x = aside.x, y = aside.y, w = 16, h = 16 } end,
+  near_line = function() query.line { what = "bullet", x = from.x, y = from.y, to_x = to.x, to_y = to.y, width = 4 } end,
+  found = function() query.box { what = "bullet", x = 128, y = 8, w = 600, h = 600 } end,
+}
+
+local function fire_all(n)
+  for i = 1, n do
+    local b = fire(i)
+    if price == "task" then task.own(b, function() while true do wait(1) end end) end
   end
+  all = bullet.group("all")
+  if price == "frozen" then all.frozen = forever end
+  if price == "sweep" then bullet.sweep { x = aside.x, y = aside.y, radius = 1, radius_to = 8, over = 65535 } end
+  if price == "hp" then for _ = 1, 64 do shot.fire { kind = "still", x = aside.x, y = aside.y, speed = 0 } end end
+end
+
+-- What goes on in each frame; nil: nothing.
+local function each_frame(n)
+  local one = fires[price]
+  if one then return function() for i = 1, n do one(i) end end end
+  if figures[price] then return draw(n) end
+  fire_all(n)
+  local p = player.get(1)
+  return shapes[price] and function() p.x, p.y = 160, 120 end or verbs[price]
+end
+
+return function(n)
   return function()
-    for i = 1, n do
-      local b = fire(i, price)
-      if price == "task" then task.own(b, function() while true do wait(1) end end) end
-    end
-    if then_[price] then then_[price]() end
+    local f = each_frame(n)
+    while f do f() wait(1) end
   end
 end

@@ -24,7 +24,14 @@ return {
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
     does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
-      "fire", "polar", "wave" },
+      "fire" },
+    -- more of it: a switch has room for 16 words
+    price_figure = { "none", "ring", "fan", "arc", "stack", "line", "polygon", "star", "ellipse", "rose", "whip", "scatter",
+      "points", "dots" },
+    price_kind = { "none", "circle", "box", "capsule", "circles", "turned_circles", "frozen", "delay", "hp", "valued" },
+    price_step = { "none", "go_to", "polar", "orbit", "around", "wave", "bounce", "named" },
+    price_verb = { "none", "shift", "aim_all", "turn_all", "value", "clear_circle", "clear_box", "clear_line", "sweep", "near",
+      "near_box", "near_line", "found" },
     picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
   players = 1,
 }

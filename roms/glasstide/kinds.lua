@@ -1,19 +1,4 @@
--- kinds.lua - bullets, sparks, and the creatures of the tide with what they leave behind.
-
-bullet.def("pellet", { sprite = "pellet", hit = { circle = 2 } })
-bullet.def("orb",    { sprite = "orb",    hit = { circle = 3.5 } })
-bullet.def("ring",   { sprite = "ring",   hit = { circle = 5 } })
-bullet.def("rice",   { sprite = "rice",   hit = { circle = 2 },   turns = true })
-bullet.def("kunai",  { sprite = "kunai",  hit = { circle = 2.5 }, turns = true })
-bullet.def("drop",   { sprite = "drop",   hit = { circle = 2.5 }, turns = true })
-bullet.def("shard",  { sprite = "shard",  hit = { circle = 2 },   turns = true })
-bullet.def("petal",  { sprite = "petal",  hit = { circle = 2.5 }, turns = true })
-bullet.def("star",   { sprite = "star",   hit = { circle = 4 } })
-bullet.def("needle", { sprite = "needle", hit = { circle = 2 },   turns = true })
-bullet.def("pearl",  { sprite = "pearl",  hit = { circle = 6 } })
-bullet.def("big",    { sprite = "big",    hit = { circle = 8 } })
-bullet.def("bubble", { sprite = "bubble", hit = { circle = 9 } })
-bullet.def("marble", { sprite = "marble", hit = { circle = 12 } })
+-- kinds.lua - sparks, bullets, and the creatures of the tide with what they leave behind.
 
 -- A spark that plays its frames once lives frames * every.
 local GOLD, BLUE = 3, 5
@@ -23,9 +8,46 @@ spark.def("ping",   { sprite = "glint", life = 16, drag = 0.10, bank = GOLD })
 spark.def("crumb",  { sprite = "crumb", life = 40, drag = 0.04, gravity = 0.03, bank = BLUE })
 spark.def("splint", { sprite = "crumb", life = 28, drag = 0.05, gravity = 0.05, bank = GOLD })
 spark.def("fizz",   { sprite = "fizz",  life = 44, drag = 0.03, gravity = -0.04, bank = BLUE })
+spark.def("pop",    { sprite = "hoop",  life = 12, bank = BLUE })
 spark.def("shock",  { sprite = "shock", life = 16, bank = BLUE })
 spark.def("blast",  { sprite = "blast", life = 24, drag = 0.10 })
 spark.def("blaze",  { sprite = "blaze", life = 32, drag = 0.10 })
+
+-- Every bullet of glass comes out of mist where it has a delay, and pops where it is cleared away.
+local function glass(name, def)
+  def.sprite, def.cloud, def.vanish = def.sprite or name, def.cloud or "mist", def.vanish or "pop"
+  bullet.def(name, def)
+end
+
+glass("pellet", { hit = { circle = 2 }, cloud = "mist_70" })
+glass("orb",    { hit = { circle = 3.5 } })
+glass("ring",   { hit = { circle = 5 } })
+glass("drop",   { hit = { circle = 2.5 }, turns = true })
+glass("star",   { hit = { circle = 4 } })
+glass("pearl",  { hit = { circle = 6 } })
+glass("big",    { hit = { circle = 8 },  cloud = "mist_150" })
+glass("bubble", { hit = { circle = 9 },  cloud = "mist_150" })
+glass("marble", { hit = { circle = 12 }, cloud = "mist_150" })
+
+-- What is long is hit along its length; what tumbles is hit in its middle.
+glass("rice",  { hit = { capsule = { 5, 1.5 } }, turns = true })
+glass("petal", { hit = { capsule = { 4, 2 } },   turns = true })
+glass("shard", { hit = { capsule = { 4, 1.5 } }, turns = true })
+glass("chip",  { hit = { circle = 2 }, sprite = "shard", spin = 11, vanish = "glint" })
+
+-- What is aimed lies over what is not: order.
+glass("kunai",  { hit = { circle = 2.5 }, cloud = "mist_70", turns = true, order = 1 })
+glass("needle", { hit = { capsule = { 8, 1.2 } },   turns = true, order = 1 })
+glass("lance",  { hit = { capsule = { 18, 1.4 } },  turns = true, order = 1, vanish = "glint" })
+
+-- Neither a bomb nor a graze makes anything of these two. A lamp can be shot: then its light
+-- sweeps away what is around it.
+glass("moon", { hit = { circle = 6 }, sprite = "pearl", clearable = false, graze = false })
+glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 2, hp = 18,
+  score = 500, spark = "splint", on_death = function(b)
+    spark.burst { kind = "shock", from = b, speed = 0 }
+    bullet.sweep { x = b.x, y = b.y, radius = 8, radius_to = 64, over = 14 }
+  end })
 
 -- Where a shot lands: somewhere on the lower half of the creature.
 local function chip(e, _, _)
@@ -43,16 +65,16 @@ local function large(e, _)
   spark.burst { kind = "fizz", from = e, n = 12, speed = 1.6 }
 end
 
--- A tough shell throws its splinters at whoever broke it.
+-- A tough shell throws its splinters at whoever broke it; they tumble.
 local function burst(e, p)
   large(e, p)
-  pattern.ring { from = e, kind = "shard", bank = 7, n = by_difficulty { easy = 6, normal = 10, hard = 16 }, aim = true, speed = 1.8 }
+  pattern.ring { from = e, kind = "chip", bank = 7, aim = true, speed = 1.8,
+                 n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
 end
 
 -- A boss goes down in a chain of fire. Its handle is dead by then: the place is kept.
 local function collapse(e, _)
   local x, y = e.x, e.y
-  bullet.clear { spark = "glint" }
   task.go(function()
     for i = 1, 14 do
       local dx, dy = 34 * angle.cos(137 * i), 26 * angle.sin(137 * i)
@@ -69,7 +91,8 @@ end
 local COLD, WARM = 0, 1 -- the two colours of glass
 
 local function creature(name, bank, w, h, hp, score, on_death)
-  enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score, spark = "crumb", on_hit = chip, on_death = on_death })
+  enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
+                    spark = "crumb", on_hit = chip, on_death = on_death })
 end
 
 creature("krill",    COLD, 16, 16, 4,   120,   small)
@@ -80,3 +103,8 @@ creature("urchin",   COLD, 28, 28, 90,  2400,  burst)
 creature("nautilus", WARM, 32, 32, 150, 5000,  large)
 creature("crab",     COLD, 56, 34, 100, 30000, collapse)
 creature("queen",    COLD, 52, 56, 100, 90000, collapse)
+
+-- A float harms nobody: bullets end at it, so it is a shelter for as long as it holds.
+enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
+                     spark = "crumb", on_hit = chip, on_death = large,
+                     touch = false, blocks = true })

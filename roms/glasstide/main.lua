@@ -14,17 +14,20 @@ on.graze(function(p, _)
   spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 }
 end)
 
--- The handlers see the craft where it was hit; it starts anew afterwards.
+-- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
+-- out that takes the bullets along.
 on.death(function(p)
   spark.burst { kind = "blaze", from = p, speed = 0 }
   spark.burst { kind = "shock", from = p, speed = 0 }
   spark.burst { kind = "crumb", from = p, n = 32, speed = 4 }
-  bullet.clear { spark = "glint" }
+  bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
   p.bombs = 3
 end)
 
 on.extend(function(p) spark.burst { kind = "glint", from = p, n = 24, speed = 3 } end)
-on.phase(function(e, _, _) if e.alive then spark.burst { kind = "shock", from = e, speed = 0 } end end)
+on.phase(function(e, _, _)
+  if e.alive then spark.burst { kind = "shock", from = e, speed = 0 } end
+end)
 on.stage(function(_, state) sea.speed(state == "start" and 1.6 or 0.6) end)
 on.game_over(function() sea.speed(0.4) end)
 

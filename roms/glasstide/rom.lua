@@ -1,8 +1,12 @@
--- rom.lua - Glass Tide: what the packer needs to know. The pictures in art/ are drawn by tools/art/art.c.
+-- rom.lua - Glass Tide: what the packer needs to know. tools/art/art.c draws the pictures in art/.
 return {
   title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },
-  board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 64, motions = 64, tasks = 512, lua_kib = 2048 },
+  board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 64, motions = 64,
+            tasks = 512, lua_kib = 2048,
+            -- what only some games need: bullets that can be shot, that circle something, that
+            -- stand still, and that have numbers of their own
+            hp = true, around = true, frozen = true, values = { bullet = 4 } },
   palette = "art/palette.png", font = "art/font.png",
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
@@ -34,28 +38,42 @@ return {
     marble = { sheet = "bullets", x = 32,  y = 32, w = 32, h = 32 },
     pearl  = { sheet = "bullets", x = 64,  y = 32, w = 18, h = 18 },
     bubble = { sheet = "bullets", x = 96,  y = 32, w = 24, h = 24 },
+    mist   = { sheet = "bullets", x = 0,   y = 64, w = 24, h = 24, frames = 4,
+               sizes = { 70, 150 } },
+    lance  = { sheet = "bullets", x = 96,  y = 64, w = 28, h = 28, rotations = 64 },
+    lamp   = { sheet = "bullets", x = 0,   y = 92, w = 24, h = 24, frames = 4, every = 5 },
 
     dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
     fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
     sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
 
-    heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },
-    petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3, origin = { 15, 16 } },
+    heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
+               origin = { 14, 17 } },
+    petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
+               origin = { 15, 16 } },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
     krill    = { sheet = "enemies", x = 0,  y = 0,   w = 20, h = 22, frames = 4, every = 5 },
     fish     = { sheet = "enemies", x = 80, y = 0,   w = 28, h = 32, frames = 4, every = 6 },
-    jelly    = { sheet = "enemies", x = 0,  y = 32,  w = 36, h = 44, frames = 4, every = 9, origin = { 18, 17 } },
-    ray      = { sheet = "enemies", x = 0,  y = 76,  w = 52, h = 44, frames = 4, every = 8, origin = { 26, 26 } },
+    jelly    = { sheet = "enemies", x = 0,  y = 32,  w = 36, h = 44, frames = 4, every = 9,
+                 origin = { 18, 17 } },
+    ray      = { sheet = "enemies", x = 0,  y = 76,  w = 52, h = 44, frames = 4, every = 8,
+                 origin = { 26, 26 } },
     urchin   = { sheet = "enemies", x = 0,  y = 120, w = 38, h = 38, frames = 4, every = 7 },
-    nautilus = { sheet = "enemies", x = 0,  y = 158, w = 44, h = 42, frames = 4, every = 9, origin = { 20, 20 } },
-    crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9, origin = { 40, 30 } },
-    queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10, origin = { 48, 44 } },
+    nautilus = { sheet = "enemies", x = 0,  y = 158, w = 44, h = 42, frames = 4, every = 9,
+                 origin = { 20, 20 } },
+    float    = { sheet = "enemies", x = 0,  y = 200, w = 36, h = 40, frames = 4, every = 12,
+                 origin = { 18, 22 } },
+    crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
+                 origin = { 40, 30 } },
+    queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
+                 origin = { 48, 44 } },
 
     -- sparks, and what a craft wears
     glint   = { sheet = "sparks", x = 0,   y = 0,  w = 12, h = 12, frames = 4, every = 4 },
     crumb   = { sheet = "sparks", x = 48,  y = 0,  w = 8,  h = 8,  frames = 4, every = 3 },
+    hoop    = { sheet = "sparks", x = 80,  y = 0,  w = 12, h = 12, frames = 4, every = 3 },
     dot     = { sheet = "sparks", x = 128, y = 0,  w = 8,  h = 8 },
     fizz    = { sheet = "sparks", x = 160, y = 0,  w = 7,  h = 7 },
     halo    = { sheet = "sparks", x = 0,   y = 16, w = 48, h = 48, frames = 4, every = 5 },

@@ -1,9 +1,10 @@
--- sea.lua - the scrolling sea: floor, the light on it, the reef at both sides. It runs for as long as the board does, under
--- the title too, and puts its sprites again whenever the field was wiped.
+-- sea.lua - the scrolling sea: floor, the light on it, the reef at both sides. It runs for as long
+-- as the board does, under the title too, and puts its sprites again whenever the field was wiped.
 local sea = {}
 
 local TALL = 320
 local now, wanted = 0.6, 0.6 -- px a frame the floor moves
+local still = false
 
 -- Sprite, x, its speed against the floor's. In the order they are drawn.
 local SHEETS = {
@@ -23,7 +24,7 @@ local function lay()
     end
     put[i] = pair
   end
-  palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- the buds of the reef glimmer
+  palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- the reef's buds glimmer
   return put
 end
 
@@ -41,12 +42,20 @@ end
 -- The floor reaches this speed gently.
 function sea.speed(v) wanted = v end
 
+-- local still <close> = sea.still(): it stands until that block ends, however it ends.
+function sea.still()
+  still = true
+  return setmetatable({}, { __close = function() still = false end })
+end
+
 function sea.run()
   local put, depth = lay(), 0
   while true do
     if not put[1][1].alive then put = lay() end
-    now = now + (wanted - now) * 0.02
-    depth = depth + now
+    if not still then
+      now = now + (wanted - now) * 0.02
+      depth = depth + now
+    end
     place(put, depth)
     wait(1)
   end

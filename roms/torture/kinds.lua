@@ -15,6 +15,16 @@ bullet.def("nut", { sprite = "box", hit = { box = { 12, 12 } }, hp = 5, score = 
   on_death = function(b, p) board.note(b.x + b.y + b.hp + (p and p.index or 0) + (b.alive and 9 or 0)) end })
 bullet.def("shield", { sprite = "letter", hit = { circle = 6 }, hp = forever, clearable = false, bank = 2 })
 
+bullet.def("veil", { sprite = "letter", hit = { circle = 8 }, harmless = true,
+  vanish = "ping", bank = 3 })
+bullet.meet("ring", "veil", { clear = "first", spark = "long" })
+bullet.meet("b1", "b2", { clear = "both", all = true,
+  on_meet = function(a, b) board.note(a.x * 3 + b.y) end })
+bullet.meet("moved", "moved", {
+  on_meet = function(a, b) a.bank, b.tag = (a.bank + 3) % 16, "hard" end })
+bullet.meet("hard", "b0", { clear = "second",
+  on_meet = function(a, b) if a.age % 5 == 0 then b:remove() end end })
+
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
 shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false })
 shot.def("wiper", { sprite = "steps", hit = { circle = 2 }, cancels = true, order = 2 })

@@ -107,6 +107,9 @@ local function groups()
     end
     if n % 6 == 3 then bullet.group("go"):signal() end
     if n % 31 == 7 then bullet.group("hard").hp = 2 bullet.group("hard").kind = n % 2 == 0 and "nut" or "dot" end
+    if n % 12 == 2 then
+      bullet.fire { kind = "veil", x = 20 + n * 11 % 180, y = 70, speed = 0.2, dir = n * 40, tag = "veil" }
+    end
     if n % 10 == 3 then pattern.fan { x = 112, y = 60, kind = "saw", n = 3, spread = 100, speed = 0.4, tag = "b" .. n % 5 } end
     if n % 50 == 49 then board.note(bullet.clear { all = n % 100 == 49 }) end
     if n % 24 == 13 then

@@ -23,6 +23,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+#include "int.h"
 
 /* What a compiler does not tell by a macro, ieee.h finds when the program runs. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
@@ -68,27 +69,7 @@ static inline fx fx_sat(int64_t v)
     return (fx)v;
 }
 
-static inline fx fx_min(fx a, fx b)
-{
-    return a < b ? a : b;
-}
-
-static inline fx fx_max(fx a, fx b)
-{
-    return a > b ? a : b;
-}
-
-/* v clamped to lo..hi, lo <= hi. */
-static inline fx fx_clamp(fx v, fx lo, fx hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
-/* |v|, v > FX_MIN. */
-static inline fx fx_abs(fx v)
-{
-    return v < 0 ? -v : v;
-}
+INT_FUNCTIONS(fx, fx)
 
 /* The high half of the 128-bit product; the low half is a * b. */
 static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)

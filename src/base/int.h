@@ -7,41 +7,29 @@
 
 #include <stdint.h>
 
-static inline int int_min(int a, int b)
-{
-    return a < b ? a : b;
-}
+/*
+ * For a type: NAME_min(a, b), NAME_max(a, b); NAME_abs(v), v not the least there is; NAME_clamp(v, lo, hi), which is v
+ * clamped to lo..hi, lo <= hi.
+ */
+#define INT_FUNCTIONS(name, type)                                                                                      \
+    static inline type name##_min(type a, type b)                                                                      \
+    {                                                                                                                  \
+        return a < b ? a : b;                                                                                          \
+    }                                                                                                                  \
+    static inline type name##_max(type a, type b)                                                                      \
+    {                                                                                                                  \
+        return a > b ? a : b;                                                                                          \
+    }                                                                                                                  \
+    static inline type name##_abs(type v)                                                                              \
+    {                                                                                                                  \
+        return v < 0 ? -v : v;                                                                                         \
+    }                                                                                                                  \
+    static inline type name##_clamp(type v, type lo, type hi)                                                          \
+    {                                                                                                                  \
+        return v < lo ? lo : v > hi ? hi : v;                                                                          \
+    }
 
-static inline int int_max(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-/* v clamped to lo..hi, lo <= hi. */
-static inline int int_clamp(int v, int lo, int hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
-static inline int64_t int64_min(int64_t a, int64_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline int64_t int64_max(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-/* |v|, v > INT64_MIN. */
-static inline int64_t int64_abs(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
-static inline int64_t int64_clamp(int64_t v, int64_t lo, int64_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
+INT_FUNCTIONS(int, int)
+INT_FUNCTIONS(int64, int64_t)
 
 #endif

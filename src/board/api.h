@@ -36,6 +36,9 @@ enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price o
 /* Puts the API into the globals and leaves the sys table on the stack. */
 void api_open(lua_State *L);
 
+/* Makes all functions of the table at `at`, if it is one of the API's: for who walks over it. */
+void api_fill(lua_State *L, int at);
+
 /* Raises "FILE:LINE: entry: message". */
 int api_error(lua_State *L, const char *entry, const char *format, ...);
 

@@ -40,7 +40,8 @@ static uint32_t value_groups(int32_t n)
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
-           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
 }
 
 static uint32_t shot_groups(const struct manifest *m)
@@ -110,10 +111,11 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players and be blocked, a shot hits one thing, an enemy may touch, die and leave. */
+/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, an enemy
+ * may touch, die and leave. */
 static uint64_t event_room(const struct manifest *m)
 {
-    return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
+    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -124,17 +126,17 @@ static uint64_t ram_needed(const struct cart *cart)
     for (int i = 0; i < PARTS; i++)
         sum += slots_size(machine_parts[i].chip, l.cap[i], l.groups[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
-    sum += aligned(event_room(&cart->m) * sizeof(struct event));
+    sum += aligned(events_size((uint32_t)event_room(&cart->m)));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
-bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
+/* board_size, of a cart that it opens. */
+static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, char *err, size_t err_size)
 {
-    struct cart cart;
-
-    if (!cart_open(&cart, rom, err, err_size))
+    memset(cart, 0, sizeof *cart); /* it goes into RAM */
+    if (!cart_open(cart, rom, err, err_size))
         return false;
-    uint64_t sum = ram_needed(&cart);
+    uint64_t sum = ram_needed(cart);
     if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
                  (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
@@ -142,6 +144,13 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     }
     *size = (size_t)sum;
     return true;
+}
+
+bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
+{
+    struct cart cart;
+
+    return open_cart(&cart, rom, size, err, err_size);
 }
 
 static fx pixels(int v)
@@ -190,7 +199,7 @@ static void set_up(struct board *b)
  *   order of PART_LIST                                               the live entries (slots.h)
  *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
  *                                 ROM's sprites
- *   events                        event_room times struct event      none; there are no events between frames
+ *   events                        events_size of event_room          none; there are no events between frames
  *   Lua's heap                    board.lua_kib KiB                  what is in use
  */
 static void lay_out(struct board *b)
@@ -208,8 +217,8 @@ static void lay_out(struct board *b)
     }
     b->pictures = (struct sprite *)next;
     next += aligned((uint64_t)b->cart.sprites * sizeof(struct sprite));
-    b->events = (struct events){ .cap = (uint32_t)event_room(&b->cart.m), .list = (struct event *)next };
-    next += aligned(event_room(&b->cart.m) * sizeof(struct event));
+    events_layout(&b->events, (uint32_t)event_room(&b->cart.m), next);
+    next += aligned(events_size(b->events.cap));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
@@ -287,17 +296,18 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
 {
     struct board *b = (struct board *)ram;
     const char *wrong = ieee_fault();
+    struct cart cart;
     size_t need;
 
     if (wrong) {
         snprintf(err, err_size, "%s", wrong);
         return NULL;
     }
-    if (!board_size(rom, &need, err, err_size))
+    if (!open_cart(&cart, rom, &need, err, err_size))
         return NULL;
     assert(size >= need && ((uintptr_t)ram & 15) == 0);
     memset(b, 0, sizeof *b);
-    cart_open(&b->cart, rom, err, err_size);
+    b->cart = cart;
     b->ram = ram;
     b->ram_size = size;
     b->start = *start;
@@ -370,7 +380,7 @@ void board_move(struct board *b)
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep, query, solid);
+    bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }

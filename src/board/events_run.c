@@ -2,9 +2,9 @@
  * events_run.c - see events_run.h.
  *
  * Handlers are in the Lua registry: a list of functions for each event, and a table of functions by enemy kind ("on_hit
- * 3"), by bullet kind ("bullet's on_death 3"), or by enemy (slot + 1; every spawn sets it, so that none is left of the
- * slot's last tenant). A handler may raise further events; they are applied in the same frame, after those raised
- * before.
+ * 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), or by enemy (slot + 1; every spawn sets
+ * it, so that none is left of the slot's last tenant). A handler may raise further events; they are applied in the same
+ * frame, after those raised before.
  */
 #include "events_run.h"
 #include <string.h>
@@ -284,6 +284,42 @@ static void apply_block(struct board *b, const struct event *e)
         bullets_drop(&b->bullets, handle_slot(e->a));
 }
 
+/* A pair takes away bullet h, which leaves the pair's spark or its kind's; not what is gone, or not clearable. */
+static void meet_take(struct board *b, uint32_t pair, int64_t h)
+{
+    const struct bullets *s = &b->bullets;
+    uint32_t i = handle_slot(h);
+
+    if (!counts(b, h))
+        return;
+    if (b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED && !(s->meet_flags[pair] & MEET_ALL))
+        return;
+    if (s->meet_spark[pair])
+        board_sparks(b, &(struct spark_burst){
+                            .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(s->meet_spark[pair] - 1), .n = 1 });
+    else
+        board_vanish(b, i);
+    take_away(b, &b->bullets, h);
+}
+
+/* Two bullets of a pair met: its handler is told while both are there. */
+static void apply_meet(struct board *b, lua_State *L, const struct event *e)
+{
+    uint8_t flags = b->bullets.meet_flags[e->pair];
+
+    if (!(counts(b, e->a) && counts(b, e->b)))
+        return;
+    if (events_push_function(L, (uint16_t)e->pair, "on_meet")) {
+        push_thing(L, e->a);
+        push_thing(L, e->b);
+        lua_call(L, 2, 0);
+    }
+    if (flags & MEET_FIRST)
+        meet_take(b, e->pair, e->a);
+    if (flags & MEET_SECOND)
+        meet_take(b, e->pair, e->b);
+}
+
 static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
@@ -396,6 +432,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_BLOCK:
         apply_block(b, e);
         break;
+    case EV_MEET:
+        apply_meet(b, L, e);
+        break;
     case EV_DEATH:
         apply_death(b, L, e);
         break;
@@ -419,7 +458,7 @@ int events_run(lua_State *L)
 
     luaL_checkstack(L, 32, NULL);
     for (uint32_t i = 0; i < b->events.n; i++) {
-        struct event e = b->events.list[i];
+        struct event e = events_at(&b->events, i);
         apply(b, L, &e);
     }
     b->events.n = 0;

@@ -248,6 +248,17 @@ int vm_collect(lua_State *L)
 
 /* ---- scripts ---- */
 
+void vm_seal(lua_State *L)
+{
+    lua_createtable(L, 0, 3);
+    lua_rotate(L, -3, 1);
+    lua_setfield(L, -3, "__newindex");
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
+
 void vm_load(lua_State *L, const char *name)
 {
     const char *text, *what;
@@ -329,9 +340,12 @@ int vm_print(lua_State *L)
 static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    const char *line = api_off(&vm_board(L)->cart.m, name);
 
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (line)
+        return vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, name, line);
     if (std_of(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
@@ -348,14 +362,9 @@ static int no_new_global(lua_State *L)
 static void seal_globals(lua_State *L)
 {
     lua_pushglobaltable(L);
-    lua_createtable(L, 0, 3);
     lua_pushcfunction(L, undeclared);
-    lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, no_new_global);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2);
+    vm_seal(L);
     lua_pop(L, 1);
 }
 

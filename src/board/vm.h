@@ -102,6 +102,10 @@ void vm_log(struct board *b, const char *s, size_t n);
 /* print: writes its arguments, the whole stack, into the frame's log. */
 int vm_print(lua_State *L);
 
+/* Takes two values off the stack: what answers reads of fields, and on top what answers writes. They become the
+ * metatable of the value below, for good. */
+void vm_seal(lua_State *L);
+
 /* Loads script "stages/one" or "@std/pattern" and leaves its function on the stack; a fault when it cannot. */
 void vm_load(lua_State *L, const char *name);
 

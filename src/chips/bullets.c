@@ -74,6 +74,14 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hits read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "nothing is held between frames"),
     GROUP_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hits read it"),
+    GROUP_REGISTER(bullets, meets, GROUP_MEET),
+    GROUP_REGISTERS(bullets, meet_first, GROUP_MEET),
+    GROUP_REGISTERS(bullets, meet_second, GROUP_MEET),
+    GROUP_REGISTERS(bullets, meet_spark, GROUP_MEET),
+    GROUP_REGISTERS(bullets, meet_flags, GROUP_MEET),
+    GROUP_DERIVED(bullets, next, GROUP_MEET, "rewritten in every frame before hits read it"),
+    GROUP_BLOCKS(bullets, met, GROUP_MEET, "rewritten in every frame before hits read it"),
+    GROUP_BLOCKS(bullets, taken, GROUP_MEET, "rewritten in every frame before hits read it"),
     DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
     DERIVED_REGISTERS(bullets, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
@@ -146,7 +154,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = (uint16_t)(shape->kind - shape->clouded);
+    b->kind[i] = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -320,7 +328,7 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 {
     bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
 
-    b->kind[i] = (uint16_t)(kind - cloud);
+    b->kind[i] = (uint16_t)(kind + (cloud ? ROW_CLOUD : ROW_KIND));
     b->bank[i] = kinds->bank[kind];
     if (b->hp)
         b->hp[i] = kinds->hp[kind];
@@ -1188,19 +1196,13 @@ void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]
             find_near_block(b, &query[p], block, p);
 }
 
-/* The bullets of a block that are live, or left in this frame's move. */
-static uint64_t live_or_held(const struct slots *s, uint32_t block)
-{
-    return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
-}
-
 uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
 {
     struct range r = near_range(&(struct bullets_query){ .x = x, .y = y, .reach = reach }, b->fastest);
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
 
-    return near_block(b->x + first, b->y + first, out, &r) ? slots_gather(out) & live_or_held(&b->s, block) : 0;
+    return near_block(b->x + first, b->y + first, out, &r) ? slots_gather(out) & slots_live_or_held(&b->s, block) : 0;
 }
 
 static uint64_t solid_block(const int32_t *restrict hp, const uint8_t *restrict flags)
@@ -1218,7 +1220,7 @@ bool bullets_find_solid(struct bullets *b)
 
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
         uint32_t first = block * SLOTS_BLOCK;
-        b->solid[block] = solid_block(b->hp + first, b->flags + first) & live_or_held(&b->s, block);
+        b->solid[block] = solid_block(b->hp + first, b->flags + first) & slots_live_or_held(&b->s, block);
         any |= b->solid[block];
     }
     return any != 0;

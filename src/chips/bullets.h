@@ -26,10 +26,11 @@ enum {
     KIND_SWEPT = 1 << 2, /* hits look at the whole path of a frame, not at its end alone */
     KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
     KIND_BLEND_ONE = 1 << 3,
-    KIND_CLOUDED = 1 << 5, /* the kind before is its cloud */
-    KIND_CLOUD = 1 << 6,   /* what a delayed bullet of the next kind looks like; no name, no shape */
-    KIND_FIXED = 1 << 7,   /* a clear passes it over, unless it takes all */
-    KIND_CANCELS = 1 << 8, /* of a shot: it takes clearable bullets away */
+    KIND_CLOUDED = 1 << 5,  /* it has a ROW_CLOUD */
+    KIND_CLOUD = 1 << 6,    /* it is one */
+    KIND_FIXED = 1 << 7,    /* a clear passes it over, unless it takes all */
+    KIND_CANCELS = 1 << 8,  /* of a shot: it takes clearable bullets away */
+    KIND_HARMLESS = 1 << 9, /* it neither hits nor grazes players */
 
     HP_FOREVER = -1, /* shots hit it and do it no harm */
 
@@ -44,6 +45,12 @@ enum {
     STEP_SIGNALLED = 1 << 6, /* what the step at pc waits for has come */
     STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
 
+    /* of a pair of tags: what goes when two bullets meet */
+    MEET_FIRST = 1 << 0,
+    MEET_SECOND = 1 << 1,
+    MEET_ALL = 1 << 2, /* also what is not clearable */
+    MAX_MEETS = 16,
+
     MAX_KINDS = 1024
 };
 
@@ -52,7 +59,7 @@ struct bullet_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
+    fx *a, *b, *x, *y; /* of the shape */
     uint16_t *flags;
     uint8_t *bank;
     int32_t *damage;  /* of a shot */
@@ -103,10 +110,19 @@ struct bullets {
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
-    fx fastest;        /* no |vx| or |vy| is above it */
-    uint32_t standing; /* how many stand */
-    uint32_t moved;    /* bullets moved this frame */
-    uint64_t ran;      /* motion steps run this frame */
+
+    /* The pairs of tags whose bullets meet; used, and there, where the game asks for it. */
+    uint32_t meets;                                         /* how many */
+    uint16_t meet_first[MAX_MEETS], meet_second[MAX_MEETS]; /* tags */
+    uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 that what goes leaves; 0: its own kind's */
+    uint8_t meet_flags[MAX_MEETS];                          /* MEET_ */
+    uint32_t *next;                                         /* slot of the next one in its list (hit_meets.c) */
+    uint64_t *met;                                          /* a bit a slot: a first of a pair that met in this frame */
+    uint64_t *taken;                                        /* a bit a slot: a pair takes it away in this frame */
+    fx fastest;                                             /* no |vx| or |vy| is above it */
+    uint32_t standing;                                      /* how many stand */
+    uint32_t moved;                                         /* bullets moved this frame */
+    uint64_t ran;                                           /* motion steps run this frame */
 };
 
 /*
@@ -179,7 +195,7 @@ extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds
 /* The kind that bullet i was declared to have: not its cloud, which `kind` names while a delay lasts. */
 static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
 {
-    return (uint16_t)(b->kind[i] + (kinds->flags[b->kind[i]] & KIND_CLOUD ? 1 : 0));
+    return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? ROW_CLOUD : ROW_KIND));
 }
 
 /* Frames since the column born says; 0 before that frame. */

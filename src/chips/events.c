@@ -3,10 +3,14 @@
  */
 #include "events.h"
 
-bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
+uint64_t events_size(uint32_t cap)
 {
-    if (e->n == e->cap)
-        return false;
-    e->list[e->n++] = (struct event){ .kind = kind, .a = a, .b = b };
-    return true;
+    return (uint64_t)cap * (sizeof(int64_t) + sizeof(int64_t) + sizeof(uint8_t));
+}
+
+void events_layout(struct events *e, uint32_t cap, uint8_t *at)
+{
+    int64_t *a = (int64_t *)(void *)at, *b = a + cap;
+
+    *e = (struct events){ .cap = cap, .a = a, .b = b, .kind = (uint8_t *)(b + cap) };
 }

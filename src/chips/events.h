@@ -1,5 +1,6 @@
 /*
- * events.h - what happened this frame, in the order it was found. Empty between frames.
+ * events.h - what happened this frame, in the order it was found. Empty between frames. Kept as columns, for there is
+ * room for several a bullet, and a struct would be 7 bytes of padding larger.
  * floor: chips
  */
 #ifndef CHIPS_EVENTS_H
@@ -18,20 +19,44 @@ enum event_kind {
     EV_LEAVE,  /* a: enemy handle */
     EV_EXTEND, /* a: player */
     EV_SCRIPT, /* a: index of what sys.emit queued */
-    EV_BLOCK   /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_MEET    /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
 };
 
 struct event {
     int64_t a, b;
     uint32_t kind; /* enum event_kind */
+    uint32_t pair; /* of EV_MEET; else 0 */
 };
 
 struct events {
     uint32_t cap, n;
-    struct event *list;
+    int64_t *a, *b;
+    uint8_t *kind;
 };
 
+/* Bytes of RAM that so many take. */
+uint64_t events_size(uint32_t cap);
+
+/* Points the columns into memory of events_size(cap) bytes, aligned as an int64_t, and empties them. */
+void events_layout(struct events *e, uint32_t cap, uint8_t *at);
+
+static inline struct event events_at(const struct events *e, uint32_t i)
+{
+    const uint32_t kind = e->kind[i], pair = kind > EV_MEET ? kind - EV_MEET : 0;
+
+    return (struct event){ e->a[i], e->b[i], kind - pair, pair };
+}
+
 /* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */
-bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b);
+static inline bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
+{
+    if (e->n == e->cap)
+        return false;
+    e->a[e->n] = a;
+    e->b[e->n] = b;
+    e->kind[e->n++] = (uint8_t)kind;
+    return true;
+}
 
 #endif

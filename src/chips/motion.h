@@ -26,7 +26,7 @@ enum {
     SHAPE_BOX,         /* a, b: half width and half height */
     SHAPE_CAPSULE = 4, /* all within a of a bar, of which one end is at (x, y) and the other at (-x, -y), or, of
                           bullets, which lies along dir and reaches b to either side */
-    SHAPE_CIRCLES = 8, /* a circle of radius a at (x, y), and b more, which are the next rows of the kinds */
+    SHAPE_CIRCLES = 8, /* a circle of radius a at (x, y), and b more, which are the kind's ROW_CIRCLES */
     SHAPE_PLAIN = 3,   /* neither of those two is in any | of the others */
     SHAPE_PARTS = 4    /* most circles */
 };
@@ -37,13 +37,21 @@ struct shape_columns {
     fx *a, *b, *x, *y;
 };
 
+/* The rows that one kind takes, by their distance from the one that its name means. */
+enum kind_row {
+    ROW_CLOUD = -1, /* of a bullet: what it looks like while it is delayed; no name, no shape */
+    ROW_KIND = 0,
+    ROW_CIRCLES = 1 /* the first of up to three more circles of its shape, which use shape, a, b, x and y alone */
+};
+
 /* Groups of columns (slots.h) that a manifest switches on for bullets, shots and enemies. */
 enum {
     GROUP_VALUE = 1, /* and the next: a number each that the game declares */
     MAX_VALUES = 4,
     GROUP_HP = GROUP_VALUE + MAX_VALUES,
     GROUP_AROUND,
-    GROUP_FROZEN
+    GROUP_FROZEN,
+    GROUP_MEET
 };
 
 /* Of what stands still: a column of frames left, or FROZEN_FOREVER, and one of these flags. */

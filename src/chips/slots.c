@@ -27,9 +27,15 @@ static uint64_t values(const struct column *c, uint64_t slots)
     return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
+/* Slots there are columns for: of a pool whole blocks, of a list no more than can live. */
+static uint32_t room_for(const struct chip *chip, uint32_t cap)
+{
+    return chip->list ? cap : blocks(cap);
+}
+
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
 {
-    uint64_t room = blocks(cap), size = 0;
+    uint64_t room = room_for(chip, cap), size = 0;
 
     if (!chip->list)
         size = aligned(room / 8) + aligned(room * 4);
@@ -50,7 +56,7 @@ static void *carve(uint8_t **next, uint64_t bytes)
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next)
 {
     struct slots *s = self;
-    uint64_t room = blocks(cap);
+    uint64_t room = room_for(chip, cap);
 
     *s = (struct slots){ .cap = cap, .groups = groups };
     if (!chip->list) {
@@ -230,13 +236,18 @@ static const uint8_t *column_at(const struct column *c, const void *self)
     return at;
 }
 
+static bool hashed_register(const struct column *c, uint32_t groups)
+{
+    return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
+}
+
 uint64_t slots_hash(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
     uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
 
     for (int c = 0; c < chip->count; c++)
-        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+        if (hashed_register(&chip->columns[c], s->groups))
             h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
     uint32_t end = s->used ? s->top : s->live;
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
@@ -276,7 +287,7 @@ static void visit_registers(const struct chip *chip, const void *self, slots_vis
     v.value = s->refused;
     visit(context, &v);
     for (int c = 0; c < chip->count; c++)
-        if (chip->columns[c].reg && chip->columns[c].kind == COL_GAME)
+        if (hashed_register(&chip->columns[c], s->groups))
             visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
 }
 

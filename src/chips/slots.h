@@ -69,7 +69,9 @@ struct column {
 #define GROUP_COLUMN(chip, name, group)                                                                                \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_GAME, NULL, group }
 
-/* A derived column of a group, with a value a block. */
+/* A derived column of a group, with a value a slot, and with one a block. */
+#define GROUP_DERIVED(chip, name, group, why)                                                                          \
+    { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why, group }
 #define GROUP_BLOCKS(chip, name, group, why)                                                                           \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, true, COL_DERIVED, why, group }
 
@@ -84,6 +86,13 @@ struct column {
                  sizeof COLUMN_FIELD(chip, name) / sizeof *COLUMN_FIELD(chip, name), true, false, COL_DERIVED, why)
 #define DERIVED_REGISTER(chip, name, why)                                                                              \
     COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_DERIVED, why)
+
+/* Registers of a group: they stand in the struct, but are hashed only where the manifest asks for the group. */
+#define GROUP_REGISTER(chip, name, group)                                                                              \
+    { #name, offsetof(struct chip, name), sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_GAME, NULL, group }
+#define GROUP_REGISTERS(chip, name, group)                                                                             \
+    { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name),                                            \
+      sizeof COLUMN_FIELD(chip, name) / sizeof *COLUMN_FIELD(chip, name), true, false, COL_GAME, NULL, group }
 /* clang-format on */
 
 struct slots {
@@ -118,7 +127,7 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
  */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
 
-/* Is this column in RAM? A register always is. */
+/* Is this column in RAM, and this register in use? */
 static inline bool slots_column_there(const struct column *c, uint32_t groups)
 {
     return c->group == 0 || groups & SLOTS_GROUP(c->group);
@@ -156,6 +165,12 @@ static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
 static inline bool slots_has_held(const struct slots *s, uint32_t slot, uint32_t gen)
 {
     return slot < s->held_top && (s->held[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
+}
+
+/* The slots of a block that are live or held, a bit each. */
+static inline uint64_t slots_live_or_held(const struct slots *s, uint32_t block)
+{
+    return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
 }
 
 /* The first held slot at or after i, or held_top when there is none. */

@@ -175,7 +175,7 @@ sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/
 says 'all maxima at once have room' 0 '' list bad
 line=$("$OUT/curtain-short" list bad 2>&1)
 same 'all maxima at once: the sum' \
-    '2 curtain: bad: the capacities in rom.lua ask for 1019 MiB of RAM; a board has at most 64' "$? $line"
+    '2 curtain: bad: the capacities in rom.lua ask for 935 MiB of RAM; a board has at most 64' "$? $line"
 rm -rf bad
 
 # ---- art and scripts ----

@@ -21,21 +21,8 @@ for i in 0 1 2 3 4; do
         >/dev/null
 done
 
-# patch DEMO BYTE: one bit of it flipped, and the checksums made good again.
-patch() {
-    python3 - "$@" <<'END'
-import struct, sys, zlib
-data, at = bytearray(open(sys.argv[1], "rb").read()), int(sys.argv[2])
-data[at] ^= 1
-pos, crc = 8, 0
-while pos < len(data):
-    n = struct.unpack_from("<I", data, pos + 4)[0]
-    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
-    struct.pack_into("<I", data, pos + 8 + n, crc)
-    pos += 12 + n
-open(sys.argv[3], "wb").write(data)
-END
-}
+# patch DEMO BYTE TO: one bit of it flipped, and the checksums made good again.
+patch() { python3 "$repo/tests/cli/demo_repair.py" "$1" "$3" "$2"; }
 # Where the record i of a demo starts.
 record() {
     python3 -c '

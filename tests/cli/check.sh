@@ -52,7 +52,7 @@ python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
 for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua page/looks.lua
+    rm page/glow.lua page/looks.lua page/moves.lua
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200" }'
@@ -213,6 +213,7 @@ enemy.def("e", { sprite = "dot", hit = "none", run = function(e) for k in pairs(
 on.hit(function(_, by) print(#by) end)
 boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
   phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
+bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 ----
 main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
 main.lua:4: ipairs: what shot.fire returns is a shot, not a table
@@ -223,7 +224,8 @@ main.lua:8: #: what bullet.each hands to its function is a thing, not a table
 main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
 main.lua:10: #: what on.hit hands to its function is a thing, not a table
 main.lua:12: #: what boss.def hands to its function is a thing, not a table
-9 problems
+main.lua:13: #: what bullet.meet hands to its function is a thing, not a table
+10 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
 local n = 3
@@ -606,7 +608,7 @@ same 'a fault in a stage' 1 $?
 check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
-sed -i '0,/kind = "needle"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
+sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
 check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \

@@ -85,20 +85,6 @@ check "the page's reader agrees about one of now" agrees tests/demos/frozen.rom 
     --every 1000 --record "$scratch/fresh.demo" >/dev/null
 check "the page's reader agrees about a practice start" agrees roms/glasstide "$scratch/fresh.demo"
 
-# repaired FROM TO BYTE VALUE: one byte changed, the checksums made good.
-repaired() {
-    python3 - "$@" <<'END'
-import struct, sys, zlib
-data, pos, crc = bytearray(open(sys.argv[1], "rb").read()), 8, 0
-data[int(sys.argv[3], 0)] = int(sys.argv[4], 0)
-while pos < len(data):
-    n = struct.unpack_from("<I", data, pos + 4)[0]
-    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
-    struct.pack_into("<I", data, pos + 8 + n, crc)
-    pos += 12 + n
-open(sys.argv[2], "wb").write(data)
-END
-}
 # A pad of the first second, which has one run: behind the header, the first row, and its own head and frames.
 pad_at() {
     python3 - "$1" <<'END'
@@ -109,28 +95,19 @@ for _ in range(2):
 print(at + 8 + 8 + 2)
 END
 }
-repaired "$scratch/now.demo" "$scratch/other.demo" "$(pad_at "$scratch/now.demo")" 0x10
+python3 tests/cli/demo_repair.py "$scratch/now.demo" "$scratch/other.demo" "$(pad_at "$scratch/now.demo")" 0x10
 refuse 'planted: another pad' 'frame 1: ' agrees tests/demos/frozen.rom "$scratch/other.demo"
 
 # Changed bytes, checksums made good: both refuse, or neither does.
 cat >"$scratch/lies.py" <<'END'
-import random, re, struct, subprocess, sys, zlib
+import random, re, subprocess, sys
 sys.path.insert(0, "tests/cli")
 from demo_read import read, Bad
+from demo_repair import repair
 program, demo, rom, at = sys.argv[1:]
 good = open(demo, "rb").read()
 refusals = re.compile("damaged|not a demo|demo format|cut short in its header|bytes after its end|"
                       "longer than|larger than")
-
-def repair(data):
-    pos, crc = 8, 0
-    while len(data) - pos >= 12:
-        n = struct.unpack_from("<I", data, pos + 4)[0]
-        if n > len(data) - pos - 12:
-            break
-        crc = zlib.crc32(data[pos:pos + 8 + n], crc)
-        struct.pack_into("<I", data, pos + 8 + n, crc)
-        pos += 12 + n
 
 random.seed(len(good))
 refused = 0

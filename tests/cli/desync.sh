@@ -13,7 +13,8 @@ cp "$rom/demos/run.demo" .
 
 # The change of a demo: its byte, its frame, and whether its checksums are made good.
 cat >change.py <<'END'
-import random, struct, sys, zlib
+import random, struct, sys
+from demo_repair import repair
 data = bytearray(open("run.demo", "rb").read())
 seed, out, good = int(sys.argv[1]), sys.argv[2], sys.argv[3] == "repaired"
 random.seed(seed)
@@ -27,19 +28,15 @@ first, runs = struct.unpack_from("<I", data, s)[0], data[s + 5]
 k, player, button = random.randrange(runs), random.randrange(2), random.randrange(10)
 frame = first + 1 + sum(struct.unpack_from("<H", data, s + 8 + 6 * i)[0] for i in range(k))
 data[s + 8 + 6 * k + 2 + 2 * player + button // 8] ^= 1 << button % 8
-pos, crc = 8, 0
-while good and pos < len(data):
-    n = struct.unpack_from("<I", data, pos + 4)[0]
-    crc = zlib.crc32(data[pos:pos + 8 + n], crc)
-    struct.pack_into("<I", data, pos + 8 + n, crc)
-    pos += 12 + n
+if good:
+    repair(data)
 open(out, "wb").write(data)
 print(frame)
 END
 # a held button that is pressed as well makes no difference only where its opposite is held: nowhere in this run
 wrong=''
 for i in $(seq 12); do
-    frame=$(python3 change.py "$i" changed.demo repaired)
+    frame=$(PYTHONPATH=$repo/tests/cli python3 change.py "$i" changed.demo repaired)
     got=$("$curtain" verify game.rom changed.demo) && wrong+="$i: $got"$'\n'
     [[ $got == "changed.demo: frame $frame: "*input*" differ"* ]] || wrong+="$i: frame $frame: $got"$'\n'
     # The same, side by side: the tracks of both, up to that frame.
@@ -52,7 +49,7 @@ done
 same '12 flipped buttons of a whole run: frame and parts' '' "$wrong"
 wrong=''
 for i in $(seq 12); do
-    python3 change.py "$i" changed.demo spoilt >/dev/null
+    PYTHONPATH=$repo/tests/cli python3 change.py "$i" changed.demo spoilt >/dev/null
     got=$("$curtain" verify game.rom changed.demo 2>&1)
     [[ "$? $got" =~ ^'2 curtain: changed.demo: the record at byte '[0-9]+' is damaged (CRC)'$ ]] ||
         wrong+="$i: $got"$'\n'

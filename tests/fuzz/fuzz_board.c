@@ -60,7 +60,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memcpy(copy, game.image.bytes, n);
     for (size_t at = 0; size - at >= 4;)
         at += edit(copy, n, data + at, size - at);
-    spoil_repair(copy, n);
+    repair_rom(copy, n);
     if (rom_open(&rom, copy, n, err, sizeof err))
         outcomes[spoil_run(&bench, &rom, &start, NULL, 1, &bad)]++;
     else

@@ -7,23 +7,14 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/base/bytes.h"
-#include "../../src/base/hash.h"
 #include "../../src/cab/demo/demo.h"
+#include "../repair.h"
 
 static void repair(uint8_t *p, size_t n, uint32_t format)
 {
-    uint32_t crc = 0;
-
     memcpy(p, "CDEM", 4);
     bytes_put32(p + 4, format);
-    for (size_t at = 8; n - at >= 12; at += 12 + bytes_get32(p + at + 4)) {
-        size_t size = bytes_get32(p + at + 4);
-        if (size > n - at - 12)
-            return;
-        crc = hash_crc32_add(crc, p + at, 8 + size);
-        bytes_put32(p + at + 8 + size, crc);
-    }
+    repair_demo(p, n);
 }
 
 static void must(bool holds)

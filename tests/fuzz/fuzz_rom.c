@@ -6,23 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/base/bytes.h"
-#include "../../src/base/hash.h"
-#include "../../src/base/rom.h"
 #include "../../src/board/rom/cart.h"
-
-static void repair(uint8_t *p, size_t size)
-{
-    memcpy(p, "CURTAIN\x1a\x01\0\0\0", 12);
-    bytes_put32(p + 20, (uint32_t)size);
-    for (size_t i = 0; i < bytes_get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
-        uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
-        size_t at = bytes_get32(e + 4), n = bytes_get32(e + 8);
-        if (at <= size && n <= size - at)
-            bytes_put32(e + 12, hash_crc32(p + at, n));
-    }
-    bytes_put32(p + 12, hash_crc32(p + 16, size - 16));
-}
+#include "../repair.h"
 
 /* Never the answer of a hash: uses it, so that no compiler drops the reading. */
 static void use(uint64_t h)
@@ -72,7 +57,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (n > 0)
         memcpy(copy, data + 1, n);
     if (n >= ROM_HEADER && data[0] % 2 == 0)
-        repair(copy, n);
+        repair_rom(copy, n);
     if (rom_open(&rom, copy, n, err, sizeof err)) {
         read_rom(&rom);
         use(rom_hash(&rom) | rom_game_hash(&rom));

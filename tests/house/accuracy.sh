@@ -49,23 +49,11 @@ sed '0,/cx="\([0-9]*\)\.[0-9]"/s//cx="\1.77"/' docs/accuracy/drift.svg >"$scratc
 refuse "planted: another plot" "differ" same_plot "$scratch/drift.svg"
 
 # An engine that is not what the tables justify: hits are not swept. It is built beside the one there is.
-tree=$scratch/tree
-mkdir -p "$tree/src/board/hits"
-ln -s "$PWD/fb" "$tree/fb"
-ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
-cp src/board/*.h "$tree/src/board"
-ln -s "$PWD/src/board/rom" "$tree/src/board/"
-cp src/board/hits/* "$tree/src/board/hits"
-sed 's/= swept ?/= false ?/g' src/board/hits/hit_parts.h >"$tree/src/board/hits/hit_parts.h"
+engine_copy
+sed 's/= swept ?/= false ?/g' src/board/hits/hit_parts.h >"$copy/src/board/hits/hit_parts.h"
 unswept() {
-    ! cmp -s src/board/hits/hit_parts.h "$tree/src/board/hits/hit_parts.h" || return 2
-    # shellcheck disable=SC2046
-    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/lab" "$tree"/src/board/hits/hit*.c \
-        $(printf "$OUT/%s " tools/{lab,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name 'hit*.o' ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o \
-        "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -llibfixmath -lm -pthread || return 2
+    ! cmp -s src/board/hits/hit_parts.h "$copy/src/board/hits/hit_parts.h" || return 2
+    engine_build lab 'hit*' -llibfixmath || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }
 refuse "planted: an engine that does not sweep" "does not hold: hit test" unswept

@@ -56,24 +56,12 @@ refuse "planted: a plot without its lines" "too few lines" well_formed "$scratch
 check "shots hit the nearest enemy, every sprite is drawn, and steps back find the frames that were" \
     "$bench" battle pictures rewind
 refuse "a section it does not have" "sections: machine crowd prices" "$bench" nothing
-tree=$scratch/tree
-mkdir -p "$tree/src/board/hits"
-ln -s "$PWD/fb" "$tree/fb"
-ln -s "$PWD/src/base" "$PWD/src/chips" "$tree/src/"
-cp src/board/*.h "$tree/src/board"
-ln -s "$PWD/src/board/rom" "$tree/src/board/"
-cp src/board/hits/* "$tree/src/board/hits"
+engine_copy
 sed 's/\.kind = EV_SHOT, \.a = who, \.b = whom }/.kind = EV_SHOT, .a = who, .b = whom ^ 1 }/' \
-    src/board/hits/hit_shots.c >"$tree/src/board/hits/hit_shots.c"
+    src/board/hits/hit_shots.c >"$copy/src/board/hits/hit_shots.c"
 another() {
-    ! cmp -s src/board/hits/hit_shots.c "$tree/src/board/hits/hit_shots.c" || return 2
-    # shellcheck disable=SC2046
-    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/bench" "$tree/src/board/hits/hit_shots.c" \
-        $(printf "$OUT/%s " tools/{bench,report}/*.c | sed "s/\.c /.o /g") \
-        $(find "$OUT/src" -name '*.o' ! -name hit_shots.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread ||
-        return 2
+    ! cmp -s src/board/hits/hit_shots.c "$copy/src/board/hits/hit_shots.c" || return 2
+    engine_build bench hit_shots || return 2
     "$scratch/bench" battle
 }
 refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another

@@ -56,7 +56,7 @@ print("\n".join(map(str, frames)))
 PY
 }
 demo=${CURTAIN_DEMO:-$rom/demos/run.demo}
-frames=14016 # of it
+frames=$("$curtain" verify "$rom" "$demo" 2>&1 | sed -n 's/.*, \([0-9]*\) frames.*/\1/p') # of it
 mkdir -p "$golden"
 if start "Glass Tide" "$OUT/curtain" play "$rom" --demo "$demo" --scale 1; then
     for _ in 1 2 3 4 5; do # wherever it is; the press counts once it is seen

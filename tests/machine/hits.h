@@ -10,33 +10,66 @@
 
 __extension__ typedef __int128 wide;
 
+/* ---- scenes by chance ---- */
+
+static struct rng rng;
+static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
+
+static inline bool one_in(uint64_t n)
+{
+    return rng_below(&rng, n) == 0;
+}
+
+static inline fx within(fx most)
+{
+    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
+}
+
+static inline fx clamped(int64_t v, fx most)
+{
+    return (fx)(v > most ? most : v < -most ? -most : v);
+}
+
+/* A board of a game that does nothing, with pools so large; hp: bullets have it. */
+static inline void open_pools(struct rig *r, struct rig_game *game, int bullets, int shots, int enemies, bool hp)
+{
+    struct manifest m = rig_manifest();
+
+    m.bullets = bullets;
+    m.shots = shots;
+    m.enemies = enemies;
+    m.hp = hp;
+    rig_script(game, &m, "");
+    rig_power(r, game, NULL);
+}
+
 /* Makes row k of some kinds a shape that is not plain, `most` far at most; several circles: and the rows after it, up
  * to `last`, which are for no other kind. A capsule as of enemies has a bar of its own. */
-static inline void draw_pieces(struct rng *rng, const struct shape_columns *c, uint32_t k, uint32_t last, bool bar,
-                               fx most)
+static inline void draw_pieces(const struct shape_columns *c, uint32_t k, uint32_t last, bool bar, fx most)
 {
     uint32_t n = last - k + 1 < SHAPE_PARTS ? last - k + 1 : SHAPE_PARTS;
-    int32_t left = (int32_t)rng_below(rng, n);
+    int32_t left = (int32_t)rng_below(&rng, n);
 
     if (!left) {
         c->shape[k] = SHAPE_CAPSULE;
-        c->a[k] = (fx)rng_below(rng, (uint64_t)most + 1);
-        c->b[k] = (fx)rng_below(rng, (uint64_t)(most - c->a[k]) + 1);
+        c->a[k] = (fx)rng_below(&rng, (uint64_t)most + 1);
+        c->b[k] = (fx)rng_below(&rng, (uint64_t)(most - c->a[k]) + 1);
         c->x[k] = c->y[k] = 0;
         if (bar) {
-            trig_polar(c->b[k], (ang)rng_next(rng) << (rng_below(rng, 3) ? 0 : 30), &c->x[k], &c->y[k]);
+            trig_polar(c->b[k], (ang)rng_next(&rng) << (rng_below(&rng, 3) ? 0 : 30), &c->x[k], &c->y[k]);
             c->b[k] = 0;
         }
         return;
     }
     for (; left >= 0; left--, k++) {
-        int64_t a = (int64_t)rng_below(rng, (uint64_t)most + 1), rest = most - a > 2 ? most - a - 2 : 0;
-        int64_t x = (int64_t)rng_below(rng, (uint64_t)rest + 1), y = (int64_t)rng_below(rng, (uint64_t)(rest - x) + 1);
+        int64_t a = (int64_t)rng_below(&rng, (uint64_t)most + 1), rest = most - a > 2 ? most - a - 2 : 0;
+        int64_t x = (int64_t)rng_below(&rng, (uint64_t)rest + 1),
+                y = (int64_t)rng_below(&rng, (uint64_t)(rest - x) + 1);
         c->shape[k] = SHAPE_CIRCLES;
         c->a[k] = (fx)a;
         c->b[k] = left;
-        c->x[k] = (fx)(rng_below(rng, 2) ? x : -x);
-        c->y[k] = (fx)(rng_below(rng, 2) ? y : -y);
+        c->x[k] = (fx)(rng_below(&rng, 2) ? x : -x);
+        c->y[k] = (fx)(rng_below(&rng, 2) ? y : -y);
     }
 }
 
@@ -407,10 +440,10 @@ static inline void reference(const struct board *b)
 static inline void compare(const struct board *b, int scene)
 {
     for (int i = 0; i < expected_n && i < (int)b->events.n; i++) {
-        const struct event *e = &b->events.list[i], *x = &expected[i];
-        if (e->kind != x->kind || e->a != x->a || e->b != x->b)
-            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e->kind,
-                     handle_slot(e->a), handle_slot(e->b), x->kind, handle_slot(x->a), handle_slot(x->b));
+        const struct event e = events_at(&b->events, (uint32_t)i), *x = &expected[i];
+        if (e.kind != x->kind || e.a != x->a || e.b != x->b)
+            fail_msg("scene %d, event %d: kind %u, slots %u %u; expected kind %u, slots %u %u", scene, i, e.kind,
+                     handle_slot(e.a), handle_slot(e.b), x->kind, handle_slot(x->a), handle_slot(x->b));
     }
     if ((int)b->events.n != expected_n)
         fail_msg("scene %d: %u events, expected %d", scene, b->events.n, expected_n);

@@ -292,6 +292,42 @@ static inline void rig_run(struct rig *r, int frames)
         rig_tick(r, none);
 }
 
+/* What the game says in so many frames: what it prints, or the fault's message, without the place it happened at unless
+ * that is asked for. Good until the next call. */
+static inline const char *rig_said(const struct rig_game *g, int frames, bool place)
+{
+    static char said[8192];
+    const uint16_t none[PADS] = { 0 };
+    struct rig r;
+    size_t n = 0;
+
+    rig_power_any(&r, g, NULL);
+    for (int f = 0; f < frames && !rig_fault(&r); f++) {
+        const struct board_out *out = board_tick(r.b, none);
+        for (size_t i = 0; i < out->log_size && n + 1 < sizeof said; i++)
+            said[n++] = out->log[i];
+    }
+    said[n] = 0;
+    if (rig_fault(&r)) {
+        const char *message = rig_fault(&r)->message, *at = place ? NULL : strstr(message, ": ");
+        snprintf(said, sizeof said, "%s", at ? at + 2 : message);
+    }
+    rig_free(&r);
+    return said;
+}
+
+/* What the game's string.told() returns. Good until the next call. */
+static inline const char *rig_told(struct rig *r)
+{
+    lua_State *L = r->b->vm.L;
+
+    lua_settop(L, 0);
+    lua_getglobal(L, "string");
+    lua_getfield(L, -1, "told");
+    lua_call(L, 0, 1);
+    return lua_tostring(L, -1);
+}
+
 /* Snapshot into r->snapshot; rig_spoil fills all of RAM with rubbish and puts the snapshot back. */
 static inline void rig_save(struct rig *r)
 {

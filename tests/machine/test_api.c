@@ -43,6 +43,7 @@ static const char world[] =
     "end\n"
     "function string.fails() error('fails') end\n"
     "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos)\n"
+    "bullet.meet('t', 't', { clear = 'both', on_meet = string.chaos })\n"
     "sys.join(1, 'ship')\n"
     "if pad.down('fire') then sys.join(2, 'ship') end\n"
     "local t = {}\n"
@@ -304,13 +305,13 @@ static void push_steps(lua_State *L, int depth);
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                             *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" },
-                             *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
-                             *const sprites[] = { "dot", "arrow", "wink" }, *const fires[] = { "bullet", "shot" },
-                             *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-                             *const pools[] = { "bullet", "shot", "enemy" };
+    static const char
+        *const buttons[] = PAD_NAMES,
+               *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
+               *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
+               *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
+               *const fires[] = { "bullet", "shot" }, *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -430,6 +431,9 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_pushinteger(L, (lua_Integer)below(12) - 1);
             lua_rawseti(L, -2, i);
         }
+        break;
+    case A_MEET:
+        push_from(L, meets, 4);
         break;
     case A_FIRE:
         push_from(L, fires, 2);
@@ -953,6 +957,39 @@ static void test_no_leak(void **state)
         fail_msg("the heap grew from %zu to %zu bytes", early, late);
 }
 
+/* Functions are made when a script reads them: it must not be able to tell. */
+static void test_made_when_read(void **state)
+{
+    struct rig_game game;
+    struct rig r;
+    int members = 0;
+    char text[1024];
+
+    (void)state;
+    for (int i = 0; i < api_count(); i++)
+        members += !strncmp(api_entry(i)->name, "query.", 6);
+    assert_true(members >= 3);
+    snprintf(text, sizeof text,
+             "local near, n = query.near, 0\n"
+             "assert(near and near == query.near and query.box ~= near and query.none == nil and query[1] == nil)\n"
+             "for name, f in pairs(query) do assert(query[name] == f and type(f) == 'function') n = n + 1 end\n"
+             "assert(n == %d, n)\n"
+             "assert(getmetatable(query) == false)\n"
+             "query.own, rng.of = 7, 8\n"
+             "assert(query.own == 7 and rng.of == 8 and rng.own == nil)\n"
+             "enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
+             "local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
+             "assert(e.kill and e.kill == e.kill and e.hurt ~= e.kill and e.x == 9)\n"
+             "local group = enemy.group()\n"
+             "assert(group.kill and group.kill ~= e.kill)",
+             members);
+    rig_script(&game, NULL, text);
+    rig_power(&r, &game, NULL);
+    rig_run(&r, 1);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
 /* A start that no manifest allows is refused, not believed. */
 static void test_start(void **state)
 {
@@ -1001,7 +1038,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = 1;
+    m.frozen = m.meet = 1;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_power(&rig, &g, NULL);
@@ -1022,9 +1059,10 @@ static int teardown(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forged),     cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
-        cmocka_unit_test(test_death_once), cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
-        cmocka_unit_test(test_start),      cmocka_unit_test(test_entries),        cmocka_unit_test(test_properties),
+        cmocka_unit_test(test_forged),         cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
+        cmocka_unit_test(test_death_once),     cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
+        cmocka_unit_test(test_made_when_read), cmocka_unit_test(test_start),          cmocka_unit_test(test_entries),
+        cmocka_unit_test(test_properties),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

@@ -1,6 +1,6 @@
 /*
  * test_chips.c - each chip by itself, with exact numbers: slots, input, bullets and every motion step, enemies' moves,
- * players, sparks, text, palette, nvram.
+ * players, sparks, text, palette, nvram, events.
  */
 #include "../unit/big.h"
 #include "rig.h"
@@ -1215,6 +1215,32 @@ static void test_nvram_old(void **state)
     }
 }
 
+/* A full list has kept every event as it was, in memory of no more than it asks for. */
+static void test_events(void **state)
+{
+    enum { FULL = 100, FENCE = 0xa5 };
+    struct events e;
+    uint64_t size = events_size(FULL);
+    uint8_t *memory = malloc(size + 64);
+
+    (void)state;
+    assert_non_null(memory);
+    memset(memory, FENCE, size + 64);
+    events_layout(&e, FULL, memory);
+    assert_int_equal(e.n, 0);
+    for (int i = 0; i < FULL; i++)
+        assert_true(events_push(&e, (enum event_kind)(i % 10), INT64_MIN + i, INT64_MAX - i));
+    assert_false(events_push(&e, EV_HIT, 1, 2));
+    assert_int_equal(e.n, FULL);
+    for (int i = 0; i < FULL; i++) {
+        const struct event at = events_at(&e, (uint32_t)i);
+        assert_true(at.kind == (uint32_t)(i % 10) && at.a == INT64_MIN + i && at.b == INT64_MAX - i);
+    }
+    for (int i = 0; i < 64; i++)
+        assert_int_equal(memory[size + (uint64_t)i], FENCE);
+    free(memory);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1238,6 +1264,7 @@ int main(void)
         cmocka_unit_test(test_nvram_full),
         cmocka_unit_test(test_nvram_image),
         cmocka_unit_test(test_nvram_old),
+        cmocka_unit_test(test_events),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

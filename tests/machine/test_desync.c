@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "../../src/cab/demo/replay.h"
 #include "rig.h"
+#include "../temp.h"
 
 enum { FLIPS = 200, FRAMES = 1200, MOST = 1 << 20 };
 
@@ -23,11 +24,9 @@ static int setup(void **state)
     static struct replay r;
     struct verdict v;
     char dir[256], path[300];
-    const char *tmp = getenv("TMPDIR");
 
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Desync-XXXXXX", tmp != NULL ? tmp : "/tmp");
-    if (mkdtemp(dir) == NULL)
+    if (!temp_folder(dir, sizeof dir, "Desync"))
         return -1;
     snprintf(path, sizeof path, "%s/demo", dir);
     rig_folder(&game, "glasstide");

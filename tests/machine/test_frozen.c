@@ -228,14 +228,10 @@ static void test_goes_on(void **state)
 
 /* ---- what scripts see ---- */
 
-static char log_text[4096];
-
 static const char *says(bool on, const char *text)
 {
-    const uint16_t none[PADS] = { 0 };
     struct manifest m = rig_manifest();
     char script[1 << 12];
-    size_t n = 0;
 
     m.frozen = on;
     snprintf(script, sizeof script,
@@ -248,20 +244,9 @@ static const char *says(bool on, const char *text)
              "task.go(function() wait(1) p = player.get(1) p.x = 100 p.y = 200 p.safe = 0\n%s end)",
              text);
     rig_with_sys(&g, &m, script);
-    rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < 60 && !rig_fault(&rig); f++) {
-        const struct board_out *out = board_tick(rig.b, none);
-        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
-            log_text[n++] = out->log[i];
-    }
-    log_text[n] = 0;
-    if (rig_fault(&rig)) {
-        const char *at = strstr(rig_fault(&rig)->message, ": ");
-        snprintf(log_text, sizeof log_text, "%s", at ? at + 2 : rig_fault(&rig)->message);
-    }
-    rig_free(&rig);
+    const char *said = rig_said(&g, 60, false);
     rig_game_free(&g);
-    return log_text;
+    return said;
 }
 
 #define SAYS(text, words) assert_string_equal(says(true, text), words)

@@ -291,32 +291,17 @@ static void test_sweeps(void **state)
 
 /* ---- what is said, and cases of their own ---- */
 
-static char log_text[4096];
-
 /* What a task prints in 30 frames, or the fault. */
 static const char *says(const char *text)
 {
-    const uint16_t none[PADS] = { 0 };
     struct manifest m = rig_manifest();
     char script[1 << 13];
-    size_t n = 0;
 
     snprintf(script, sizeof script, "%stask.go(function()\n%s end)", kinds, text);
     rig_script(&g, &m, script);
-    rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < 30 && !rig_fault(&rig); f++) {
-        const struct board_out *out = board_tick(rig.b, none);
-        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
-            log_text[n++] = out->log[i];
-    }
-    log_text[n] = 0;
-    if (rig_fault(&rig)) {
-        const char *at = strstr(rig_fault(&rig)->message, ": ");
-        snprintf(log_text, sizeof log_text, "%s", at ? at + 2 : rig_fault(&rig)->message);
-    }
-    rig_free(&rig);
+    const char *said = rig_said(&g, 30, false);
     rig_game_free(&g);
-    return log_text;
+    return said;
 }
 
 #define SAYS(text, words) assert_string_equal(says(text), words)

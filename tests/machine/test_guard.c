@@ -14,6 +14,7 @@
 #include "../../platform/platform.h"
 #include "../../src/cab/run/guard.h"
 #include "../../src/cab/pack/pack.h"
+#include "../temp.h"
 
 enum { FRAMES = 130 };
 
@@ -61,11 +62,9 @@ static void write_game(const char *dir)
 static int load(void **state)
 {
     char dir[512], command[600], err[256];
-    const char *tmp = getenv("TMPDIR");
     struct guard g;
     (void)state;
-    snprintf(dir, sizeof dir, "%s/curtain-guard-XXXXXX", tmp ? tmp : "/tmp");
-    assert_non_null(mkdtemp(dir));
+    assert_true(temp_folder(dir, sizeof dir, "curtain-guard"));
     write_game(dir);
     assert_true(rom_image_load(dir, false, &image, err, sizeof err));
     snprintf(command, sizeof command, "rm -rf '%s'", dir);

@@ -8,18 +8,8 @@ enum { BULLETS = 192, SHOTS = 48, FOES = 24, KINDS = 14, PIECES = 8 /* kinds fro
 
 static struct rig_game g;
 static struct rig rig;
-static struct rng rng;
+
 /* ---- scenes ---- */
-
-static fx within(fx most)
-{
-    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
-}
-
-static bool one_in(uint64_t n)
-{
-    return rng_below(&rng, n) == 0;
-}
 
 /* A length up to most, of any order of magnitude. */
 static fx length(fx most)
@@ -30,13 +20,6 @@ static fx length(fx most)
 static fx either_way(fx v)
 {
     return one_in(2) ? v : -v;
-}
-
-static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
-
-static fx clamped(int64_t v, fx most)
-{
-    return (fx)(v > most ? most : v < -most ? -most : v);
 }
 
 static void draw_kinds(struct board *b, fx scale)
@@ -69,7 +52,7 @@ static void draw_kinds(struct board *b, fx scale)
     };
     for (int i = 0; i < 3; i++)
         for (uint32_t k = PIECES; k < KINDS; k += 3)
-            draw_pieces(&rng, &all[i], k, k + 2, i == 2, length(scale));
+            draw_pieces(&all[i], k, k + 2, i == 2, length(scale));
     b->player_kinds.s.live = 2;
     for (int k = 0; k < 2; k++) {
         b->player_kinds.radius[k] = length(scale);
@@ -252,22 +235,12 @@ static const char game[] =
     "player.get(1).x, player.get(1).y, player.get(1).safe = 60, 200, 0\n"
     "player.get(2).x, player.get(2).y, player.get(2).safe = 180, 200, 0\n"
     "string.log = ''\n"
+    "function string.told() return string.log end\n"
     "local function say(s) string.log = string.log .. s .. ' ' end\n"
     "on.graze(function(p, b) say('g' .. p.index) end)\n"
     "on.hit(function(p, b) say('h' .. p.index) p.safe = 2 end)\n"
     "on.kill(function(e, p) say('k' .. (p and p.index or 0)) end)\n"
     "task.go(function() string.scene() end)\n";
-
-static const char *told(struct rig *r)
-{
-    lua_State *L = r->b->vm.L;
-
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, "log");
-    const char *s = lua_tostring(L, -1);
-    lua_pop(L, 2);
-    return s;
-}
 
 /* Runs a scene: what the handlers said in so many frames. */
 static void scene(const char *code, int frames, const char *says)
@@ -280,8 +253,8 @@ static void scene(const char *code, int frames, const char *says)
     rig_with_sys(&gg, NULL, main_text);
     rig_power(&r, &gg, NULL);
     rig_run(&r, frames);
-    if (strcmp(told(&r), says))
-        fail_msg("%s\nsaid \"%s\", expected \"%s\"", code, told(&r), says);
+    if (strcmp(rig_told(&r), says))
+        fail_msg("%s\nsaid \"%s\", expected \"%s\"", code, rig_told(&r), says);
     rig_free(&r);
     rig_game_free(&gg);
 }
@@ -502,14 +475,8 @@ static void test_refused(void **state)
 
 static int setup(void **state)
 {
-    struct manifest m = rig_manifest();
-
     (void)state;
-    m.bullets = BULLETS;
-    m.shots = SHOTS;
-    m.enemies = FOES;
-    rig_script(&g, &m, "");
-    rig_power(&rig, &g, NULL);
+    open_pools(&rig, &g, BULLETS, SHOTS, FOES, false);
     return 0;
 }
 

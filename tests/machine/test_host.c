@@ -13,6 +13,7 @@
 #include "../../src/board/script.h"
 #include "../../src/cab/cli.h"
 #include "rig.h"
+#include "../temp.h"
 #if defined(__x86_64__) || defined(__i386__)
 #include <xmmintrin.h>
 #endif
@@ -499,9 +500,7 @@ static int set_up(void **state)
 
     (void)state;
     fegetenv(&plain_numbers);
-    const char *tmp = getenv("TMPDIR");
-    snprintf(dir, sizeof dir, "%s/curtain-host-XXXXXX", tmp ? tmp : "/tmp");
-    if (!mkdtemp(dir))
+    if (!temp_folder(dir, sizeof dir, "curtain-host"))
         return -1;
     for (int i = 0; i < 2; i++) { /* localedef warns with exit code 1 */
         snprintf(line, sizeof line, "localedef -i de_DE -f %s '%s/de_DE.%s' >/dev/null 2>&1", sets[i], dir, sets[i]);

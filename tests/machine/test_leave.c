@@ -9,8 +9,6 @@
 
 enum { BULLETS = 128, SHOTS = 48, FOES = 24, KINDS = 4, FIELD_W = 240, FIELD_H = 320, DAMAGE = 3, SCORE = 10 };
 
-static struct rng rng;
-
 static const char game[] =
     "bullet.def('ball', { sprite = 'dot', hit = { circle = 4 } })\n"
     "bullet.def('bar', { sprite = 'dot', hit = { box = { 24, 6 } } })\n"
@@ -44,18 +42,6 @@ static const char game[] =
     "on.hit(function(p, t) string.say(('h%d %d'):format(p.index, t), t) p.safe = 2 end)\n"
     "on.kill(function(e, p) string.say(('k%d %d'):format(p.index, e), e) end)\n"
     "on.leave(function(e) string.say(('l %d'):format(e), e) end)\n";
-
-static const char *told(struct rig *r)
-{
-    lua_State *L = r->b->vm.L;
-
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, "told");
-    lua_call(L, 0, 1);
-    const char *s = lua_tostring(L, -1);
-    lua_pop(L, 2);
-    return s;
-}
 
 /* ---- the model ---- */
 
@@ -238,11 +224,6 @@ static void frame(void)
 
 /* ---- scenes: the board's things are made of the model's ---- */
 
-static bool one_in(uint64_t n)
-{
-    return rng_below(&rng, n) == 0;
-}
-
 static wide about(wide v, wide by)
 {
     return v - by + (wide)rng_below(&rng, 2 * (uint64_t)by + 1);
@@ -362,7 +343,7 @@ static void check_left(struct board *b, const struct mine *m, const fx *x, const
 static void check(struct rig *r, int scene)
 {
     struct board *b = r->b;
-    const char *log = told(r);
+    const char *log = rig_told(r);
 
     if (strcmp(log, model.log))
         fail_msg("scene %d: told\n%s\nexpected\n%s", scene, log, model.log);
@@ -454,7 +435,7 @@ static bool hits_once(fx x, fx y, fx v)
     bullets_fire(&rig.b->bullets, &shape, rig.b->core.clock);
     for (int f = 0; f < 100 && rig.b->bullets.s.live; f++)
         rig_tick(&rig, none);
-    return strchr(told(&rig), 'h') != NULL;
+    return strchr(rig_told(&rig), 'h') != NULL;
 }
 
 static void test_speeds(void **state)
@@ -502,7 +483,7 @@ static void run(const char *code, const char *says)
     rig_with_sys(&g, &m, text);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
-    const char *log = told(&rig);
+    const char *log = rig_told(&rig);
     if (strcmp(log, says))
         fail_msg("%s\nsaid \"%s\", expected \"%s\"", code, log, says);
     off();

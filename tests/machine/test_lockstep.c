@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <unistd.h>
 #include "rig.h"
+#include "../temp.h"
 
 static char dir[256], path[300], err[512];
 
@@ -275,11 +276,8 @@ static void test_demo_diverges(void **state)
 
 static int setup(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/lockstep-XXXXXX", tmp ? tmp : "/tmp");
-    if (!mkdtemp(dir))
+    if (!temp_folder(dir, sizeof dir, "lockstep"))
         return -1;
     snprintf(path, sizeof path, "%s/a.demo", dir);
     return 0;

@@ -257,18 +257,6 @@ static const struct order orders[] = {
       3, "hit11 / death1 / /", NULL },
 };
 
-static const char *told(struct rig *r)
-{
-    lua_State *L = r->b->vm.L;
-
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, "told");
-    lua_call(L, 0, 1);
-    const char *s = lua_tostring(L, -1);
-    lua_remove(L, -2);
-    return s;
-}
-
 static void run(const struct order *o)
 {
     static const char last[] = "\nfunction string.frame_end() say('/') end\n";
@@ -297,8 +285,8 @@ static void run(const struct order *o)
     const struct board_fault *fault = rig_fault(&r);
     if (o->fault ? !fault || !strstr(fault->message, o->fault) : fault != NULL)
         fail_msg("%s: %s", o->name, fault ? fault->message : "no fault");
-    if (o->log && strcmp(told(&r), o->log))
-        fail_msg("%s:\n     got %s\nexpected %s", o->name, told(&r), o->log);
+    if (o->log && strcmp(rig_told(&r), o->log))
+        fail_msg("%s:\n     got %s\nexpected %s", o->name, rig_told(&r), o->log);
     rig_free(&r);
     rig_game_free(&g);
 }

@@ -489,12 +489,13 @@ static void test_lists_of_games(void **state)
                    "queen Queen of the Glass Tide\nqueen/wheels \nqueen/held Glass Sign: Held Breath\n"
                    "queen/ebb Moon Sign: Ebb and Flow\nqueen/flower Last Sign: Fathomless Flower\n"
                    "undertow Queen of the Glass Tide\nundertow/again The Tide Returns\n"
-                   "guard Chandelier Crab\nguard/pincers \nguard/chandelier Shell Sign: Falling Chandelier\n"
+                   "guard Chandelier Crab\nguard/pincers \nguard/grotto Echo Sign: Grotto of Rings\nguard/chandelier "
+                   "Shell Sign: Falling Chandelier\n"
                    "one:guard \none:deep \none:queen \n");
     list_of_folder("roms/torture", "fast=4\nbombs=2\npower=0\nfirst \nsecond \n"
                                    "twin Twin\ntwin/one \ntwin/two Sign of Two\nfirst:boss \n");
     list_of_folder("examples/first", "ship=3\none \n");
-    list_of_folder("examples/sandbox", "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \n");
+    list_of_folder("examples/sandbox", "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \nmoves \n");
 }
 
 /* What a game without boot.run says. */

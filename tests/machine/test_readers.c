@@ -100,7 +100,7 @@ static void test_random_bytes(void **state)
         for (size_t k = 0; k < n; k++)
             p[k] = (uint8_t)rng_next(&r);
         if (i % 2)
-            spoil_repair(p, n);
+            repair_rom(p, n);
         assert_int_equal(try_rom(p, n, &plain, (uint64_t)i), SPOIL_REFUSED);
         free(p);
     }
@@ -114,7 +114,7 @@ static void test_truncated(void **state)
         uint8_t *p = copy_of(game.image.bytes, n);
         assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
         if (n % 61 == 0 || n < 1200) {
-            spoil_repair(p, n);
+            repair_rom(p, n);
             assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
         }
         free(p);
@@ -205,7 +205,7 @@ static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
         if (at < size && n > 0 && n <= size - at)
             spoil(p + at, n, r);
     }
-    spoil_repair(p, size);
+    repair_rom(p, size);
 }
 
 static void mutate_roms(const struct rig_game *g, const struct board_start *start, int count, uint64_t seed,
@@ -274,20 +274,6 @@ static uint8_t *record(size_t *size)
     remove(path);
     assert_true(*size > 300 && *size < 1 << 20);
     return p;
-}
-
-/* The records' checksums, as far as their sizes make sense. */
-static void repair_demo(uint8_t *p, size_t n)
-{
-    uint32_t crc = 0;
-
-    for (size_t at = 8; at <= n && n - at >= 12; at += 12 + bytes_get32(p + at + 4)) {
-        size_t size = bytes_get32(p + at + 4);
-        if (size > n - at - 12)
-            return;
-        crc = hash_crc32_add(crc, p + at, 8 + size);
-        bytes_put32(p + at + 8 + size, crc);
-    }
 }
 
 /* Reads and, if it is one of this game, plays. */

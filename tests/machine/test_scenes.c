@@ -200,17 +200,6 @@ static const struct scene scenes[] = {
       "1:1/1/0/2 61:1/1/0/3 65:2/1/0/4 one lost 66:2/1/0/3 two lost over" },
 };
 
-static const char *told(struct rig *r)
-{
-    lua_State *L = r->b->vm.L;
-
-    lua_settop(L, 0);
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, "told");
-    lua_call(L, 0, 1);
-    return lua_tostring(L, -1);
-}
-
 static void frame(struct rig *r, bool spoil)
 {
     const uint16_t none[PADS] = { 0 };
@@ -242,8 +231,8 @@ static void run(const struct scene *s)
         if (rig_differs(&a, &b))
             fail_msg("%s: frame %d: %s differs after snapshot and restore", s->name, f + 1, rig_differs(&a, &b));
     }
-    if (strcmp(told(&a), s->log))
-        fail_msg("%s:\n     got %s\nexpected %s", s->name, told(&a), s->log);
+    if (strcmp(rig_told(&a), s->log))
+        fail_msg("%s:\n     got %s\nexpected %s", s->name, rig_told(&a), s->log);
     rig_free(&a);
     rig_free(&b);
     rig_game_free(&g);
@@ -278,7 +267,7 @@ static void test_results(void **state)
     play(&r, &g, "stage.def('s', function() brood() guest() put() wait(20) say('end') end)\n", 0, 90);
     assert_int_equal(r.b->sprites.s.live, 5); /* what is behind the results stays */
     assert_int_equal(r.b->bullets.s.live, 0);
-    assert_string_equal(told(&r), "12:1/1/2/5 end 32:0/0/0/5");
+    assert_string_equal(rig_told(&r), "12:1/1/2/5 end 32:0/0/0/5");
     rig_free(&r);
     rig_game_free(&g);
 }

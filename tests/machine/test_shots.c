@@ -8,25 +8,8 @@ enum { SHOTS = 1024, FOES = 4096, KINDS = 6 };
 
 static struct rig_game g;
 static struct rig rig;
-static struct rng rng;
-static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
 
 /* ---- scenes ---- */
-
-static bool one_in(uint64_t n)
-{
-    return rng_below(&rng, n) == 0;
-}
-
-static fx within(fx most)
-{
-    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
-}
-
-static fx clamped(int64_t v, fx most)
-{
-    return (fx)(v > most ? most : v < -most ? -most : v);
-}
 
 /* How a scene is strewn: around (x, y) as far as wide and high, whole steps of grain apart; grain 1: anywhere. */
 struct field {
@@ -92,7 +75,7 @@ static void draw_kinds(struct board *b, const struct field *f, uint64_t n)
     for (uint32_t k = 0; k < KINDS; k += KINDS / 2)
         for (int i = 0; i < 2; i++)
             if (one_in(3))
-                draw_pieces(&rng, &of[i], k, k + KINDS / 2 - 1, i == 1, extent(f, i == 0 ? 4 * n : n));
+                draw_pieces(&of[i], k, k + KINDS / 2 - 1, i == 1, extent(f, i == 0 ? 4 * n : n));
 }
 
 static void draw_enemies(struct board *b, const struct field *f, uint64_t n, uint32_t kinds)
@@ -213,13 +196,8 @@ static void test_full(void **state)
 
 static int setup(void **state)
 {
-    struct manifest m = rig_manifest();
-
     (void)state;
-    m.shots = SHOTS;
-    m.enemies = FOES;
-    rig_script(&g, &m, "");
-    rig_power(&rig, &g, NULL);
+    open_pools(&rig, &g, rig_manifest().bullets, SHOTS, FOES, false);
     return 0;
 }
 

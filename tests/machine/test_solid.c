@@ -6,24 +6,6 @@
 
 enum { BULLETS = 192, SHOTS = 64, FOES = 32, KINDS = 5 };
 
-static struct rng rng;
-static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
-
-static bool one_in(uint64_t n)
-{
-    return rng_below(&rng, n) == 0;
-}
-
-static fx within(fx most)
-{
-    return (fx)((int64_t)rng_below(&rng, 2 * (uint64_t)most + 1) - most);
-}
-
-static fx clamped(int64_t v)
-{
-    return (fx)(v > edge ? edge : v < -edge ? -edge : v);
-}
-
 /* ---- whom a shot hits ---- */
 
 static void draw_kinds(struct bullet_kinds *k, fx span, uint16_t flags)
@@ -46,8 +28,8 @@ static void draw_pool(struct bullets *s, uint64_t n, fx span, fx grain)
         fx most = one_in(9) ? fastest : span / 9 < fastest ? span / 9 : fastest;
         s->vx[i] = one_in(3) || shape.delay ? 0 : within(most);
         s->vy[i] = one_in(3) || shape.delay ? 0 : within(most);
-        s->x[i] = clamped((int64_t)within(span) / grain * grain + s->vx[i]);
-        s->y[i] = clamped((int64_t)within(span) / grain * grain + s->vy[i]);
+        s->x[i] = clamped((int64_t)within(span) / grain * grain + s->vx[i], edge);
+        s->y[i] = clamped((int64_t)within(span) / grain * grain + s->vy[i], edge);
         s->fastest = fx_max(s->fastest, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
         if (s->hp)
             s->hp[i] = one_in(2) ? 0 : one_in(3) ? HP_FOREVER : 1 + (int32_t)rng_below(&rng, 9);
@@ -84,16 +66,10 @@ static void empty(struct board *b)
 
 static void scenes(bool hp, int n)
 {
-    struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    m.bullets = BULLETS;
-    m.shots = SHOTS;
-    m.enemies = FOES;
-    m.hp = hp;
-    rig_script(&g, &m, "");
-    rig_power(&r, &g, NULL);
+    open_pools(&r, &g, BULLETS, SHOTS, FOES, hp);
     for (int i = 0; i < n; i++) {
         fx span = (fx)(1 + (rng_below(&rng, (uint64_t)edge) >> rng_below(&rng, 22)));
         fx grain = one_in(2) ? 1 : 1 + span / (fx)(1 + rng_below(&rng, 9));

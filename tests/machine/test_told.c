@@ -14,27 +14,14 @@ static const char kinds[] =
 
 static struct rig_game g;
 static struct rig rig;
-static char log_text[8192];
 
-/* What a script says in so many frames: the fault's message, or what was printed. */
+/* What a script says in so many frames. */
 static const char *said(const char *script, int frames)
 {
-    const uint16_t none[PADS] = { 0 };
-    size_t n = 0;
-
     rig_with_sys(&g, NULL, script);
-    rig_power_any(&rig, &g, NULL);
-    for (int f = 0; f < frames && !rig_fault(&rig); f++) {
-        const struct board_out *out = board_tick(rig.b, none);
-        for (size_t i = 0; i < out->log_size && n + 1 < sizeof log_text; i++)
-            log_text[n++] = out->log[i];
-    }
-    log_text[n] = 0;
-    if (rig_fault(&rig))
-        snprintf(log_text, sizeof log_text, "%s", rig_fault(&rig)->message);
-    rig_free(&rig);
+    const char *all = rig_said(&g, frames, true);
     rig_game_free(&g);
-    return log_text;
+    return all;
 }
 
 /* Of `text` from line 2 of main.lua on, as a task, with player 1 in the game. */
@@ -193,6 +180,22 @@ static void test_none_is_there(void **state)
     assert_false(api_reserved("", '.', ""));
     assert_false(api_reserved("", '.', "so"));
     assert_false(api_reserved("", '.', "ound"));
+}
+
+/* A chip's names are off until rom.lua gives it room. */
+static void test_off(void **state)
+{
+    struct manifest m;
+
+    (void)state;
+    manifest_default(&m);
+    assert_string_equal(api_off(&m, "item"), "board = { items = 512 }");
+    assert_string_equal(api_off(&m, "items"), "board = { items = 512 }");
+    assert_null(api_off(&m, "ite"));
+    assert_null(api_off(&m, "bullet"));
+    m.items = 1;
+    assert_null(api_off(&m, "item"));
+    assert_null(api_off(&m, "items"));
 }
 
 /* ---- two fights ---- */
@@ -505,12 +508,19 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only), cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_later),     cmocka_unit_test(test_none_is_there),
-        cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
-        cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_manual),    cmocka_unit_test(test_each),
+        cmocka_unit_test(test_read_only),
+        cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_later),
+        cmocka_unit_test(test_none_is_there),
+        cmocka_unit_test(test_off),
+        cmocka_unit_test(test_fights),
+        cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),
+        cmocka_unit_test(test_full_again),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_places_in_library),
+        cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);

@@ -142,8 +142,33 @@ static void patch(lua_State *L, int at, lua_CFunction call, int seen)
     }
 }
 
+/* Makes every function of the API: of tables, and verbs of things. */
+static void make_all(lua_State *L)
+{
+    luaL_checkstack(L, 16, NULL);
+    for (lua_pushnil(L); lua_next(L, LUA_REGISTRYINDEX);) {
+        if (lua_istable(L, -1)) /* of them, one has the API's tables as keys */
+            for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+                if (lua_istable(L, -2))
+                    api_fill(L, lua_gettop(L) - 1);
+        lua_pop(L, 1);
+    }
+    for (int i = 0; i < api_count(); i++)
+        for (int k = 1; k < HANDLES; k++) {
+            const char *name = api_entry(i)->name, *verb = strchr(name, ':');
+            if (!verb || (size_t)(verb - name) != strlen(api_things[k]->name) ||
+                strncmp(name, api_things[k]->name, (size_t)(verb - name)) != 0)
+                continue;
+            lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
+            lua_getfield(L, -1, verb + 1);
+            assert_true(lua_isfunction(L, -1));
+            lua_pop(L, 2);
+        }
+}
+
 static void patch_all(lua_State *L)
 {
+    make_all(L);
     lua_getglobal(L, "wait");
     lua_CFunction call = lua_tocfunction(L, -1);
     lua_newtable(L);

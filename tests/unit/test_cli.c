@@ -16,6 +16,7 @@
 #include "../../src/cab/args.h"
 #include "../../src/cab/cli.h"
 #include "../../src/cab/version.h"
+#include "../temp.h"
 
 enum { MOST_WORDS = 32 };
 
@@ -344,11 +345,8 @@ static void write_game(int factor)
 
 static int setup(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Cli-XXXXXX", tmp != NULL ? tmp : "/tmp");
-    if (mkdtemp(dir) == NULL)
+    if (!temp_folder(dir, sizeof dir, "Cli"))
         return -1;
     write_file("g/rom.lua", "return { id = 'tiny', dip = { coins = { 'free', 'one' }, lives = { min = 1, max = 9 } },\n"
                             "  difficulties = { 'easy', 'hard' }, screen = { w = 64, h = 64 } }\n");

@@ -19,6 +19,8 @@
 #include "../../src/board/machine.h"
 #include "../../src/cab/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
+#include "../repair.h"
+#include "../temp.h"
 
 enum { MAX_LUMPS = 64, MOST = 1 << 20 };
 
@@ -75,11 +77,8 @@ static void make_rom(void)
 
 static int setup(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Demo-XXXXXX", tmp != NULL ? tmp : "/tmp");
-    if (mkdtemp(dir) == NULL)
+    if (!temp_folder(dir, sizeof dir, "Demo"))
         return -1;
     snprintf(path, sizeof path, "%s/a.demo", dir);
     make_rom();
@@ -415,20 +414,6 @@ static size_t record_at(int i)
     return at;
 }
 
-/* Makes all CRCs good again. */
-static void repair(size_t n)
-{
-    uint32_t crc = 0;
-
-    for (size_t at = 8; n - at >= 12; at += 12 + bytes_get32(file + at + 4)) {
-        size_t size = bytes_get32(file + at + 4);
-        if (size > n - at - 12)
-            return;
-        crc = hash_crc32_add(crc, file + at, 8 + size);
-        bytes_put32(file + at + 8 + size, crc);
-    }
-}
-
 static void refused(size_t n, const char *part)
 {
     struct demo d;
@@ -448,10 +433,10 @@ static void refused_with(size_t n, size_t at, int value, const char *part)
     uint8_t old = file[at];
 
     file[at] = (uint8_t)value;
-    repair(n);
+    repair_demo(file, n);
     refused(n, part);
     file[at] = old;
-    repair(n);
+    repair_demo(file, n);
 }
 
 static void test_order(void **state)
@@ -525,7 +510,7 @@ static size_t resize(int i, int by)
     memmove(file + end + by, file + end, n - end);
     bytes_put32(file + at + 4, (uint32_t)((int)size + by));
     n = (size_t)((long)n + by);
-    repair(n);
+    repair_demo(file, n);
     return n;
 }
 
@@ -1090,7 +1075,7 @@ static void test_after_fault(void **state)
     memmove(file + end, file + record_at(2), end - record_at(2)); /* the second once more, as the next one */
     n = end + (end - record_at(2));
     file[end + 8] = 60;
-    repair(n);
+    repair_demo(file, n);
     refused(n, "frames out of order");
     demo_free(&w.demo);
 }

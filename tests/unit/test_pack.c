@@ -16,6 +16,7 @@
 #include "../../src/board/machine.h"
 #include "../../src/board/std.h"
 #include "../../src/cab/pack/pack.h"
+#include "../temp.h"
 
 enum { PATH = 512 };
 
@@ -25,12 +26,9 @@ static char dir[PATH], err[512];
 
 static int new_folder(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
-
     (void)state;
-    snprintf(dir, sizeof dir, "%s/Pack-XXXXXX", tmp != NULL ? tmp : "/tmp");
     err[0] = '\0';
-    return mkdtemp(dir) != NULL ? 0 : -1;
+    return temp_folder(dir, sizeof dir, "Pack") ? 0 : -1;
 }
 
 struct names {
@@ -438,6 +436,9 @@ static void test_price(void **state)
     assert_true(none.heap + 8000 < one.heap && none.heap + 60000 < all.heap);
     assert_true(none.work + 10000 < one.work && none.work + 200000 < all.work);
     assert_true(none.rom + 5000 < one.rom && none.rom + 30000 < all.rom);
+    struct price functions =
+        price_of("for _, of in pairs { enemy, player, query, board } do for _ in pairs(of) do end end");
+    assert_true(none.heap + 2000 < functions.heap); /* of the API, too, it pays for what it reads */
 }
 
 static void fails(struct bed *t, const char *line, const char *want)
@@ -461,6 +462,7 @@ static void test_not_here(void **state)
              "  sprites = { a = { sheet = 's', w = 2, h = 1 } } }");
     put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
     const char *const lines[][2] = { { "pattern.ring { x = 1, y = 1 }", missing },
+                                     { "bullet.sweep { x = 1, y = 1 }", "bullet.sweep: not in this ROM" },
                                      { "pattrn.ring { x = 1, y = 1 }", "undeclared global \"pattrn\"" },
                                      { "enemy.spawn { kind = 'fly', path = {} }",
                                        "enemy.spawn: path: expected a route (what path.def returned)" } };

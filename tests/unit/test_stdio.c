@@ -18,15 +18,16 @@
 #include <cmocka.h>
 #include "../../platform/platform.h"
 #include "../../src/base/rng.h"
+#include "../temp.h"
 
 static char home[512], name[1024];
 
 static int into_folder(void **state)
 {
-    const char *tmp = getenv("TMPDIR");
     (void)state;
-    snprintf(home, sizeof home, "%s/curtain-test-XXXXXX", tmp ? tmp : "/tmp");
-    return mkdtemp(home) && chdir(home) == 0 && setenv("XDG_DATA_HOME", home, 1) == 0 ? 0 : -1;
+    return temp_folder(home, sizeof home, "curtain-test") && chdir(home) == 0 && setenv("XDG_DATA_HOME", home, 1) == 0
+               ? 0
+               : -1;
 }
 
 static int out_of_folder(void **state)

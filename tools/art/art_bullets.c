@@ -196,9 +196,41 @@ static void splinter(struct sheet *s, int x0, int y0, int size)
     draw(s, x0, y0, size, size, d_planes, k, 4, edge);
 }
 
+/* What stands where a bullet will be, 24 x 24 in four frames: a broken ring that closes in over a thin mist. It has
+ * neither rim nor core, which are for what hurts. */
+static void cloud(struct sheet *s, int x0, int y0, int frame)
+{
+    static const double radius[4] = { 10.8, 8.8, 6.9, 5.2 };
+    static const int shade[4] = { 7, 9, 11, 13 };
+    double r = radius[frame];
+    for (int y = 0; y < 24; y++) {
+        for (int x = 0; x < 24; x++) {
+            double dx = x - 11.5, dy = y - 11.5, q = length(dx, dy), a = frame / 24.0;
+            double u = dx * art_cos(a) + dy * art_sin(a), v = dy * art_cos(a) - dx * art_sin(a);
+            bool gap = u * u < v * v * 0.06 || v * v < u * u * 0.06;
+            if (q < r && q > r - 1.2 && !gap)
+                sheet_set(s, x0 + x, y0 + y, shade[frame]);
+            else if (q < r - 1.8 && (x + y) % 2 == 0 && (frame > 1 || x % 2 == 0))
+                sheet_set(s, x0 + x, y0 + y, q < r * 0.45 ? 5 + 2 * frame : 3 + frame);
+        }
+    }
+}
+
+/* A flame in a ball of glass, 24 x 24: it flickers over four frames. */
+static void lamp(struct sheet *s, int x0, int y0, int frame)
+{
+    static const double tall[4] = { 5.4, 6.4, 7.0, 6.0 };
+    static const struct band flame[] = { { 0, 8 }, { 1.0, 11 }, { 1.8, 13 }, { 2.6, 15 } };
+    static const struct band cap[] = { { 0, 2 }, { 1, 9 }, { 1.8, 12 } };
+    bubble(s, x0, y0, 24);
+    DRAW(s, x0, y0 + (frame > 1 ? 0 : 1), 24, 24, d_ellipse, flame, 4.2, tall[frame]);
+    DRAW(s, x0 + 8, y0, 8, 6, d_ellipse, cap, 3.9, 2.9);
+    DRAW(s, x0 + 8, y0 + 19, 8, 5, d_ellipse, cap, 3.9, 2.4);
+}
+
 struct sheet art_bullets(void)
 {
-    struct sheet s = sheet_new(128, 64, 0);
+    struct sheet s = sheet_new(128, 116, 0);
     DRAW(&s, 0, 0, 8, 8, d_circle, TINY, 3.95);
     DRAW(&s, 16, 0, 12, 12, d_circle, SOLID, 5.95);
     bubble(&s, 32, 0, 16);
@@ -214,6 +246,11 @@ struct sheet art_bullets(void)
     marble(&s, 32, 32, 32);
     DRAW(&s, 64, 32, 18, 18, d_circle, BIG, 8.95);
     bubble(&s, 96, 32, 24);
+    for (int i = 0; i < 4; i++) {
+        cloud(&s, 24 * i, 64, i);
+        lamp(&s, 24 * i, 92, i);
+    }
+    DRAW(&s, 96, 64, 28, 28, d_ellipse, THIN, 13.6, 2.9);
     return s;
 }
 

@@ -167,6 +167,27 @@ static void nautilus(struct sheet *s, int x, int y, int frame)
     paint_done(p, s, x, y, 1, 3);
 }
 
+/* A fisherman's float: a ball of thick glass in a net, which rocks. */
+static void buoy(struct sheet *s, int x, int y, int frame)
+{
+    static const struct mat rope = { MATTE, 10, 13, 0.2 };
+    struct paint *p = paint_new(36, 40);
+    double k = wave(frame, 0), cx = k * 0.8, r = 15.0;
+    paint_ball(p, (struct mat){ GLASS, 2, 9, 0.05 }, cx, 2, r, r, 0);
+    for (int i = -1; i <= 1; i++) {
+        double a[2] = { cx, 2 - r }, c[2] = { cx + i * 19.0 + k * 1.5, 2 }, b[2] = { cx, 2 + r };
+        paint_curve(p, rope, a, c, b, 0.75, 0.75);
+        double d[2] = { cx - 13.6 + (i ? 2.4 : 0), 2 + i * 8.2 }, e[2] = { cx, 5.4 + i * 9.4 },
+               f[2] = { cx + 13.6 - (i ? 2.4 : 0), 2 + i * 8.2 };
+        paint_curve(p, rope, d, e, f, 0.7, 0.7);
+    }
+    paint_ball(p, rope, cx, 2 - r, 2.6, 1.9, 0);
+    paint_limb(p, rope, cx, 2 - r, 0.9, cx - k * 2.4, -18.6, 0.7);
+    paint_ball(p, GLEAM, cx - 6.4, -5.4, 2.6, 1.4, -0.12);
+    paint_ball(p, (struct mat){ FLAT, 9, 9, 0 }, cx + 6.6, 9.0, 1.8, 1.2, -0.12);
+    paint_done(p, s, x, y, 1, 3);
+}
+
 struct sheet art_enemies(void)
 {
     struct sheet s = sheet_new(208, 240, 10);
@@ -177,6 +198,7 @@ struct sheet art_enemies(void)
         ray(&s, 52 * i, 76, i);
         urchin(&s, 38 * i, 120, i);
         nautilus(&s, 44 * i, 158, i);
+        buoy(&s, 36 * i, 200, i);
     }
     return s;
 }

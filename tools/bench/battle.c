@@ -71,8 +71,11 @@ static void count_pairs(void *context, enum board_phase phase)
         a->shots++;
         if (enemy == NO_SLOT)
             continue;
-        const struct event *e = at < b->events.n ? &b->events.list[at++] : NULL;
-        bool right = e && e->kind == EV_SHOT && handle_slot(e->a) == i && handle_slot(e->b) == (uint32_t)enemy;
+        bool right = at < b->events.n;
+        if (right) {
+            const struct event e = events_at(&b->events, at++);
+            right = e.kind == EV_SHOT && handle_slot(e.a) == i && handle_slot(e.b) == (uint32_t)enemy;
+        }
         bench_claim(right ? NULL : "a shot did not hit the nearest enemy it touched", "the battle");
     }
     bench_claim(at == b->events.n ? NULL : "a shot hit what it does not touch", "the battle");

@@ -1,79 +1,182 @@
 /*
- * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price, all run in
- * turns.
+ * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price; those of a
+ * table are run in turns, with one whose bullets fly straight among them.
  */
 #include <stdlib.h>
 #include "bench.h"
 
 enum { N = 4096, ROUNDS = 25, FRAMES = 8 };
 
-static const struct price {
+/* A value of the DIP price of roms/bench, or of one whose name goes on from it. */
+struct price {
     const char *dip, *what;
-} PRICES[] = {
-    { "straight", "flies straight" },
-    { "accel", "runs `accel`" },
-    { "turn", "runs `turn`" },
-    { "drive", "runs `turn` and `speed`" },
-    { "aim", "runs `aim`" },
-    { "home", "runs `home`" },
-    { "mixed",
-      "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each" },
-    { "fine", "is `fine`, and flies straight" },
-    { "fine_drive", "is `fine`, and runs `turn` and `speed`" },
-    { "polar", "runs `polar` (`orbit` and `go_to` are like it)" },
-    { "wave", "runs `wave`" },
-    { "group", "is written to through a group" },
-    { "each", "is visited by `bullet.each`, and written to" },
-    { "task", "has a Lua task that waits one frame" },
-    { "fire", "is fired, once, and gone in the same frame" },
-    { "half", NULL },
+    enum {
+        PLAIN,
+        GROUPS,  /* needs room for hp, around, frozen or a value */
+        UNLISTED /* has no row of its own */
+    } how;
 };
-enum { COUNT = sizeof PRICES / sizeof *PRICES, HALF = COUNT - 1 };
 
-void section_prices(void)
+/* The first row of each is what the others are beyond. */
+static const struct price MOTION[] = {
+    { "straight", "flies straight", PLAIN },
+    { "accel", "runs `accel`", PLAIN },
+    { "turn", "runs `turn`", PLAIN },
+    { "drive", "runs `turn` and `speed`", PLAIN },
+    { "aim", "runs `aim`", PLAIN },
+    { "home", "runs `home`", PLAIN },
+    { "go_to", "runs `go_to`", PLAIN },
+    { "polar", "runs `polar`", PLAIN },
+    { "orbit", "runs `orbit` round a place", PLAIN },
+    { "around", "runs `orbit` round its `around`", GROUPS },
+    { "wave", "runs `wave`", PLAIN },
+    { "bounce", "runs `bounce`, and no wall is near", PLAIN },
+    { "named", "runs `turn`, by a declared value", GROUPS },
+    { "mixed",
+      "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each",
+      PLAIN },
+    { "fine", "is `fine`, and flies straight", PLAIN },
+    { "fine_drive", "is `fine`, and runs `turn` and `speed`", PLAIN },
+    { "frozen", "is `frozen`", GROUPS },
+    { "delay", "has a delay, and waits", PLAIN },
+    { "task", "has a Lua task that waits one frame", PLAIN },
+    { "half", "", UNLISTED },
+};
+
+static const struct price SHAPES[] = {
+    { "straight", "flies straight, far from all", PLAIN },
+    { "circle", "is a circle, close to the player", PLAIN },
+    { "box", "is a box, close to the player", PLAIN },
+    { "capsule", "is a capsule, close to the player", PLAIN },
+    { "circles", "is three circles, close to the player", PLAIN },
+    { "turned_circles", "is three circles with `turns`, close to the player", PLAIN },
+    { "hp", "has hp, while 64 shots far from it look for such bullets", GROUPS },
+};
+
+static const struct price VERBS[] = {
+    { "straight", "flies straight", PLAIN },
+    { "group", "is written to through a group", PLAIN },
+    { "value", "is written a declared value through a group", GROUPS },
+    { "shift", "is shifted through a group", PLAIN },
+    { "turn_all", "is turned through a group", PLAIN },
+    { "aim_all", "is aimed through a group", PLAIN },
+    { "each", "is visited by `bullet.each`, and written to", PLAIN },
+    { "clear_circle", "is asked by a `clear` in a circle, and is not in it", PLAIN },
+    { "clear_box", "is asked by a `clear` in a box, and is not in it", PLAIN },
+    { "clear_line", "is asked by a `clear` along a line, and is not in it", PLAIN },
+    { "sweep", "is asked by a `bullet.sweep`, and not reached", PLAIN },
+    { "near", "is asked by `query.near`, and is not there", PLAIN },
+    { "near_box", "is asked by `query.box`, and is not there", PLAIN },
+    { "near_line", "is asked by `query.line`, and is not there", PLAIN },
+    { "found", "is found by `query.box`", PLAIN },
+};
+
+static const struct price FIRING[] = {
+    { "fire", "`bullet.fire`", PLAIN },        { "valued", "`bullet.fire`, with a declared value", GROUPS },
+    { "ring", "`pattern.ring`", PLAIN },       { "fan", "`pattern.fan`", PLAIN },
+    { "arc", "`pattern.arc`", PLAIN },         { "stack", "`pattern.stack`", PLAIN },
+    { "line", "`pattern.line`", PLAIN },       { "polygon", "`pattern.polygon`", PLAIN },
+    { "star", "`pattern.star`", PLAIN },       { "ellipse", "`pattern.ellipse`", PLAIN },
+    { "rose", "`pattern.rose`", PLAIN },       { "whip", "`pattern.whip`", PLAIN },
+    { "scatter", "`pattern.scatter`", PLAIN }, { "points", "`pattern.points`", PLAIN },
+    { "dots", "`pattern.picture`", PLAIN },
+};
+
+/* A price being measured. */
+struct run {
+    struct scene scene;
+    struct samples ns;
+    double took;
+};
+
+static void measure(struct run *runs, const struct price *prices, int n)
 {
-    struct scene *scenes = calloc(COUNT, sizeof *scenes);
-    struct samples ns[COUNT] = { { 0 } };
-    double took[COUNT] = { 0 };
+    struct scene_want want = { .does = "prices", .n = N, .bullets = N };
 
-    if (!scenes)
-        report_fail("out of memory");
-    for (int i = 0; i < COUNT; i++)
-        bench_scene(&scenes[i], &(struct scene_want){ .does = "prices", .price = PRICES[i].dip, .n = N, .bullets = N });
+    for (int i = 0; i < n; i++) {
+        want.price = prices[i].dip;
+        want.groups = prices[i].how == GROUPS;
+        bench_scene(&runs[i].scene, &want);
+    }
     for (int round = -1; round < ROUNDS; round++) /* the first warms up */
-        for (int i = 0; i < COUNT; i++) {
-            bench_clock_for(took[i]);
+        for (int i = 0; i < n; i++) {
+            struct run *r = &runs[i];
+            bench_clock_for(r->took);
             for (int f = 0; f < FRAMES; f++) {
                 double from = bench_now();
-                bench_tick(&scenes[i]);
-                took[i] = bench_since(from);
+                bench_tick(&r->scene);
+                r->took = bench_since(from);
                 if (round >= 0 && f > 0) /* the first fetches its board into the caches */
-                    samples_add(&ns[i], took[i]);
+                    samples_add(&r->ns, r->took);
             }
         }
     bench_own_clock(false);
+}
 
-    double straight = samples_median(&ns[0]);
+static void print_table(struct run *runs, const struct price *prices, int n, const char *columns)
+{
+    double first = samples_median(&runs[0].ns);
+
+    report_table(NULL, columns);
+    for (int i = 0; i < n; i++)
+        if (prices[i].how != UNLISTED)
+            report_row(i == 0, prices[i].what, samples_figure(&runs[i].ns, N),
+                       i ? report_figure((samples_median(&runs[i].ns) - first) / N) : "", NULL);
+    report_table_end();
+}
+
+static void free_runs(struct run *runs, int n)
+{
+    for (int i = 0; i < n; i++) {
+        samples_free(&runs[i].ns);
+        scene_close(&runs[i].scene);
+    }
+    free(runs);
+}
+
+/* Measures a table's prices and prints it. The runs are the caller's to free. */
+static struct run *print_prices(const struct price *prices, int n, const char *columns)
+{
+    struct run *runs = calloc((size_t)n, sizeof *runs);
+
+    if (!runs)
+        report_fail("out of memory");
+    measure(runs, prices, n);
+    print_table(runs, prices, n, columns);
+    return runs;
+}
+
+static void print_motion(void)
+{
+    enum { COUNT = sizeof MOTION / sizeof *MOTION, HALF = COUNT - 1 };
+    struct run *runs = print_prices(MOTION, COUNT, "a bullet that | in all> | beyond straight>");
+    double half = samples_median(&runs[HALF].ns) / 1e3;
+
+    report_text("Of %s bullets every other one runs one of those ten programs, each with an op active in every frame, "
+                "equally many of each: the tick takes **%s µs**.",
+                report_count(N), samples_figure(&runs[HALF].ns, 1e3));
+    bench_target("4,096 bullets, half of them running programs, all ops in equal parts: the tick", "60 µs",
+                 report_string("%s µs", report_figure(half)), half < 60);
+    free_runs(runs, COUNT);
+}
+
+static void print_others(const struct price *prices, int n, const char *columns)
+{
+    free_runs(print_prices(prices, n, columns), n);
+}
+
+void section_prices(void)
+{
     report_section("What a bullet costs");
     report_text(
         "Nanoseconds of a tick for each of %s bullets that all do the same in every frame, and what that is beyond "
         "those of one that flies straight. Nothing is drawn; no bullet comes near the player.",
         report_count(N));
-    report_table(NULL, "a bullet that | in all> | beyond straight>");
-    for (int i = 0; i < HALF; i++)
-        report_row(i == 0, PRICES[i].what, samples_figure(&ns[i], N),
-                   i ? report_figure((samples_median(&ns[i]) - straight) / N) : "", NULL);
-    report_table_end();
-
-    double half = samples_median(&ns[HALF]) / 1e3;
-    report_text("Of %s bullets every other one runs one of those ten programs, each with an op active in every frame, "
-                "equally many of each: the tick takes **%s µs**.",
-                report_count(N), samples_figure(&ns[HALF], 1e3));
-    bench_target("4,096 bullets, half of them running programs, all ops in equal parts: the tick", "60 µs",
-                 report_string("%s µs", report_figure(half)), half < 60);
-    for (int i = 0; i < COUNT; i++) {
-        samples_free(&ns[i]);
-        scene_close(&scenes[i]);
-    }
-    free(scenes);
+    print_motion();
+    report_text("Hits: close is a bullet that the exact test is asked about in every frame; it touches nothing.");
+    print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | in all> | beyond straight>");
+    report_text("What a script does with all of them once a frame:");
+    print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | in all> | beyond straight>");
+    report_text("What it takes to fire one, in figures of 64; it is gone in the same frame.");
+    print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | in all> | beyond `bullet.fire`>");
 }

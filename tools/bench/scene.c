@@ -74,6 +74,7 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
         bool kind = !strncmp(l->name, "gfx/kind", 8);
         if (!strcmp(l->name, "manifest")) {
             cart.m.bullets = want->bullets ? want->bullets : cart.m.bullets;
+            cart.m.hp = cart.m.around = cart.m.frozen = cart.m.bullet_values = want->groups;
             manifest_pack(&cart.m, manifest);
             l->data = manifest;
         } else if (kind) {
@@ -104,16 +105,32 @@ static int value_of(const struct dip *d, const char *name)
     return -1;
 }
 
+/* The DIP that has that value: `name`, or another whose name goes on from it; `name` if none has. -1: there is none. */
+static int dip_with(const struct manifest *m, const char *name, const char *value)
+{
+    int first = -1;
+
+    for (int i = 0; i < m->n_dips; i++) {
+        if (strncmp(m->dips[i].name, name, strlen(name)))
+            continue;
+        if (value_of(&m->dips[i], value) >= 0)
+            return i;
+        first = first < 0 ? i : first;
+    }
+    return first;
+}
+
 static void set_dips(struct board_start *start, const struct manifest *m, const struct scene_want *want)
 {
     const char *const names[] = { "does", "price", "picture" };
     const char *const values[] = { want->does, want->price, want->picture };
 
-    for (int i = 0; i < m->n_dips; i++) {
+    for (int i = 0; i < m->n_dips; i++)
         start->dip[i] = strcmp(m->dips[i].name, "n") ? m->dips[i].value : want->n;
-        for (int k = 0; k < 3; k++)
-            if (values[k] && !strcmp(m->dips[i].name, names[k]))
-                start->dip[i] = value_of(&m->dips[i], values[k]);
+    for (int k = 0; k < 3; k++) {
+        int i = values[k] ? dip_with(m, names[k], values[k]) : -1;
+        if (i >= 0)
+            start->dip[i] = value_of(&m->dips[i], values[k]);
     }
 }
 

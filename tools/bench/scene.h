@@ -11,10 +11,11 @@
 
 /* What zero means stands behind each. */
 struct scene_want {
-    const char *does, *price, *picture; /* values of the DIPs of these names; NULL: the default */
+    const char *does, *price, *picture; /* values of the DIPs of these names (price: or price_..); NULL: the default */
     int n;                              /* DIP n */
     int bullets;                        /* capacity; 0: the ROM's own */
     int side;                           /* px each way of the picture kind1; 0: as the others */
+    bool groups;                        /* bullets have room for hp, around, frozen and a value */
     uint64_t seed;                      /* of the game and of the pictures */
 };
 

@@ -285,7 +285,7 @@ static bool same_hits(struct field *f)
 
     qsort(f->found.hit, f->found.hits, sizeof *f->found.hit, by_index);
     for (uint32_t i = 0; same && i < e->n; i++)
-        same = handle_slot(e->list[i].b) == f->found.hit[i];
+        same = handle_slot(e->b[i]) == f->found.hit[i];
     return same;
 }
 
@@ -486,7 +486,7 @@ static bool same_firsts(const struct crowd *c)
     for (uint32_t i = 0; i < c->m; i++) {
         if (c->first[i] == NO_SLOT)
             continue;
-        same = same && n < e->n && handle_slot(e->list[n].a) == i && handle_slot(e->list[n].b) == (uint32_t)c->first[i];
+        same = same && n < e->n && handle_slot(e->a[n]) == i && handle_slot(e->b[n]) == (uint32_t)c->first[i];
         n++;
     }
     return same && n == e->n;

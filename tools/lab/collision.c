@@ -282,7 +282,7 @@ static void engine_crossing(struct wrong *w, int radius, bool swept)
     for (int f = 0; f < crossing.frames; f++) {
         engine_board_frame(b, &ENGINE_EVERYWHERE);
         for (uint32_t k = 0; k < b->events.n; k++)
-            met[handle_slot(b->events.list[k].b)] = true;
+            met[handle_slot(b->events.b[k])] = true;
     }
     for (int i = 0; i < TRIALS; i++)
         count(w, met[i], crossing.hits[i]);

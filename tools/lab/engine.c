@@ -51,14 +51,14 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
     uint8_t *next = b->ram;
     for (int i = 0; i < COUNT; i++)
         slots_layout(places[i].chip, places[i].self, places[i].cap, 0, &next);
-    b->events.cap = 2 * bullets + shots + 16;
-    b->events.list = room_for(b->events.cap * sizeof *b->events.list);
+    const uint32_t events = 2 * bullets + shots + 16;
+    events_layout(&b->events, events, room_for(events_size(events)));
     return b;
 }
 
 void engine_free(struct board *b)
 {
-    free(b->events.list);
+    free(b->events.a);
     free(b->ram);
     free(b);
 }

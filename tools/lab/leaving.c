@@ -93,7 +93,7 @@ static void compare(struct tally *t, const struct box *keep)
         int32_t before = NEVER;
         engine_board_frame(b, keep);
         for (uint32_t k = 0; k < b->events.n; k++) {
-            int32_t slot = (int32_t)handle_slot(b->events.list[k].b);
+            int32_t slot = (int32_t)handle_slot(b->events.b[k]);
             t->out_of_order += slot <= before;
             before = slot;
             told[slot] = told[slot] == NEVER ? n : told[slot];

@@ -1,4 +1,5 @@
--- players/craft.lua - what both craft share: the dot and halo of focus, two beads that fly along, and the undertow.
+-- players/craft.lua - what both craft share: the dot and halo of focus, two beads that fly along,
+-- and the undertow, which is their bomb.
 local craft = {}
 
 local BOMBS = 3
@@ -20,21 +21,18 @@ end
 -- Everything a craft wears; closed with its task, so nothing of it stays on the field.
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
--- A wave runs out from the craft: bullets turn to light, and creatures crack.
+-- A wave runs out from the craft: bullets turn to light, and creatures crack. What is seen of it is
+-- foam along its edge.
 local function undertow(p)
   local x, y = p.x, p.y
-  p.bombs = p.bombs - 1
-  p.safe = 150
+  p.bombs, p.safe = p.bombs - 1, 150
   spark.burst { kind = "shock", x = x, y = y, speed = 0 }
-  for i = 1, 36 do
-    local radius = 10 * i
-    bullet.clear { x = x, y = y, radius = radius, spark = "glint" }
-    for _, e in ipairs(query.near { what = "enemy", x = x, y = y, radius = radius }) do e:hurt(2) end
-    if i % 3 == 0 then
-      for k = 0, 11 do
-        local a = 30 * k + 7 * i
-        spark.burst { kind = "fizz", x = x + radius * angle.cos(a), y = y + radius * angle.sin(a), n = 2, speed = 1 }
-      end
+  bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint" }
+  for radius = 10, 360, 10 do
+    for k = 0, 17 do
+      local a = 20 * k + 0.7 * radius
+      spark.burst { kind = k % 3 == 0 and "fizz" or "pop", dir = a, speed = 1.5, spread = 0,
+                    x = x + radius * angle.cos(a), y = y + radius * angle.sin(a) }
     end
     wait(1)
   end
@@ -65,7 +63,8 @@ local function swing(beads, x, y, focused)
   end
 end
 
--- Flies p until it is out of the game. ship: bead (a sprite), fire(p, beads, focused, beat), called each frame while it fires.
+-- Flies p until it is out of the game. ship: bead (a sprite), fire(p, beads, focused, beat), called
+-- each frame while it fires.
 function craft.fly(p, ship)
   local set <close> = wardrobe()
   local x, y, beat = p.x, p.y, 0

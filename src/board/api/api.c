@@ -1,5 +1,7 @@
 /*
- * api.c - see api.h. Every API function is one C closure, `call`, which knows its entry: it checks, folds, and runs.
+ * api.c - see api.h. Every API function is one C closure, `call`, which knows its entry: it checks, folds, and runs. It
+ * is made when a script first reads its name, so a game has those that it uses. The tables of the API share a metatable
+ * for this; pairs makes the rest of a table, so that no script can tell.
  */
 #include "../api.h"
 #include <math.h>
@@ -166,8 +168,100 @@ static void push_function(lua_State *L, const struct api_entry *e)
     lua_pushcclosure(L, call, 2);
 }
 
-/* "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
-static void install(lua_State *L, const struct api_entry *e, int sys)
+enum { SEARCH = 100 /* VM instructions that a search for an entry counts for */ };
+
+/* Registry: the metatable of the API's tables; and the names of those, by table. */
+static const char shared_key = 0, spaces_key = 0;
+
+const char *api_member(const struct api_entry *e, const char *of, char split)
+{
+    size_t n = strlen(of);
+
+    return !(e->flags & API_LUA) && !strncmp(e->name, of, n) && e->name[n] == split ? e->name + n + 1 : NULL;
+}
+
+bool api_push_member(lua_State *L, const char *of, char split, const char *name)
+{
+    vm_charge(L, SEARCH);
+    for (int m = 0; m < api_module_count; m++)
+        for (int i = 0; i < api_modules[m]->n; i++) {
+            const struct api_entry *e = &api_modules[m]->entries[i];
+            const char *member = api_member(e, of, split);
+            if (member && !strcmp(member, name)) {
+                push_function(L, e);
+                return true;
+            }
+        }
+    return false;
+}
+
+/* Pushes the name of the API's table at `at`, or nil; returns it, or NULL. A Lua of tests has no API. */
+static const char *push_space(lua_State *L, int at)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key) != LUA_TTABLE)
+        return NULL;
+    lua_pushvalue(L, at);
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    return lua_tostring(L, -1);
+}
+
+/* The __index of the API's tables: a field that a game has put there is found before. */
+static int missing_field(lua_State *L)
+{
+    const char *of = push_space(L, 1);
+
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        return 0;
+    if (!api_push_member(L, of, '.', lua_tostring(L, 2))) {
+        api_no_field(L, of, lua_tostring(L, 2));
+        return 0;
+    }
+    lua_pushvalue(L, 2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 1);
+    return 1;
+}
+
+void api_fill(lua_State *L, int at)
+{
+    int top = lua_gettop(L);
+    const char *of = push_space(L, at), *member;
+
+    for (int i = 0; of && i < api_count(); i++)
+        if ((member = api_member(api_entry(i), of, '.')) != NULL) {
+            lua_getfield(L, at, member);
+            lua_pop(L, 1);
+        }
+    lua_settop(L, top);
+}
+
+void api_add_space(lua_State *L, const char *name)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key);
+    lua_pushvalue(L, -2);
+    lua_pushstring(L, name);
+    lua_rawset(L, -3);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &shared_key);
+    lua_setmetatable(L, -3);
+    lua_pop(L, 1);
+}
+
+static void open_spaces(lua_State *L)
+{
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &spaces_key);
+    lua_createtable(L, 0, 2);
+    lua_pushcfunction(L, missing_field);
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &shared_key);
+}
+
+/* What an entry needs before a script can find it: "wait" stands among the globals, "bullet.fire" needs a global table
+ * bullet, but for a table that is off. */
+static void install(lua_State *L, const struct api_entry *e)
 {
     const char *split = strpbrk(e->name, ".:");
     char space[32];
@@ -175,24 +269,17 @@ static void install(lua_State *L, const struct api_entry *e, int sys)
     if (!split) {
         push_function(L, e);
         lua_setglobal(L, e->name);
-        return;
-    }
-    snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
-    if (*split == ':') {
-        for (int k = 1; k < HANDLES; k++)
-            if (api_things[k] && !strcmp(api_things[k]->name, space))
-                api_push_methods(L, k);
-    } else if (e->flags & API_SYS)
-        lua_pushvalue(L, sys);
-    else if (lua_getglobal(L, space) != LUA_TTABLE) {
+    } else if (*split == '.' && !(e->flags & API_SYS)) {
+        snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
+        if (api_off(&vm_board(L)->cart.m, space))
+            return;
+        if (lua_getglobal(L, space) != LUA_TTABLE) {
+            lua_newtable(L);
+            api_add_space(L, space);
+            lua_setglobal(L, space);
+        }
         lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_setglobal(L, space);
     }
-    push_function(L, e);
-    lua_setfield(L, -2, split + 1);
-    lua_pop(L, 1);
 }
 
 void api_open(lua_State *L)
@@ -200,13 +287,15 @@ void api_open(lua_State *L)
     api_open_names(L);
     events_open(L);
     api_open_handles(L);
+    open_spaces(L);
     lua_pushinteger(L, LUA_MAXINTEGER);
     lua_setglobal(L, "forever");
     lua_newtable(L);
+    api_add_space(L, "sys");
     int sys = lua_gettop(L);
     for (int i = 0; i < api_count(); i++)
         if (!(api_entry(i)->flags & API_LUA))
-            install(L, api_entry(i), sys);
+            install(L, api_entry(i));
     lua_pushcfunction(L, sys_check);
     lua_setfield(L, sys, "check");
     api_rom_open(L);

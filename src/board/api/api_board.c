@@ -154,15 +154,10 @@ static int read_only(lua_State *L)
 static void seal(lua_State *L, const char *name)
 {
     lua_newtable(L);
-    lua_createtable(L, 0, 3);
-    lua_rotate(L, -3, -1);
-    lua_setfield(L, -2, "__index");
+    lua_rotate(L, -2, 1);
     lua_pushstring(L, name);
     lua_pushcclosure(L, read_only, 1);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2);
+    vm_seal(L);
 }
 
 static void rect(lua_State *L, const char *name, int x, int y, int w, int h)

@@ -172,8 +172,8 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
         int32_t row = slots_append(kinds);
         if (row == NO_SLOT)
             api_error(L, entry,
-                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (several "
-                      "circles count as a kind each)",
+                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (a cloud, "
+                      "and each of several circles but the first, counts as one)",
                       MAX_KINDS);
         k->shape[row] = s->shape;
         k->a[row] = s->row[i].a;
@@ -190,7 +190,7 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_HARMLESS };
 
 /* Of shot_def alone. */
 enum { D_CANCELS = D_ORDER + 1 };
@@ -208,7 +208,7 @@ static const struct api_param bullet_def[] = {
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
     { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static const struct api_param shot_def[] = {
@@ -220,7 +220,7 @@ static const struct api_param shot_def[] = {
     { "cancels", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
-/* The cloud of the kind that is declared next: a kind without a name and a shape. */
+/* The ROW_CLOUD of the kind that is declared next. */
 static void declare_cloud(lua_State *L, struct bullet_kinds *k)
 {
     const struct api_shape none = { .shape = SHAPE_NONE, .rows = 1 };
@@ -229,13 +229,15 @@ static void declare_cloud(lua_State *L, struct bullet_kinds *k)
     api_kind(L, "bullet.def", &k->s, &columns, &none);
 }
 
-/* Sets the cloud of kind i, which stands before it. */
+/* Sets the cloud of kind i. */
 static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 {
-    k->sprite[i - 1] = sprite;
-    k->bank[i - 1] = k->bank[i];
-    k->order[i - 1] = k->order[i];
-    k->flags[i - 1] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
+    const int cloud = i + ROW_CLOUD;
+
+    k->sprite[cloud] = sprite;
+    k->bank[cloud] = k->bank[i];
+    k->order[cloud] = k->order[i];
+    k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_CLOUDED;
 }
 
@@ -272,7 +274,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
         return;
     if (!k->hp)
         api_error(L, "bullet.def", "hp: %s", NO_HP);
-    k->hp[i] = v[D_HP].i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v[D_HP].i;
+    k->hp[i] = api_or_forever(&v[D_HP]);
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     if (!v[D_ON_DEATH].given)
@@ -291,6 +293,8 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
     if (!v[D_CLEARABLE].i)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
+    if (v[D_HARMLESS].i)
+        b->bullet_kinds.flags[i] |= KIND_HARMLESS;
     b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     define_hp(L, b, i, v);
     if (v[D_CLOUD].given)
@@ -406,11 +410,9 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- groups ---- */
 
-enum { EACH_TAG, EACH_F };
-
-static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-                                          { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+const struct api_param api_tag_params[TAG_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
+const struct api_param api_each_params[EACH_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+                                                        { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
 {
@@ -430,21 +432,22 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
-             uint32_t tag, int f)
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+             const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
     int list = lua_gettop(L) + 1;
     lua_Integer n = 0;
 
     lua_newtable(L);
     EACH_LIVE (i, s)
-        if (!tag || tags[i] == tag) {
+        if (api_has_tag(tags, i, tag)) {
             lua_pushinteger(L, board_handle(b, kind, (int32_t)i));
             lua_rawseti(L, list, ++n);
         }
     vm_charge(L, (uint64_t)n);
     for (lua_Integer k = 1; k <= n; k++) {
-        lua_pushvalue(L, f);
+        lua_pushvalue(L, v[EACH_F].at);
         lua_rawgeti(L, list, k);
         if (board_alive(b, lua_tointeger(L, -1)))
             lua_call(L, 1, 0);
@@ -456,16 +459,12 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct 
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "bullet.each", v[EACH_TAG].at) : 0;
-
-    return api_each(L, b, H_BULLET, &b->bullets.s, b->bullets.tag, tag, v[EACH_F].at);
+    return api_each(L, b, H_BULLET, "bullet.each", &b->bullets.s, b->bullets.tag, v);
 }
 
 static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "shot.each", v[EACH_TAG].at) : 0;
-
-    return api_each(L, b, H_SHOT, &b->shots.s, b->shots.tag, tag, v[EACH_F].at);
+    return api_each(L, b, H_SHOT, "shot.each", &b->shots.s, b->shots.tag, v);
 }
 
 static const struct api_param bullet_sweep[] = {
@@ -599,7 +598,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
     case P_FROZEN:
-        lua_pushinteger(L, s->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen[i]);
+        api_push_or_forever(L, s->frozen[i]);
         break;
     default:
         if (s->player[i])
@@ -676,7 +675,7 @@ static void set_flight(lua_State *L, struct board *b, struct bullets *s, const s
         s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
     case P_FROZEN:
-        bullets_freeze(s, i, v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i);
+        bullets_freeze(s, i, api_or_forever(v));
         break;
     case P_AROUND:
         api_check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
@@ -706,7 +705,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
     if (p == P_DELAY)
         lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
     else if (p == P_HP)
-        lua_pushinteger(L, hp_of(L, b)[i] == HP_FOREVER ? LUA_MAXINTEGER : s->hp[i]);
+        api_push_or_forever(L, hp_of(L, b)[i]);
     else
         get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
@@ -714,7 +713,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     if (p == P_HP)
-        hp_of(L, b)[i] = v->i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v->i;
+        hp_of(L, b)[i] = api_or_forever(v);
     else
         set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
@@ -1517,37 +1516,38 @@ static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0,
     }
 const struct api_entry api_fire[2] = { BULLET_FIRE, SHOT_FIRE };
 
+#define CLEAR_ONE(thing)                                                                                               \
+    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark")
+#define CLEAR_GROUP(thing)                                                                                             \
+    API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
+             "removes those in the shape, or all, each leaving the named spark")
+/* The verbs of one and of a group; `it` names who does it. */
+#define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
+    API_VERB(thing ":aim", verb_aim, self_add, 2, NULL,                                                                \
+             it " points at the " target " nearest to it, plus so many degrees"),                                      \
+        API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, it " turns by so many degrees"),                          \
+        API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL, it " is moved on by dx, dy at once, and flies on"),  \
+        CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, it " goes without a trace")
+
 static const struct api_entry entries[] = {
     { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
     BULLET_FIRE,
-    { "bullet.group", bullet_group, PARAMS(tag_only), 1, API_CHANGES, "group",
-      "every live bullet with that tag (without one: all) as one thing to write to" },
-    { "bullet.each", bullet_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(bullet) for each with that tag (nil: all), in slot order; f cannot wait" },
+    API_GROUPS("bullet", bullet_group, bullet_each),
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
       "and h about it, "
       "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
+    { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
+      "bullets with the tag first and bullets with the tag second meet when they touch: on_meet(a, b) is called, then "
+      "those that clear names are gone, each leaving the named spark or its kind's; with all, also what is not "
+      "clearable" },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
       "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
       "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
-    { "bullet:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      "points it at the nearest player, plus so many degrees" },
-    { "bullet:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
-    { "bullet:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "it is moved on by dx, dy at once, and flies on" },
-    { "bullet:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
-    { "bullet:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
-    { "group:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest player" },
-    { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
-    { "group:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once, and flies on" },
-    { "group:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
-    { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
-    { "group:signal", verb_signal, PARAMS(self_group), 1, API_CHANGES | API_METHOD, NULL,
-      "every bullet whose motion waits for this tag (wait_for) goes on; without a tag: for any" },
+    FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
+    FLYING_VERBS("group", "each", "player", CLEAR_GROUP),
+    API_VERB("group:signal", verb_signal, self_group, 1, NULL,
+             "every bullet whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
       "it a "
@@ -1559,25 +1559,10 @@ static const struct api_entry entries[] = {
       "what the step wait_for waits for: one of x, y, near and tag, for at most limit frames" },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
     SHOT_FIRE,
-    { "shot.group", shot_group, PARAMS(tag_only), 1, API_CHANGES, "group",
-      "every live shot with that tag (without one: all) as one thing to write to" },
-    { "shot.each", shot_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(shot) for each with that tag (nil: all), in slot order; f cannot wait" },
-    { "shot:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "points it at the nearest enemy" },
-    { "shot:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
-    { "shot:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "it is moved on by dx, dy at once, and flies on" },
-    { "shot:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
-    { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
-    { "shots:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest enemy" },
-    { "shots:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
-    { "shots:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once, and flies on" },
-    { "shots:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
-    { "shots:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
-    { "shots:signal", verb_signal, PARAMS(self_group), 1, API_CHANGES | API_METHOD, NULL,
-      "every shot whose motion waits for this tag (wait_for) goes on; without a tag: for any" },
+    API_GROUPS("shot", shot_group, shot_each),
+    FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
+    FLYING_VERBS("shots", "each", "enemy", CLEAR_GROUP),
+    API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
+             "every shot whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

@@ -1,6 +1,7 @@
 /*
  * api_check.c - checks arguments against the API table and words the errors.
  */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,11 +92,12 @@ static bool check_end(lua_State *L, const struct api_param *p, int at, int i, lu
     return whole && (double)*out >= p->lo && (double)*out <= p->hi;
 }
 
-static void check_span(lua_State *L, const char *entry, const struct api_param *p, int at)
+static void check_span(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     char what[160];
     lua_Integer first, last;
 
+    (void)v;
     if (lua_type(L, at) == LUA_TTABLE && check_end(L, p, at, 1, &first) && check_end(L, p, at, 2, &last)) {
         if (first <= last && lua_rawlen(L, at) == 2)
             return;
@@ -123,10 +125,11 @@ static void check_type(lua_State *L, const char *entry, const struct api_param *
 }
 
 /* lo and hi bound the length in bytes; hi 0: any. */
-static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at)
+static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     char what[64];
 
+    (void)v;
     check_type(L, entry, p, at, LUA_TSTRING, "a string");
     double n = (double)lua_rawlen(L, at);
     if (strlen(lua_tostring(L, at)) != lua_rawlen(L, at))
@@ -202,19 +205,34 @@ static void check_blend(lua_State *L, const char *entry, const struct api_param 
     api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), lua_tostring(L, -1));
 }
 
-/* One word of a fixed list. */
-static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
-                       const char *const *words, int n)
+static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
+                         *const layers[] = { "back", "middle", "front" },
+                         *const aligns[] = { "left", "center", "right" }, *const what_fires[] = { "bullet", "shot" },
+                         *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
+                                                                                                    "fan",   "arc",
+                                                                                                    "stack", "line" };
+
+static const struct words {
+    const char *const *words;
+    int n;
+} WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS }, [A_EASE] = { eases, 4 },
+              [A_LAYER] = { layers, LAYERS },        [A_ALIGN] = { aligns, 3 },
+              [A_FIRE] = { what_fires, 2 },          [A_MEET] = { meets, 4 },
+              [A_EMIT] = { emits, EMIT_PATTERNS } };
+
+/* One word of the type's list. */
+static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
+    const struct words *w = &WORDS[p->type];
     luaL_Buffer list;
 
-    for (v->i = 0; v->i < n; v->i++)
-        if (lua_type(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, at), words[v->i]))
+    for (v->i = 0; v->i < w->n; v->i++)
+        if (lua_type(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, at), w->words[v->i]))
             return;
     luaL_buffinit(L, &list);
-    for (int i = 0; i < n; i++) {
-        luaL_addstring(&list, i ? (i == n - 1 ? " or " : ", ") : "");
-        luaL_addstring(&list, words[i]);
+    for (int i = 0; i < w->n; i++) {
+        luaL_addstring(&list, i ? (i == w->n - 1 ? " or " : ", ") : "");
+        luaL_addstring(&list, w->words[i]);
     }
     luaL_pushresult(&list);
     expected(L, entry, p, at, lua_tostring(L, -1));
@@ -250,98 +268,92 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
     v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
 
+static void check_declared(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    static const char *const nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
+    int k = (int)p->type - A_BULLET_KIND;
+
+    check_name(L, entry, p, at, v, (enum api_names)k, nouns[k]);
+}
+
+/* Types whose check is Lua's. */
+static void check_lua_type(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    static const struct {
+        int type;
+        const char *what;
+    } types[] = { [A_FUNC] = { LUA_TFUNCTION, "a function" },
+                  [A_TABLE] = { LUA_TTABLE, "a table" },
+                  [A_ROUTE] = { LUA_TTABLE, "a route (what path.def returned)" } };
+
+    (void)v;
+    check_type(L, entry, p, at, types[p->type].type, types[p->type].what);
+}
+
+static void check_bool(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    check_type(L, entry, p, at, LUA_TBOOLEAN, "true or false");
+    v->i = lua_toboolean(L, at);
+}
+
+static void check_any(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    if (!v->given)
+        expected(L, entry, p, at, "a value");
+}
+
+/* A form of it; what stands in the form, the shape's reader checks. */
+static void check_hit(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    (void)v;
+    if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
+        expected(L, entry, p, at, api_hit_forms[(int)p->lo]);
+}
+
+typedef void check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
+
+/* By type; a new one has its row here, and in WORDS if it is one of a few words. */
+static check *const CHECKS[] = {
+    [A_INT] = check_int,
+    [A_COUNT] = check_int,
+    [A_NUM] = check_number,
+    [A_FX] = check_number,
+    [A_DIR] = check_dir,
+    [A_STR] = check_string,
+    [A_BOOL] = check_bool,
+    [A_FUNC] = check_lua_type,
+    [A_TABLE] = check_lua_type,
+    [A_ANY] = check_any,
+    [A_SPAN] = check_span,
+    [A_ROUTE] = check_lua_type,
+    [A_THING] = check_thing,
+    [A_HIT] = check_hit,
+    [A_MOTION] = check_motion,
+    [A_BULLET_KIND] = check_declared,
+    [A_SHOT_KIND] = check_declared,
+    [A_ENEMY_KIND] = check_declared,
+    [A_PLAYER_KIND] = check_declared,
+    [A_SPARK_KIND] = check_declared,
+    [A_SPRITE] = check_sprite,
+    [A_BLEND] = check_blend,
+    [A_BUTTON] = check_word,
+    [A_PAD] = check_pad,
+    [A_EASE] = check_word,
+    [A_LAYER] = check_word,
+    [A_ALIGN] = check_word,
+    [A_FIRE] = check_word,
+    [A_MEET] = check_word,
+    [A_EMIT] = check_word,
+};
+
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
-    static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                             *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" },
-                             *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" };
-
     v->at = at;
     v->given = !lua_isnoneornil(L, at);
     if (!v->given && p->optional)
         return;
-    switch (p->type) {
-    case A_INT:
-    case A_COUNT:
-        check_int(L, entry, p, at, v);
-        break;
-    case A_NUM:
-    case A_FX:
-        check_number(L, entry, p, at, v);
-        break;
-    case A_DIR:
-        check_dir(L, entry, p, at, v);
-        break;
-    case A_STR:
-        check_string(L, entry, p, at);
-        break;
-    case A_BOOL:
-        check_type(L, entry, p, at, LUA_TBOOLEAN, "true or false");
-        v->i = lua_toboolean(L, at);
-        break;
-    case A_FUNC:
-        check_type(L, entry, p, at, LUA_TFUNCTION, "a function");
-        break;
-    case A_TABLE:
-        check_type(L, entry, p, at, LUA_TTABLE, "a table");
-        break;
-    case A_SPAN:
-        check_span(L, entry, p, at);
-        break;
-    case A_ROUTE:
-        check_type(L, entry, p, at, LUA_TTABLE, "a route (what path.def returned)");
-        break;
-    case A_HIT:
-        if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
-            expected(L, entry, p, at, api_hit_forms[(int)p->lo]);
-        break;
-    case A_ANY:
-        if (!v->given)
-            expected(L, entry, p, at, "a value");
-        break;
-    case A_THING:
-        check_thing(L, entry, p, at, v);
-        break;
-    case A_MOTION:
-        check_motion(L, entry, p, at, v);
-        break;
-    case A_BULLET_KIND:
-    case A_SHOT_KIND:
-    case A_ENEMY_KIND:
-    case A_PLAYER_KIND:
-    case A_SPARK_KIND:
-        check_name(L, entry, p, at, v, (enum api_names)(p->type - A_BULLET_KIND), kind_nouns[p->type - A_BULLET_KIND]);
-        break;
-    case A_SPRITE:
-        check_sprite(L, entry, p, at, v);
-        break;
-    case A_BLEND:
-        check_blend(L, entry, p, at, v);
-        break;
-    case A_BUTTON:
-        check_word(L, entry, p, at, v, buttons, PAD_BUTTONS);
-        break;
-    case A_PAD:
-        check_pad(L, entry, p, at, v);
-        break;
-    case A_EASE:
-        check_word(L, entry, p, at, v, eases, 4);
-        break;
-    case A_LAYER:
-        check_word(L, entry, p, at, v, layers, LAYERS);
-        break;
-    case A_ALIGN:
-        check_word(L, entry, p, at, v, aligns, 3);
-        break;
-    case A_FIRE:
-        check_word(L, entry, p, at, v, fires, 2);
-        break;
-    case A_EMIT:
-        check_word(L, entry, p, at, v, emits, EMIT_PATTERNS);
-        break;
-    }
+    assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
+    CHECKS[p->type](L, entry, p, at, v);
 }
 
 double api_default(const struct api_param *p)

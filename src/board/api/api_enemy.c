@@ -184,23 +184,15 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-enum { EACH_TAG, EACH_F, ARG_TAG = 0 };
-
-static const struct api_param tag_f[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-                                          { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
-static const struct api_param tag_only[] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-
 static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, "enemy.each", v[EACH_TAG].at) : 0;
-
-    return api_each(L, b, H_ENEMY, &b->enemies.s, b->enemies.tag, tag, v[EACH_F].at);
+    return api_each(L, b, H_ENEMY, "enemy.each", &b->enemies.s, b->enemies.tag, v);
 }
 
 static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_ENEMIES, "enemy.group", &v[ARG_TAG]);
+    return api_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
 }
 
 /* Is enemy i alive, and has it the tag (0: any)? */
@@ -221,7 +213,7 @@ static void push_count(lua_State *L, struct board *b, uint32_t tag)
 
 static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 {
-    push_count(L, b, v[ARG_TAG].given ? api_tag(L, "enemy.count", v[ARG_TAG].at) : 0);
+    push_count(L, b, v[EACH_TAG].given ? api_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
     return 1;
 }
 
@@ -266,13 +258,13 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         api_push_tag(L, e->tag[i]);
         break;
     case P_SAFE:
-        lua_pushinteger(L, e->safe[i] == SAFE_FOREVER ? LUA_MAXINTEGER : e->safe[i]);
+        api_push_or_forever(L, e->safe[i]);
         break;
     case P_KIND:
         api_names_push(L, N_ENEMY, e->kind[i]);
         break;
     case P_FROZEN:
-        lua_pushinteger(L, e->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : e->frozen[i]);
+        api_push_or_forever(L, e->frozen[i]);
         break;
     default:
         lua_pushinteger(L, b->core.clock - e->born[i]);
@@ -302,10 +294,10 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
     case P_FROZEN:
-        e->frozen[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
+        e->frozen[i] = api_or_forever(v);
         break;
     default:
-        e->safe[i] = v->i == LUA_MAXINTEGER ? SAFE_FOREVER : (int32_t)v->i;
+        e->safe[i] = api_or_forever(v);
     }
 }
 
@@ -468,34 +460,29 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* The verbs of one and of a group; `it` names who does it. */
+#define ENEMY_VERBS(thing, it, order)                                                                                  \
+    API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
+             it " starts a move to x, y, and the call returns at once; in each frame it is at the nearest 1/65536 px " \
+                "of its way"),                                                                                         \
+        API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
+                 it " is moved on by dx, dy at once, and so is the rest of its move"),                                 \
+        API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL,                                                         \
+                 it " takes damage, unless it is safe; a death counts for p, without p for the nearest player"),       \
+        API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
+                 it " dies with score (p's; without p the nearest player's), spark and on_death" order),               \
+        API_VERB(thing ":remove", enemy_remove, self, 1, NULL, it " just goes")
+
 static const struct api_entry entries[] = {
     { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of enemy" },
     { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
       "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
       "boss's phase "
       "it came from does not take it along" },
-    { "enemy.each", enemy_each, PARAMS(tag_f), 2, API_CHANGES, NULL,
-      "calls f(enemy) for each with that tag (nil: all), in slot order; f cannot wait" },
-    { "enemy.group", enemy_group, PARAMS(tag_only), 1, API_CHANGES, "group",
-      "every living enemy with that tag (without one: all) as one thing to write to" },
-    { "enemy.count", enemy_count, PARAMS(tag_only), 1, 0, "count", "how many enemies live, of that tag or of all" },
-    { "enemy:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
-      "starts a move to x, y and returns at once; in each frame it is at the nearest 1/65536 px of its way" },
-    { "enemy:shift", enemy_shift, PARAMS(shift_by), 3, API_CHANGES | API_METHOD, NULL,
-      "it is moved on by dx, dy at once, and so is the rest of its move" },
-    { "enemy:hurt", enemy_hurt_run, PARAMS(hurt), 3, API_CHANGES | API_METHOD, NULL,
-      "damage, unless it is safe; a death counts for p, without p for the nearest player" },
-    { "enemy:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
-      "dies with score (p's; without p the nearest player's), spark and on_death" },
-    { "enemy:remove", enemy_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "just goes" },
-    { "enemies:move", enemy_move, PARAMS(move), 1, API_CHANGES | API_METHOD, NULL,
-      "each starts a move to x, y; returns at once" },
-    { "enemies:shift", enemy_shift, PARAMS(shift_by), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once, and so is the rest of its move" },
-    { "enemies:hurt", enemy_hurt_run, PARAMS(hurt), 3, API_CHANGES | API_METHOD, NULL,
-      "damage to each that is not safe; deaths count for p, without p for the nearest player" },
-    { "enemies:kill", enemy_kill, PARAMS(kill_by), 2, API_CHANGES | API_METHOD, NULL,
-      "all die with score, spark and on_death, in slot order" },
-    { "enemies:remove", enemy_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "all just go" },
+    API_GROUPS("enemy", enemy_group, enemy_each),
+    { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
+      "how many enemies live, of that tag or of all" },
+    ENEMY_VERBS("enemy", "it", ""),
+    ENEMY_VERBS("enemies", "each", ", in slot order"),
 };
 const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

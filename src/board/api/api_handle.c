@@ -5,11 +5,26 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-static const char methods_key[HANDLES] = { 0 }; /* registry: a table of methods a kind of handle */
+/* Registry: a table a kind of handle, of names that were read: a method, or false for a name that is none. */
+static const char methods_key[HANDLES] = { 0 };
 
-void api_push_methods(lua_State *L, int kind)
+bool api_push_method(lua_State *L, int kind, const char *name)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
+    }
+    if (lua_getfield(L, -1, name) == LUA_TNIL) {
+        lua_pop(L, 1);
+        if (!api_push_member(L, api_things[kind]->name, ':', name))
+            lua_pushboolean(L, 0);
+        lua_pushvalue(L, -1);
+        lua_setfield(L, -3, name);
+    }
+    lua_remove(L, -2);
+    return lua_isfunction(L, -1);
 }
 
 static const struct api_prop *prop_named(const struct api_thing *t, const char *name, int *index)
@@ -49,11 +64,10 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     enum api_names values = api_value_names_of((enum handle_kind)kind);
     for (int k = 0; k < api_values(vm_board(L), values); k++)
         api_suggest_nearer(name, api_names_at(vm_board(L), values, k), &best, &found);
-    api_push_methods(L, kind);
-    lua_pushnil(L);
-    while (lua_next(L, -2)) {
-        lua_pop(L, 1);
-        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
+    for (int i = 0; i < api_count(); i++) {
+        const char *verb = api_member(api_entry(i), t->name, ':');
+        if (verb)
+            api_suggest_nearer(name, verb, &best, &found);
     }
     if (found)
         return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
@@ -64,11 +78,10 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
 /* The error for a write to what can only be read or called: a property, a verb, alive. */
 static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
-    api_push_methods(L, kind);
-    if (lua_getfield(L, -1, name) == LUA_TFUNCTION)
+    if (api_push_method(L, kind, name))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is a verb: call it with a colon, as thing:%s(...)", t->name, name,
                         name);
-    lua_pop(L, 2);
+    lua_pop(L, 1);
     if (api_property(t, name) || (may_die((enum handle_kind)kind) && !strcmp(name, "alive")))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
     return no_property(L, t, kind, name);
@@ -174,8 +187,7 @@ static int get_property(lua_State *L)
                         luaL_typename(L, 2));
     const char *name = lua_tostring(L, 2);
     const struct api_thing *t = api_things[handle_kind(h)];
-    api_push_methods(L, (int)handle_kind(h));
-    if (lua_getfield(L, -1, name) == LUA_TFUNCTION)
+    if (api_push_method(L, (int)handle_kind(h), name))
         return 1;
     bool alive = board_alive(b, h);
     if (!strcmp(name, "alive") && may_die(handle_kind(h)))
@@ -247,18 +259,9 @@ static int set_property(lua_State *L)
 
 void api_open_handles(lua_State *L)
 {
-    for (int i = 0; i < HANDLES; i++) {
-        lua_newtable(L);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[i]);
-    }
     lua_pushinteger(L, 0);
-    lua_createtable(L, 0, 2);
     lua_pushcfunction(L, get_property);
-    lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_property);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2); /* of the number type */
+    vm_seal(L); /* of the number type */
     lua_pop(L, 1);
 }

@@ -35,6 +35,7 @@ static const char *type_words(const struct api_param *p)
         [A_LAYER] = "back, middle or front",
         [A_ALIGN] = "left, center or right",
         [A_FIRE] = "bullet or shot",
+        [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",
     };
 

@@ -36,9 +36,25 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
-/* Sets the number type's metatable: handles' properties and methods. Pushes the table of a handle kind's methods. */
+/* What stands behind `of` and the split in the name of an entry in C: of "bullet.fire", "bullet" and '.', "fire"; else
+ * NULL. */
+const char *api_member(const struct api_entry *e, const char *of, char split);
+
+/* Pushes the function of the entry that is so called; false, and nothing is pushed: there is none. */
+bool api_push_member(lua_State *L, const char *of, char split, const char *name);
+
+/* From now on the table on top, the global of that name, is one of the API's. */
+void api_add_space(lua_State *L, const char *name);
+
+/* Raises the fault of a read of a field that a table of the API does not have, if it is reserved or of a module that is
+ * not there. */
+void api_no_field(lua_State *L, const char *of, const char *name);
+
+/* Sets the number type's metatable: handles' properties and methods. */
 void api_open_handles(lua_State *L);
-void api_push_methods(lua_State *L, int kind);
+
+/* Pushes the method of that name, or false. */
+bool api_push_method(lua_State *L, int kind, const char *name);
 
 /* Whose hit shape it is: they may have different ones. */
 enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
@@ -66,11 +82,6 @@ struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose
 int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                  const struct api_shape *s);
 
-/* Calls the function at stack index f with each live thing of a pool that has the tag (0: all), in slot order. Things
- * that come during the calls are not visited. */
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const struct slots *s, const uint16_t *tags,
-             uint32_t tag, int f);
-
 /* The values declared for what the entry makes (API_VALUES, API_FIRE), or for that kind of thing; NAME_LISTS: it has
  * none. */
 enum api_names api_value_names(const struct api_entry *e);
@@ -88,14 +99,58 @@ fx *api_value_column(struct board *b, enum api_names names, int k);
 /* Sets the new thing in slot i to the values that api_arguments put at v. */
 void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v);
 
+/* A count (A_COUNT) as a chip keeps it, in 32 bits with -1 for forever, and back. */
+enum { COUNT_FOREVER = -1 };
+static inline int32_t api_or_forever(const struct api_value *v)
+{
+    return v->i == LUA_MAXINTEGER ? COUNT_FOREVER : (int32_t)v->i;
+}
+
+static inline void api_push_or_forever(lua_State *L, int32_t n)
+{
+    lua_pushinteger(L, n == COUNT_FOREVER ? LUA_MAXINTEGER : n);
+}
+_Static_assert((int)COUNT_FOREVER == FROZEN_FOREVER && (int)COUNT_FOREVER == SAFE_FOREVER &&
+                   (int)COUNT_FOREVER == HP_FOREVER,
+               "chips keep forever as -1");
+
 /* Has slot i the tag? 0: any. */
 static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 {
     return !tag || tags[i] == tag;
 }
 
+/* Arguments of what names things by a tag alone, and of what visits them. */
+enum { EACH_TAG, EACH_F, EACH_PARAMS, TAG_PARAMS = 1 };
+extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_PARAMS];
+
+/* A method's row. */
+#define API_VERB(name, run, params, plain, returns, help)                                                              \
+    {                                                                                                                  \
+        name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, help                                      \
+    }
+
+/* The rows of the functions that do. `noun` names one of the things. */
+#define API_GROUPS(noun, group, each)                                                                                  \
+    { noun ".group",                                                                                                   \
+      group,                                                                                                           \
+      PARAMS(api_tag_params),                                                                                          \
+      1,                                                                                                               \
+      API_CHANGES,                                                                                                     \
+      "group",                                                                                                         \
+      "every living " noun " with that tag (without one: all) as one thing to write to" },                             \
+    {                                                                                                                  \
+        noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
+            "calls f(" noun ") for each with that tag (nil: all), in slot order; f cannot wait"                        \
+    }
+
 /* Pushes the group of things with the tag that is given, or of all. */
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
+
+/* Calls the function among the arguments v with each live thing of a pool that has their tag (none: all), in slot
+ * order. Things that come during the calls are not visited. */
+int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+             const uint16_t *tags, const struct api_value v[EACH_PARAMS]);
 
 /* What place and shape words name together: everywhere, a circle, a box or a line with a width. */
 enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
@@ -137,6 +192,10 @@ int api_clear(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
 
+/* bullet.meet. */
+enum { MEET_PARAMS = 6 };
+extern const struct api_param api_meet_params[MEET_PARAMS];
+int api_meet(lua_State *L, struct board *b, struct api_value *v);
 /* Raises when `around` is given and the pool has no room for it, which rom.lua gives. */
 void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *around);
 

@@ -58,17 +58,33 @@ const char *api_reserved_row(int i, const char **of, char *how)
     return reserved[i].names;
 }
 
-/* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
-static int missing_field(lua_State *L)
-{
-    const char *of = lua_tostring(L, lua_upvalueindex(1));
+/* The tables that are there only if rom.lua says so. */
+static const struct {
+    const char *names;
+    size_t room; /* of struct manifest: an int32_t, 0: off */
+    const char *line;
+} optional[] = {
+    { "item items", offsetof(struct manifest, items), "board = { items = 512 }" },
+};
 
-    if (lua_type(L, 2) == LUA_TSTRING && api_reserved(of, '.', lua_tostring(L, 2)))
-        return vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, lua_tostring(L, 2), NOT_YET);
-    if (lua_type(L, 2) == LUA_TSTRING && std_of_field(of, lua_tostring(L, 2)) >= 0)
-        return vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, lua_tostring(L, 2), STD_NOT_HERE);
-    lua_pushnil(L);
-    return 1;
+const char *api_off(const struct manifest *m, const char *name)
+{
+    int32_t room;
+
+    for (size_t i = 0; i < sizeof optional / sizeof *optional; i++) {
+        memcpy(&room, (const char *)m + optional[i].room, sizeof room);
+        if (!room && has_word(optional[i].names, name))
+            return optional[i].line;
+    }
+    return NULL;
+}
+
+void api_no_field(lua_State *L, const char *of, const char *name)
+{
+    if (api_reserved(of, '.', name))
+        vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, name, NOT_YET);
+    if (std_of_field(of, name) >= 0)
+        vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, name, STD_NOT_HERE);
 }
 
 /* Explains what is missing in the table of that name, if there is one. */
@@ -76,13 +92,8 @@ static void explain_missing(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);
 
-    if (lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
-        lua_createtable(L, 0, 1);
-        lua_pushstring(L, table);
-        lua_pushcclosure(L, missing_field, 1);
-        lua_setfield(L, -2, "__index");
-        lua_setmetatable(L, -2);
-    }
+    if (lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1))
+        api_add_space(L, table);
     lua_settop(L, top);
 }
 

@@ -80,9 +80,8 @@ static bool taken(lua_State *L, int kind, const char *name)
     for (int i = 0; kind == 0 && i < api_count(); i++) /* patterns hand on what they do not know */
         for (int k = 0; api_entry(i)->flags & API_FIRE && k < api_entry(i)->count; k++)
             is |= !strcmp(api_entry(i)->params[k].name, name);
-    api_push_methods(L, (int)things[kind]);
-    is |= lua_getfield(L, -1, name) != LUA_TNIL;
-    lua_pop(L, 2);
+    is |= api_push_method(L, (int)things[kind], name);
+    lua_pop(L, 1);
     return is;
 }
 

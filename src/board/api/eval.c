@@ -86,6 +86,7 @@ static void push_table(lua_State *L, int idx)
 {
     lua_Integer n = 1;
 
+    api_fill(L, idx);
     lua_pushliteral(L, "{");
     lua_pushnil(L);
     for (; lua_next(L, idx); n++) {

@@ -44,7 +44,7 @@ static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *
     struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i), ring = *c;
     unsigned flags = b->bullet_kinds.flags[b->bullets.kind[i]];
 
-    if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED)
+    if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
         return MISS;
     b->counts.tested++;
     if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, flags & KIND_SWEPT))
@@ -141,6 +141,8 @@ void hit_run(struct board *b)
     }
     hit_shots(b);
     hit_blocks(b);
+    if (b->bullets.meets)
+        hit_meets(b);
     if (b->enemies.leaving)
         enemies_leave(b);
 }

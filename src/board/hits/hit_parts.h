@@ -128,4 +128,12 @@ void hit_shots(struct board *b);
 /* Bullets against the enemies that block: raises an event for each bullet that touches one. */
 void hit_blocks(struct board *b);
 
+/*
+ * Bullets against bullets: for each pair of tags, in the order of their declaration, each bullet of the first tag, by
+ * slot, meets the one of the second tag that it touches: of several the nearest before both moved, then the lowest
+ * slot. In one frame a bullet meets one other as a first, and once a pair takes it away, it meets no more; two bullets
+ * of the same tag meet once. Those that are delayed or have no shape meet none.
+ */
+void hit_meets(struct board *b);
+
 #endif

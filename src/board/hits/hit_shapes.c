@@ -23,12 +23,13 @@ static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns
     uint32_t n = (uint32_t)at.b + 1;
 
     for (uint32_t i = 0; i < n; i++) {
-        fx x = k->x[kind + i], y = k->y[kind + i];
+        const uint32_t row = kind + i; /* ROW_KIND, then ROW_CIRCLES */
+        fx x = k->x[row], y = k->y[row];
         if (turns)
             turn(x, y, dir, &x, &y);
         piece[i] = at;
         piece[i].shape = SHAPE_CIRCLE;
-        piece[i].a = k->a[kind + i];
+        piece[i].a = k->a[row];
         piece[i].x += x;
         piece[i].y += y;
     }

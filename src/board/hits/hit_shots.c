@@ -402,19 +402,10 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 /* Raises the event as board_event does, which it calls only when there is no room. */
 static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 {
-    struct events *e = &b->events;
     int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
 
-    if (e->n < e->cap)
-        e->list[e->n++] = (struct event){ .kind = EV_SHOT, .a = who, .b = whom };
-    else
+    if (!events_push(&b->events, EV_SHOT, who, whom))
         board_event(b, EV_SHOT, who, whom);
-}
-
-/* The shots of a word that are live, or left the field in this frame's move. */
-static inline uint64_t live_or_held(const struct slots *s, uint32_t word)
-{
-    return s->used[word] | (word * 64 < s->held_top ? s->held[word] : 0);
 }
 
 /* The slot of the enemy that the shot hits, or NO_ENEMY; `at` is the shot's place in its block. */
@@ -452,7 +443,7 @@ static void target_all(struct board *b, const struct grid *g, const struct hit_s
         uint64_t missed = 0;
         if (g->dense)
             locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
-        for (uint64_t bits = live_or_held(s, word); bits; bits &= bits - 1) {
+        for (uint64_t bits = slots_live_or_held(s, word); bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits), slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
             if (solids && raise_solid(b, solids, i, slot))
                 continue;

@@ -12,6 +12,7 @@
 #include <stdint.h>
 #include <string.h>
 #include "luaparts.h"
+#include "../api.h"
 #include "../vm.h"
 
 enum { FEW = 48, RUN = 6, CHARGE_EVERY = 16384 };
@@ -486,6 +487,9 @@ int luatable_pairs(lua_State *L)
     lua_settop(L, 1);
     if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL)
         return luaL_error(L, "pairs: __pairs is not supported");
+    if (lua_getmetatable(L, 1))
+        api_fill(L, 1);
+    lua_settop(L, 1);
     push_iterator(L);
     lua_pushvalue(L, 1);
     lua_pushnil(L);

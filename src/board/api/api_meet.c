@@ -1,0 +1,54 @@
+/*
+ * api_meet.c - bullet.meet: pairs of tags whose bullets meet.
+ */
+#include "../events_run.h"
+#include "api_parts.h"
+
+enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
+
+const struct api_param api_meet_params[MEET_PARAMS] = {
+    { "first", A_STR, REQ, 0, 0, NULL, NULL },    { "second", A_STR, REQ, 0, 0, NULL, NULL },
+    { "clear", A_MEET, OPT, 0, 0, NULL, "none" }, { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },  { "on_meet", A_FUNC, OPT, 0, 0, NULL, NULL },
+};
+
+_Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET are numbered so that they are MEET_ flags");
+
+/* Raises if a pair of tags cannot be declared so. */
+static void check_meet(lua_State *L, const struct bullets *s, const struct api_value *v)
+{
+    const char *entry = "bullet.meet";
+
+    if (!(s->s.groups & SLOTS_GROUP(GROUP_MEET)))
+        api_error(L, entry, "meet is off in this game: write board = { meet = true } in rom.lua");
+    if (!v[ARG_CLEAR].i && !v[ARG_ON_MEET].given)
+        api_error(L, entry, "expected clear or on_meet: without them nothing comes of it");
+    for (int p = ARG_SPARK; p <= ARG_ALL; p++)
+        if (v[p].given && !v[ARG_CLEAR].i)
+            api_error(L, entry, "%s: only with clear", api_meet_params[p].name);
+    if (s->meets == MAX_MEETS)
+        api_error(L, entry, "a game declares at most %d pairs of tags", MAX_MEETS);
+}
+
+int api_meet(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct bullets *s = &b->bullets;
+    uint32_t n = s->meets;
+
+    check_meet(L, s, v);
+    uint16_t first = api_tag(L, "bullet.meet", v[ARG_FIRST].at), second = api_tag(L, "bullet.meet", v[ARG_SECOND].at);
+    for (uint32_t i = 0; i < n; i++)
+        if (s->meet_first[i] == first && s->meet_second[i] == second)
+            api_error(L, "bullet.meet", "\"%s\" and \"%s\" are declared already", lua_tostring(L, v[ARG_FIRST].at),
+                      lua_tostring(L, v[ARG_SECOND].at));
+    s->meet_first[n] = first;
+    s->meet_second[n] = second;
+    s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;
+    s->meet_flags[n] = (uint8_t)(v[ARG_CLEAR].i | (v[ARG_ALL].i ? MEET_ALL : 0));
+    s->meets = n + 1;
+    if (v[ARG_ON_MEET].given) {
+        lua_pushvalue(L, v[ARG_ON_MEET].at);
+        events_set_function(L, (uint16_t)n, "on_meet");
+    }
+    return 0;
+}
