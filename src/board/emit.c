@@ -73,7 +73,8 @@ static void emit_of(const struct board *b, const struct emission *m, struct moti
         e->bank = (uint8_t)(v >> 16 & 15);
     if (named(e, m, EMIT_NUMBER_DELAY, &v))
         e->delay = (uint32_t)whole(v);
-    e->dir = number(e, m, EMIT_NUMBER_DIR, e->dir, 32767);
+    if (named(e, m, EMIT_NUMBER_DIR, &v))
+        e->dir = fx_to_double(v);
     e->speed = number(e, m, EMIT_NUMBER_SPEED, e->speed, MAX_SPEED);
     e->size = number(e, m, EMIT_NUMBER_SIZE, e->size,
                      e->pattern == EMIT_STACK  ? MAX_SPEED
