@@ -43,7 +43,8 @@ enum {
     MAX_VALUES = 4,
     GROUP_HP = GROUP_VALUE + MAX_VALUES,
     GROUP_AROUND,
-    GROUP_FROZEN
+    GROUP_FROZEN,
+    GROUP_ITEMS /* of players: what attracts items */
 };
 
 /* Of what stands still: a column of frames left, or FROZEN_FOREVER, and one of these flags. */

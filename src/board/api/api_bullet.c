@@ -190,7 +190,7 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS };
 
 /* Of shot_def alone. */
 enum { D_CANCELS = D_ORDER + 1 };
@@ -208,7 +208,7 @@ static const struct api_param bullet_def[] = {
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
     { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
@@ -265,7 +265,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 {
     struct bullet_kinds *k = &b->bullet_kinds;
 
-    for (int p = D_SCORE; p <= D_ON_DEATH; p++)
+    for (int p = D_SCORE; p <= D_DROPS; p++)
         if (v[p].given && !v[D_HP].given)
             api_error(L, "bullet.def", "%s: only of a bullet that has hp", bullet_def[p].name);
     if (!v[D_HP].given)
@@ -275,6 +275,10 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
     k->hp[i] = v[D_HP].i == LUA_MAXINTEGER ? HP_FOREVER : (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
+    if (v[D_DROPS].given) {
+        api_drops(L, "bullet.def", v[D_DROPS].at);
+        events_set_function(L, (uint16_t)i, "bullet's drops");
+    }
     if (!v[D_ON_DEATH].given)
         return;
     lua_pushvalue(L, v[D_ON_DEATH].at);
@@ -486,6 +490,7 @@ static const struct api_param bullet_sweep[] = {
     { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
     { "by", A_PAD, OPT, 0, 0, NULL, NULL },
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
 };
 
 /* ---- properties ---- */
@@ -1458,7 +1463,8 @@ static const struct api_entry entries[] = {
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
       "and h about it, "
-      "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
+      "or within width of the line from it to to_x, to_y; with all, also what is not clearable; items: each becomes "
+      "one" },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
       "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
       "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
@@ -1468,14 +1474,14 @@ static const struct api_entry entries[] = {
     { "bullet:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
       "it is moved on by dx, dy at once, and flies on" },
     { "bullet:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
+      "gone, leaving the named spark and item" },
     { "bullet:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
     { "group:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest player" },
     { "group:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
     { "group:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
       "each is moved on by dx, dy at once, and flies on" },
     { "group:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
+      "removes those in the shape, or all, each leaving the named spark and item" },
     { "group:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
@@ -1493,14 +1499,14 @@ static const struct api_entry entries[] = {
     { "shot:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
       "it is moved on by dx, dy at once, and flies on" },
     { "shot:clear", api_clear_self, PARAMS(api_clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
-      "gone, leaving the named spark" },
+      "gone, leaving the named spark and item" },
     { "shot:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
     { "shots:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points at its nearest enemy" },
     { "shots:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
     { "shots:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
       "each is moved on by dx, dy at once, and flies on" },
     { "shots:clear", api_clear_group, PARAMS(api_clear_group_params), 1, API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark" },
+      "removes those in the shape, or all, each leaving the named spark and item" },
     { "shots:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

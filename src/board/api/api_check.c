@@ -10,8 +10,8 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,     "a bullet", "a shot",  "an enemy",         "a player",          "a sprite",
-    "a task", "a motion", "a group", "a group of shots", "a group of enemies"
+    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",        "a task",
+    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items"
 };
 
 /* Pushes how a value looks in an error. */
@@ -158,6 +158,9 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     v->i = api_names_find(L, what, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
+    const char *line = what == N_ITEM ? api_off(&vm_board(L)->cart.m, "item") : NULL;
+    if (line)
+        api_error(L, entry, "%s: " API_OFF, p->name, line);
     api_names_suggest(L, what, lua_tostring(L, at));
     if (lua_isnil(L, -1))
         api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
@@ -252,7 +255,8 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
+    static const char *const kind_nouns[] = { "bullet kind", "shot kind",  "enemy kind",
+                                              "player kind", "spark kind", "item kind" };
     static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                              *const layers[] = { "back", "middle", "front" },
                              *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" };
@@ -311,6 +315,7 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
     case A_ENEMY_KIND:
     case A_PLAYER_KIND:
     case A_SPARK_KIND:
+    case A_ITEM_KIND:
         check_name(L, entry, p, at, v, (enum api_names)(p->type - A_BULLET_KIND), kind_nouns[p->type - A_BULLET_KIND]);
         break;
     case A_SPRITE:

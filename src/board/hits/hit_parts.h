@@ -25,6 +25,9 @@ static inline bool hit_touches(const struct body *p, const struct body *q, bool 
     return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
 }
 
+/* The hit circle of player p. */
+struct body hit_player_body(const struct board *b, uint32_t p);
+
 /* The body of bullet, shot or enemy i, in one piece. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
@@ -127,5 +130,8 @@ void hit_shots(struct board *b);
 
 /* Bullets against the enemies that block: raises an event for each bullet that touches one. */
 void hit_blocks(struct board *b);
+
+/* Players against items: raises an event for each that is taken; of the others, those that left the field are gone. */
+void hit_items(struct board *b);
 
 #endif

@@ -43,7 +43,7 @@ struct manifest {
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* numbers of its own that each has room for */
     int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
-    int32_t items; /* a capacity: 0 unless rom.lua asks for them */
+    int32_t items;              /* a capacity: 0 unless rom.lua asks for them */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
