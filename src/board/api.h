@@ -64,7 +64,8 @@ void api_push_tag(lua_State *L, uint16_t tag);
 /* The number of a register of player `slot`'s kind, or -1. */
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
-/* Drops the list of items on top of the stack (popped), which api_drops made, from that place; nothing, if it is none. */
+/* Drops the list of items on top of the stack (popped), which api_drops made, from that place; nothing if it is no
+ * list. */
 void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
 
 /* A place: x, y or from, moved by dx, dy: the parameters PLACE, which stand in an entry in this order. */

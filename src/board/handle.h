@@ -10,7 +10,8 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-/* H_GROUP, H_SHOTS, H_ENEMIES and H_ITEMS are groups: of bullets, shots, enemies, items. Their slot is a tag, 0: all. */
+/* H_GROUP, H_SHOTS, H_ENEMIES and H_ITEMS are groups: of bullets, shots, enemies, items. Their slot is a tag, 0:
+ * all. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,

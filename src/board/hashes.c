@@ -130,7 +130,9 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
-        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
+        if (is_absent(b, i))
+            hashes[i] = 0;
+        else if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

@@ -129,17 +129,18 @@ static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pu
     return found;
 }
 
-/* Towards the player. Invariant: where the way is longer than the speed, its root is not below the speed, so on no axis
- * does it go further than the player is. */
+/* Towards the player. Invariant: where the way is longer than the speed, it is divided by no less than its length; so
+ * the step is not longer than the speed, and on no axis does it go further than the player is. */
 static void fly(struct items *s, uint32_t i, const struct item_pull *p)
 {
     int64_t dx = (int64_t)p->x - s->x[i], dy = (int64_t)p->y - s->y[i];
     uint64_t way = apart(s, i, p);
 
     if (way > (uint64_t)p->speed * (uint64_t)p->speed) {
-        int64_t root = (int64_t)fx_root(way);
-        dx = dx * p->speed / root;
-        dy = dy * p->speed / root;
+        uint64_t length = fx_root(way);
+        length += length * length < way;
+        dx = dx * p->speed / (int64_t)length;
+        dy = dy * p->speed / (int64_t)length;
     }
     s->vx[i] = (fx)dx;
     s->vy[i] = (fx)dy;

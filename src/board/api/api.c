@@ -166,7 +166,8 @@ static void push_function(lua_State *L, const struct api_entry *e)
     lua_pushcclosure(L, call, 2);
 }
 
-/* What is off goes nowhere. "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
+/* What is off goes nowhere. "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets,
+ * "sys.join" into sys. */
 static void install(lua_State *L, const struct api_entry *e, int sys)
 {
     const char *split = strpbrk(e->name, ".:");

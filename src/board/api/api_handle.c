@@ -167,7 +167,7 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
                      const char *name)
 {
     for (size_t i = 0; i < sizeof switched / sizeof *switched; i++)
-        if (switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
+        if (switched[i].name[0] == name[0] && switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
             !(pool(b, kind)->groups & SLOTS_GROUP(switched[i].group)))
             vm_fault(L, FAULT_SCRIPT, "%s: %s is off in this game: write board = { %s = true } in rom.lua", t->name,
                      name, name);

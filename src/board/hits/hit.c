@@ -86,18 +86,6 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
         }
 }
 
-struct body hit_player_body(const struct board *b, uint32_t p)
-{
-    const struct player *pl = &b->player;
-
-    return (struct body){ .shape = SHAPE_CIRCLE,
-                          .a = b->player_kinds.radius[pl->kind[p]],
-                          .x = pl->x[p],
-                          .y = pl->y[p],
-                          .mx = pl->x[p] - pl->was_x[p],
-                          .my = pl->y[p] - pl->was_y[p] };
-}
-
 /* Those of a block's bullets that hit player p or graze. */
 static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
 {

@@ -26,7 +26,17 @@ static inline bool hit_touches(const struct body *p, const struct body *q, bool 
 }
 
 /* The hit circle of player p. */
-struct body hit_player_body(const struct board *b, uint32_t p);
+static inline struct body hit_player_body(const struct board *b, uint32_t p)
+{
+    const struct player *pl = &b->player;
+
+    return (struct body){ .shape = SHAPE_CIRCLE,
+                          .a = b->player_kinds.radius[pl->kind[p]],
+                          .x = pl->x[p],
+                          .y = pl->y[p],
+                          .mx = pl->x[p] - pl->was_x[p],
+                          .my = pl->y[p] - pl->was_y[p] };
+}
 
 /* The body of bullet, shot or enemy i, in one piece. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
