@@ -1,6 +1,6 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = 3 },
+  registers = { power = { start = 3, max = 40 } }, collect_line = 12, collect_full = "power", magnet = 9, pull = 1.7,
   run = function(p)
     while true do
       wait(4)
@@ -12,6 +12,8 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+item.def("bit", { sprite = "dot", radius = 2.5, gives = { score = { 3, 777 }, power = -1 } })
+item.def("chip", { sprite = "dart", radius = 1.5, gives = { power = 2, lives = 1 }, full = "power", gravity = 0.013 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })
 bullet.def("spore", { sprite = "dart", hit = { circle = 2 }, cloud = "dot", spin = 9.1, clearable = false })
@@ -23,7 +25,7 @@ motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5
   { speed = 4.75, over = 9 } }
 motion.def { name = "spin",
   { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
-enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", drops = { bit = 3, chip = 1 },
   run = function(e)
     while true do
       wait(rng.int(3, 9))
@@ -49,7 +51,7 @@ boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
       end
     end } } })
 
-local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0 }
+local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0, take = 0 }
 for name in pairs(counts) do on[name](function() counts[name] = counts[name] + 1 end) end
 
 local function fold(s)
@@ -101,6 +103,10 @@ task.go(function()
       bullet.clear { x = 32, y = 40, radius = 12, spark = "pop" }
       petals:shift(1.5, -2)
       petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
+      petals:clear { from = mark, radius = 9, items = "bit" }
+      item.drop { kind = "chip", x = 30, y = 20, n = 5, spread = 133.7, speed = 1.9 }
+      item.each(nil, function(it) if it.age > 40 then it:pull() end end)
+      fold(item.group().count .. " " .. counts.take)
       shot.group():turn(3)
       bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
       enemy.group():shift(0, 1)

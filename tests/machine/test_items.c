@@ -516,7 +516,7 @@ static void test_refused(void **state)
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { pow = 1 } }) sys.join(1, 'ship')",
           "item.def: gives: no ship has a register \"pow\" (registers = { pow = 0 } of player.def)" },
         { "item.def('x', { sprite = 'dot', radius = 3, full = 'fuel' }) sys.join(1, 'ship')",
-          "item.def: full: the register \"fuel\" has no max (registers = { fuel = { max = n } } of player.def)" },
+          "item.def: full: no ship's register \"fuel\" has a max (registers = { fuel = { max = n } } of player.def)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { start = 9, max = 3 } } })",
           "player.def: registers.a: start 9 is more than max 3" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { most = 3 } } })",

@@ -1,11 +1,11 @@
 /*
- * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price, all run in
- * turns.
+ * prices.c - section "prices": what a bullet costs that does more than fly straight, and what an item does. One board a
+ * price, all run in turns.
  */
 #include <stdlib.h>
 #include "bench.h"
 
-enum { N = 4096, ROUNDS = 25, FRAMES = 8 };
+enum { N = 4096, ROUNDS = 25, FRAMES = 8, ITEMS = 512 };
 
 static const struct price {
     const char *dip, *what;
@@ -29,6 +29,45 @@ static const struct price {
     { "half", NULL },
 };
 enum { COUNT = sizeof PRICES / sizeof *PRICES, HALF = COUNT - 1 };
+
+/* What an item costs: a tick with so many more of them, and their pictures. */
+static void item_prices(void)
+{
+    static const struct {
+        const char *does, *what;
+        int n;
+    } rows[] = { { "straight", NULL, 0 }, { "straight", "falls", ITEMS }, { "home", "flies to the ship", ITEMS } };
+    enum { ROWS = sizeof rows / sizeof *rows };
+    struct scene s[ROWS];
+    struct samples tick[ROWS] = { { 0 } }, draw[ROWS] = { { 0 } };
+
+    for (int i = 0; i < ROWS; i++)
+        bench_scene(&s[i],
+                    &(struct scene_want){ .does = "items", .price = rows[i].does, .n = rows[i].n, .bullets = 64 });
+    for (int round = -2; round < ROUNDS; round++)
+        for (int i = 0; i < ROWS; i++)
+            for (int f = 0; f < FRAMES; f++) {
+                double from = bench_now();
+                bench_tick(&s[i]);
+                double ticked = bench_now();
+                scene_draw(&s[i]);
+                if (round < 0 || f == 0)
+                    continue;
+                samples_add(&tick[i], ticked - from);
+                samples_add(&draw[i], bench_now() - ticked);
+            }
+    report_text("Nanoseconds for each of %s items of 12 px, beyond a board without any.", report_count(ITEMS));
+    report_table(NULL, "an item that | tick> | draw>");
+    for (int i = 1; i < ROWS; i++)
+        report_row(i == 1, rows[i].what, report_figure((samples_median(&tick[i]) - samples_median(&tick[0])) / ITEMS),
+                   report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / ITEMS), NULL);
+    report_table_end();
+    for (int i = 0; i < ROWS; i++) {
+        samples_free(&tick[i]);
+        samples_free(&draw[i]);
+        scene_close(&s[i]);
+    }
+}
 
 void section_prices(void)
 {
@@ -76,4 +115,5 @@ void section_prices(void)
         scene_close(&scenes[i]);
     }
     free(scenes);
+    item_prices();
 }

@@ -197,22 +197,30 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-void api_items_check(lua_State *L, struct board *b, uint32_t player)
+/* Has any ship a register of that name with a max? */
+static bool can_fill(lua_State *L, const struct board *b, const char *name)
 {
-    const struct item_kinds *k = &b->item_kinds;
-    const uint32_t ship = b->player.kind[player];
+    for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
+        int reg = api_ship_register(L, (int32_t)ship, name);
+        if (reg >= 0 && b->player_kinds.most[ship * PLAYER_REGISTERS + (uint32_t)reg])
+            return true;
+    }
+    return false;
+}
 
+void api_items_check(lua_State *L, struct board *b)
+{
     for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++) {
         const char *name = api_names_at(b, N_ITEM_REGISTER, r);
         if (!api_register_declared(L, name))
             api_error(L, DEF, "gives: no ship has a register \"%s\" (registers = { %s = 0 } of player.def)", name,
                       name);
     }
-    for (uint32_t i = 0; i < k->s.live; i++) {
-        const char *name = api_names_at(b, N_ITEM_REGISTER, (int)k->full[i] - 1);
-        int reg = name ? api_player_register(L, b, player, name) : -1;
-        if (reg >= 0 && !b->player_kinds.most[ship * PLAYER_REGISTERS + (uint32_t)reg])
-            api_error(L, DEF, "full: the register \"%s\" has no max (registers = { %s = { max = n } } of player.def)",
+    for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
+        const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
+        if (name && !can_fill(L, b, name))
+            api_error(L, DEF,
+                      "full: no ship's register \"%s\" has a max (registers = { %s = { max = n } } of player.def)",
                       name, name);
     }
 }

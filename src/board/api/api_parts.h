@@ -143,8 +143,11 @@ bool api_property(const struct api_thing *t, const char *name);
 /* Pushes a list, as a text, of what a table at `at` (drops = { NAME = n }) names, in byte order of the names. */
 void api_drops(lua_State *L, const char *entry, int at);
 
-/* Are the registers that items give those of a ship, and has player's ship a most for those that they fill? Raises. */
-void api_items_check(lua_State *L, struct board *b, uint32_t player);
+/* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */
+void api_items_check(lua_State *L, struct board *b);
+
+/* The number of a register of that kind of ship, or -1. */
+int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);

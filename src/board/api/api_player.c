@@ -134,8 +134,7 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_pop(L, 1);
 }
 
-/* The number of a register of that kind of ship, or -1. */
-static int register_of(lua_State *L, lua_Integer kind, const char *name)
+int api_ship_register(lua_State *L, int32_t kind, const char *name)
 {
     int i = -1, top = lua_gettop(L);
 
@@ -148,7 +147,7 @@ static int register_of(lua_State *L, lua_Integer kind, const char *name)
 
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
 {
-    return slot < PADS ? register_of(L, b->player.kind[slot], name) : -1;
+    return slot < PADS ? api_ship_register(L, b->player.kind[slot], name) : -1;
 }
 
 bool api_register_declared(lua_State *L, const char *name)
@@ -196,7 +195,7 @@ static void keep_run(lua_State *L, int32_t kind, int at)
 static uint8_t full_register(lua_State *L, const struct player_kinds *k, int32_t kind, const struct api_value *full)
 {
     const char *name = full->given ? lua_tostring(L, full->at) : "";
-    int i = full->given ? register_of(L, kind, name) : -1;
+    int i = full->given ? api_ship_register(L, kind, name) : -1;
 
     if (!full->given)
         return 0;
@@ -266,7 +265,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
             player_place(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
-    api_items_check(L, b, i);
+    api_items_check(L, b);
     b->core.extended[i] = 0;
     b->core.over = 0;
     input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
