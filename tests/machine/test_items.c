@@ -78,6 +78,8 @@ static void test_fall(void **state)
     for (int round = 0; round < 4000; round++) {
         fx gravity = k->gravity[0] = (fx)between(0, round % 2 ? 4000 : 40), top = k->top[0] = (fx)between(0, 1 << 18);
         fx vx = (fx)between(-(1 << 18), 1 << 18), vy = (fx)between(-(1 << 18), 1 << 19);
+        if (round % 5 == 0) /* a frame in which it stands at its highest */
+            vy = -(fx)between(0, 60) * gravity;
         uint32_t i = (uint32_t)items_put(s, 0, 0, 0, 0);
         int64_t n = between(1, 600), rises = 0, x, y, end;
         s->vx[i] = vx;
@@ -140,6 +142,27 @@ static void test_pull(void **state)
             assert_true(s->vx[i] == mx && s->vy[i] == my);
         }
         slots_drop(&s->s, i);
+    }
+    done();
+}
+
+/* What flies to one player is let go; what flies to the other is not. */
+static void test_let_go(void **state)
+{
+    (void)state;
+    power("");
+    struct items *s = &rig.b->items;
+    for (uint32_t i = 0; i < 8; i++) {
+        items_put(s, 0, 0, 0, 0);
+        s->vx[i] = s->vy[i] = 5;
+        if (i % 4 > 1)
+            items_pull(s, i, i % 2);
+    }
+    items_let_go(s, 1);
+    for (uint32_t i = 0; i < 8; i++) {
+        assert_int_equal(s->pull[i], i % 4 == 2 ? 1 : 0);
+        assert_int_equal(s->vx[i], i % 4 == 3 ? 0 : 5);
+        assert_int_equal(s->vy[i], s->vx[i]);
     }
     done();
 }
@@ -272,10 +295,12 @@ static void test_directions(void **state)
 
 static void test_points(void **state)
 {
-    int64_t low[1], high[1];
+    int64_t low[1] = { 3 }, high[1] = { 9 };
     const struct item_kinds k = { .low = low, .high = high };
 
     (void)state;
+    assert_int_equal(items_points(&k, 0, 70, 70, 50), 9); /* a line below the bottom */
+    assert_int_equal(items_points(&k, 0, 71, 70, 50), 3);
     rng_seed(&rng, 14);
     for (int i = 0; i < 20000; i++) {
         fx line = (fx)between(-(20 << 16), 400 << 16), bottom = (fx)between(16 << 16, 1024 << 16);
@@ -593,11 +618,11 @@ static void test_absent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fall),       cmocka_unit_test(test_pull),     cmocka_unit_test(test_taken),
-        cmocka_unit_test(test_directions), cmocka_unit_test(test_points),   cmocka_unit_test(test_gives),
-        cmocka_unit_test(test_events),     cmocka_unit_test(test_attracts), cmocka_unit_test(test_sources),
-        cmocka_unit_test(test_phases),     cmocka_unit_test(test_frozen),   cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_event_room), cmocka_unit_test(test_absent),
+        cmocka_unit_test(test_fall),    cmocka_unit_test(test_pull),       cmocka_unit_test(test_let_go),
+        cmocka_unit_test(test_taken),   cmocka_unit_test(test_directions), cmocka_unit_test(test_points),
+        cmocka_unit_test(test_gives),   cmocka_unit_test(test_events),     cmocka_unit_test(test_attracts),
+        cmocka_unit_test(test_sources), cmocka_unit_test(test_phases),     cmocka_unit_test(test_frozen),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_event_room), cmocka_unit_test(test_absent),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
