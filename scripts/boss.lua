@@ -20,6 +20,8 @@ local function checked(entry, ids)
     sys.fail("boss.def", ('phase "%s": hp: expected a whole number, got nil'):format(phase.id))
   end
   ids[phase.id] = true
+  if phase.clear then phase.clear = sys.check("boss.def clear", phase.clear) end
+  if phase.drops then phase.drops = sys.drops("boss.def", phase.drops) end
   return phase
 end
 
@@ -73,7 +75,9 @@ local function play(b, e, phase)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
   task.stop(scene)
-  bullet.clear { all = true }
+  local left = phase.clear or {}
+  bullet.clear { all = true, spark = left.spark, items = won and left.items or nil }
+  if won and phase.drops and e.alive then sys.drop(phase.drops, e.x, e.y) end
   if e.alive then e.x = e.x end -- ends the move it makes
   e.safe = forever
   if won and phase.bonus > 0 then

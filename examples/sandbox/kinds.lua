@@ -9,7 +9,8 @@ enemy.def("wisp",  { sprite = "wisp",  hit = { box = { 16, 16 } }, hp = 8, score
 enemy.def("jelly", { sprite = "jelly", hit = { box = { 28, 26 } }, hp = 40, score = 1000, spark = "glint" })
 enemy.def("queen", { sprite = "queen", hit = { box = { 52, 56 } }, score = 50000, spark = "glint" })
 
-player.def("ship", { sprite = "ship", hit = { circle = 2 }, registers = { power = 1, bombs = 3 }, run = function(p)
+player.def("ship", { sprite = "ship", hit = { circle = 2 }, registers = { power = { start = 1, max = 32 }, bombs = 3 },
+  collect_line = 90, collect_full = "power", run = function(p)
   while true do
     if pad.down("fire", p) then shot.fire { kind = "dart", from = p, dy = -12, speed = 9 } end
     wait(5)

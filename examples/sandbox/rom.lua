@@ -2,7 +2,7 @@
 return {
   title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
-            meet = true }, -- room for all that chapters 3 and 4 show
+            meet = true, items = 256 }, -- room for all that chapters 3, 4 and 22 show
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {
@@ -10,6 +10,7 @@ return {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },
     sparks  = { file = "art/sparks.png",  bank = 0 },
+    items   = { file = "art/items.png",   bank = 0 },
     heron   = { file = "art/heron.png",   bank = 8 },
     enemies = { file = "art/enemies.png", bank = 10 },
     queen   = { file = "art/queen.png",   bank = 12 },
@@ -22,6 +23,10 @@ return {
     dart  = { sheet = "shots",   x = 0,   y = 0,   w = 16, h = 16, rotations = 32 },
     glint = { sheet = "sparks",  x = 0,   y = 0,   w = 12, h = 12, frames = 4, every = 4 },
     halo  = { sheet = "sparks",  x = 0,   y = 16,  w = 48, h = 48, frames = 4, every = 5 },
+    power = { sheet = "items",   x = 0,   y = 0,   w = 14, h = 14 },
+    point = { sheet = "items",   x = 16,  y = 0,   w = 14, h = 14 },
+    life  = { sheet = "items",   x = 32,  y = 0,   w = 14, h = 14 },
+    shard = { sheet = "items",   x = 64,  y = 0,   w = 10, h = 10 },
     lamp  = { sheet = "glow",    x = 0,   y = 0,   w = 128, h = 128 },
     ember = { sheet = "glow",    x = 128, y = 0,   w = 24, h = 24 },
     ship  = { sheet = "heron",   x = 0,   y = 0,   w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },

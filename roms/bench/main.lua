@@ -15,7 +15,8 @@ local function shuttle()
 end
 
 local function target()
-  player.def("target", { sprite = "d8", hit = { circle = 2 }, graze = 12, safe = 0, lives = 99 })
+  player.def("target", { sprite = "d8", hit = { circle = 2 }, graze = 12, safe = 0, lives = 99,
+    magnet = 0, pull = 0.001 })
   on.hit(function(p) p.safe = 1 end) -- being hit is counted, and changes nothing
 end
 

@@ -3,7 +3,8 @@
 return {
   title = "Bench", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
-  board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384 },
+  board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384,
+            items = 512 },
   palette = "art/palette.png", font = "art/font.png", blends = { glow = "add" },
   sheets = { discs = { file = "art/discs.png", bank = 0 } },
   sprites = {
@@ -22,7 +23,7 @@ return {
     kind15 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind16 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
   },
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
-    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices" },
+    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },
     -- more of it: a switch has room for 16 words

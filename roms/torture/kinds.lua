@@ -2,6 +2,11 @@
 spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
 spark.def("long", { sprite = "box", life = 400 })
 
+item.def("coin", { sprite = "steps", radius = 6, gives = { score = { 5, 500 }, power = 2, bombs = -1 }, full = "power",
+  on_take = function(p, i) board.note(i.x + i.y + i.age + p.power + (i.alive and 9 or 0)) end })
+item.def("heart", { sprite = "letter", radius = 20, gives = { lives = 1 }, gravity = 0.01, top = 0.5, magnet = false, bank = 3 })
+item.def("husk", { sprite = "box", radius = 9, gravity = 0, bank = 1 })
+
 bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
 bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4, vanish = "ping", order = -3 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
@@ -11,7 +16,7 @@ bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order =
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
 bullet.def("late", { sprite = "steps", hit = { circles = { { -1.5, 0.5, 2.5 }, { 2.5, 0, 1.5 } } }, bank = 6, swept = false })
 
-bullet.def("nut", { sprite = "box", hit = { box = { 12, 12 } }, hp = 5, score = 30, spark = "ping", cloud = "steps",
+bullet.def("nut", { sprite = "box", hit = { box = { 12, 12 } }, hp = 5, score = 30, spark = "ping", cloud = "steps", drops = { coin = 2 },
   on_death = function(b, p) board.note(b.x + b.y + b.hp + (p and p.index or 0) + (b.alive and 9 or 0)) end })
 bullet.def("shield", { sprite = "letter", hit = { circle = 6 }, hp = forever, clearable = false, bank = 2 })
 

@@ -12,7 +12,7 @@ local function ringer(e)
 end
 
 local function brief(e) wait(40) e:remove() end
-enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer,
+enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer, drops = { coin = 2, husk = 1 },
   on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
   on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
 enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false })
@@ -21,7 +21,7 @@ enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
 enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief })
 
 boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
-  { id = "one", hp = 60, time = 240, bonus = 500, run = function(e)
+  { id = "one", hp = 60, time = 240, bonus = 500, drops = { heart = 1, coin = 3 }, clear = { items = "coin", spark = "ping" }, run = function(e)
       task.go(function() while true do pattern.aimed { from = e, kind = "needle", n = 3, every = 5, speed = 2, lock = true } wait(20) end end)
       pattern.spiral { from = e, kind = "dot", n = forever, arms = 2, step = 13, every = 6, speed = 1.6 }
     end },
@@ -204,7 +204,7 @@ local function enemies()
     wait_until(function() return enemy.count() < 20 end, 30)
     enemy.spawn { kind = n % 6 == 0 and "shade" or n % 6 == 3 and "pearl" or "globe", x = 40 + n * 29 % 150, y = 200 }
     local e = enemy.spawn { kind = n % 3 == 0 and "wall" or "drone", x = 20 + n * 37 % 180, y = 20 + n % 50, tag = "crowd",
-      hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
+      drops = n % 5 == 2 and { husk = 2 } or nil, hp = 3 + n % 6, bank = n % 4, on_death = function() board.note(n) end }
     enemy.spawn { kind = "drone", path = n % 2 == 0 and swoop or across, mirror = n % 3 == 1, dx = n % 7, dy = n % 5 }
     e:move { x = rng.int(10, 200), y = 100, over = 50, ease = "both" }
     task.own(e, function(own, extra)
@@ -321,14 +321,47 @@ local function figures()
   end
 end
 
-local corners = { bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures }
+local function items()
+  local all = item.group()
+  for n = 1, forever do
+    item.drop { kind = n % 40 == 3 and "heart" or n % 5 == 1 and "husk" or "coin", x = 40 + n * 13 % 150, y = 40, n = n % 4,
+      dir = 270 + n, spread = n % 9 * 45, speed = n % 3, tag = n % 2 == 0 and "new" or nil }
+    item.drop { kind = "coin", from = player.nearest(112, 112), dx = n % 60 - 30, dy = -25 }
+    for k, i in ipairs(query.near { what = "item", x = 112, y = 112, radius = 150, tag = n % 3 == 0 and "new" or nil }) do
+      board.note(i.x + i.y + i.vx + i.vy + i.age + (i.frozen == forever and 0 or i.frozen))
+      board.note(i.kind .. (i.tag or ""))
+      if k == 1 then i.vx, i.vy = n % 3 - 1, -1 end
+      if k == 2 then i.x, i.y = i.x + 1, i.y - 3 end
+      if k == 3 then i.tag, i.frozen = "old", n % 4 == 0 and forever or n % 30 end
+      if k == 4 then i:pull(n % 2 + 1) end
+      if k == 5 then i:remove() end
+    end
+    if n % 12 == 5 then all.frozen = 0 end
+    if n % 9 == 4 then item.group("new"):pull() end
+    if n % 11 == 7 then item.group("old").vx = 0.5 item.group("old").vy = 1 item.group("old").tag = "new" end
+    if n % 17 == 9 then item.group("old").x = 90 item.group("new").y = 70 end
+    if n % 13 == 6 then item.each("new", function(i) if i.age > 90 then i.tag = "old" end end) end
+    if n % 23 == 22 then item.group("old"):remove() end
+    if n % 19 == 8 then
+      item.drop { kind = "husk", x = 20, y = 20, n = 50, spread = 360, speed = 2 }
+      bullet.clear { x = 112, y = 90, radius = 60, items = "coin" }
+      bullet.group("late"):clear { items = "husk", spark = "long" }
+      bullet.sweep { x = 112, y = 60, radius_to = 50, over = 4, items = "coin" }
+      bullet.fire { kind = "dot", x = 60, y = 60, speed = 0 }:clear { items = "husk" }
+    end
+    board.note(all.count)
+    wait(6)
+  end
+end
+
+local corners = { items, bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end
   stage.at(60)
   stage.wave { kind = "drone", n = 5, every = 12, path = swoop, mirror = true, dx = 4, dy = 6,
     run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
-  stage.at(200)
+  stage.at(212)
   board.note(stage.skipping())
   stage.mark "boss"
   boss.fight "twin"

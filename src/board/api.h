@@ -64,6 +64,13 @@ void api_reserved_install(lua_State *L);
 uint16_t api_tag(lua_State *L, const char *entry, int at);
 void api_push_tag(lua_State *L, uint16_t tag);
 
+/* The number of a register of player `slot`'s kind, or -1. */
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+
+/* Drops the list of items on top of the stack (popped), which api_drops made, from that place; nothing if it is no
+ * list. */
+void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
+
 /* A place: x, y or from, moved by dx, dy: the parameters PLACE, which stand in an entry in this order. */
 enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
 #define PLACE                                                                                                          \
@@ -73,7 +80,7 @@ enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
         "dy", A_FX, OPT, -WORLD, WORLD, "px", "0"                                                                      \
     }
 enum {
-    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE,
+    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM,
     OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK,
 };
 

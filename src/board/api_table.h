@@ -35,6 +35,7 @@ enum api_type {
     A_ENEMY_KIND,
     A_PLAYER_KIND,
     A_SPARK_KIND,
+    A_ITEM_KIND,
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_BUTTON,
@@ -54,11 +55,13 @@ enum api_names {
     N_ENEMY,
     N_PLAYER,
     N_SPARK,
+    N_ITEM,
     N_MOTION,
     N_TAG,
     N_BULLET_VALUE, /* value.def: by the number of the column */
     N_SHOT_VALUE,
     N_ENEMY_VALUE,
+    N_ITEM_REGISTER, /* registers of players that items give, by their number among the items' */
     NAME_LISTS
 };
 

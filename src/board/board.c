@@ -28,7 +28,7 @@ static const struct chip core_chip = { "board", core_columns, sizeof core_column
 static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
                                          false };
 
-enum { MAX_PLAYER_KINDS = 64 };
+enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256 };
 
 /* The first n groups of values. */
 static uint32_t value_groups(int32_t n)
@@ -69,7 +69,7 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
     PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, 0)                                                 \
     PART(player_chip, player, PADS, 0)                                                                                 \
-    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, 0)                                                         \
+    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
     PART(motions_chip, motions, m->motions, 0)                                                                         \
     PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
@@ -77,7 +77,9 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
+    PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
+    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -112,10 +114,11 @@ static struct layout layout_of(const struct manifest *m)
 }
 
 /* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, an enemy
- * may touch, die and leave. */
+ * may touch, die and leave, an item is taken once and may give lives. */
 static uint64_t event_room(const struct manifest *m)
 {
-    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
+    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
+           2 * (uint64_t)m->items + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -368,6 +371,14 @@ static void phase_done(const struct board *b, enum board_phase phase)
         b->output->phase_done(b->output->phase_context, phase);
 }
 
+static void move_items(struct board *b)
+{
+    struct item_pull pull[PADS];
+
+    board_pulls(b, pull);
+    items_move(&b->items, &b->item_kinds, pull);
+}
+
 void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
@@ -381,6 +392,8 @@ void board_move(struct board *b)
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
+    if (b->items.s.top)
+        move_items(b);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }
@@ -405,6 +418,7 @@ static void next_frame(struct board *b)
     bullets_stay(&b->bullets);
     bullets_stay(&b->shots);
     enemies_stay(&b->enemies);
+    items_stay(&b->items);
 }
 
 static void tick(struct board *b, const uint16_t pads[PADS])
@@ -682,6 +696,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->enemies.s;
     case H_SPRITE:
         return &b->sprites.s;
+    case H_ITEM:
+        return &b->items.s;
     case H_TASK:
         return &b->tasks.s;
     default:
@@ -721,7 +737,8 @@ bool board_there(const struct board *b, int64_t h)
 
     if (kind == H_ENEMY)
         return slots_has(&b->enemies.s, handle_slot(h), handle_gen(h));
-    if ((kind == H_BULLET || kind == H_SHOT) && slots_has_held(pool(b, kind), handle_slot(h), handle_gen(h)))
+    if ((kind == H_BULLET || kind == H_SHOT || kind == H_ITEM) &&
+        slots_has_held(pool(b, kind), handle_slot(h), handle_gen(h)))
         return true;
     return board_alive(b, h);
 }
@@ -743,6 +760,8 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
         return *x = b->player.x[i], *y = b->player.y[i], true;
     case H_SPRITE:
         return *x = b->sprites.x[i], *y = b->sprites.y[i], true;
+    case H_ITEM:
+        return *x = b->items.x[i], *y = b->items.y[i], true;
     default:
         return false;
     }

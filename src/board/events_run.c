@@ -1,17 +1,20 @@
 /*
  * events_run.c - see events_run.h.
  *
- * Handlers are in the Lua registry: a list of functions for each event, and a table of functions by enemy kind ("on_hit
- * 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), or by enemy (slot + 1; every spawn sets
- * it, so that none is left of the slot's last tenant). A handler may raise further events; they are applied in the same
- * frame, after those raised before.
+ * Handlers are in the Lua registry: a list of functions for each event that has any, and a table of functions by enemy
+ * kind ("on_hit 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), by item kind ("item's on_take 3"), or by enemy (slot + 1;
+ * every spawn sets it, so that none is left of the slot's last tenant); and there are lists of drops ("drops 3",
+ * "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they are applied in the same frame,
+ * after those raised before.
  */
 #include "events_run.h"
 #include <string.h>
+#include "../base/int.h"
 #include "../chips/sparks.h"
+#include "api.h"
 
-const char *const events_names[] = { "graze", "hit",   NULL,     "death", "game_over",
-                                     "kill",  "leave", "extend", "phase", "stage" };
+const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
+                                     "leave", "extend", "take", "phase", "stage" };
 
 enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
 
@@ -25,12 +28,7 @@ static void new_registry_table(lua_State *L, const void *key)
 
 void events_open(lua_State *L)
 {
-    lua_newtable(L);
-    for (int k = 0; k < EVENT_NAMES; k++) {
-        lua_newtable(L);
-        lua_rawseti(L, -2, k);
-    }
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    new_registry_table(L, &handlers_key);
     new_registry_table(L, &functions_key);
     new_registry_table(L, &emitted_key);
 }
@@ -38,7 +36,12 @@ void events_open(lua_State *L)
 void events_on(lua_State *L, int kind)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_rawgeti(L, -1, kind);
+    if (lua_rawgeti(L, -1, kind) == LUA_TNIL) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, kind);
+    }
     lua_pushvalue(L, -3);
     lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
     lua_pop(L, 3);
@@ -78,8 +81,7 @@ static void call_handlers(lua_State *L, int kind, int n)
 
     luaL_checkstack(L, n + 4, NULL);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_rawgeti(L, -1, kind);
-    lua_Integer count = (lua_Integer)lua_rawlen(L, -1);
+    lua_Integer count = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
     for (lua_Integer h = 1; h <= count; h++) {
         lua_rawgeti(L, -1, h);
         for (int i = 0; i < n; i++)
@@ -121,16 +123,52 @@ void events_set_death(lua_State *L, uint32_t slot)
     lua_pop(L, 1);
 }
 
-bool events_push_function(lua_State *L, uint16_t kind, const char *what)
+void events_set_drops(lua_State *L, uint32_t slot)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, -(lua_Integer)slot - 1);
+    lua_pop(L, 1);
+}
+
+/* Pushes what events_set_function set, or nil. */
+static void push_set(lua_State *L, uint16_t kind, const char *what)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_pushfstring(L, "%s %d", what, (int)kind);
     lua_rawget(L, -2);
     lua_remove(L, -2);
+}
+
+bool events_push_function(lua_State *L, uint16_t kind, const char *what)
+{
+    push_set(L, kind, what);
     if (lua_isfunction(L, -1))
         return true;
     lua_pop(L, 1);
     return false;
+}
+
+/* Drops the list on top of the stack (popped), if it is one. */
+static void drop(lua_State *L, struct board *b, fx x, fx y)
+{
+    if (lua_type(L, -1) == LUA_TSTRING)
+        api_drop_list(L, b, x, y);
+    else
+        lua_pop(L, 1);
+}
+
+/* What this enemy drops, else what its kind does. */
+static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    bool own = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
+    lua_remove(L, -2);
+    if (!own) {
+        lua_pop(L, 1);
+        push_set(L, b->enemies.kind[i], "drops");
+    }
+    drop(L, b, b->enemies.x[i], b->enemies.y[i]);
 }
 
 /* Pushes the on_death of one enemy, else of its kind; false (nothing pushed): neither has one. */
@@ -176,6 +214,8 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
     death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
     board_event(b, EV_KILL, h, p);
     b->enemies.hp[i] = 0;
+    if (b->items.s.cap)
+        enemy_drops(L, b, i);
     if (push_death(L, i, kind)) { /* it can still read where it died */
         push_thing(L, h);
         push_thing(L, p);
@@ -225,6 +265,10 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
     if (player)
         board_score(b, player - 1, k->score[kind]);
     death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
+    if (b->items.s.cap) {
+        push_set(L, kind, "bullet's drops");
+        drop(L, b, b->bullets.x[i], b->bullets.y[i]);
+    }
     if (events_push_function(L, kind, "bullet's on_death")) {
         push_thing(L, h);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
@@ -331,6 +375,63 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
     tell(L, e);
 }
 
+/* At its most, the register that fills up leaves an item with its points alone. */
+static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
+{
+    const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
+    int reg = name ? api_player_register(L, b, p, name) : -1;
+
+    return reg >= 0 && player_register_full(&b->player, &b->player_kinds, p, (uint32_t)reg);
+}
+
+static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+{
+    for (int k = 0; k < ITEM_REGISTERS; k++) {
+        const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
+        int reg = n ? api_player_register(L, b, p, api_names_at(b, N_ITEM_REGISTER, k)) : -1;
+        if (reg >= 0)
+            player_set_register(&b->player, &b->player_kinds, p, (uint32_t)reg,
+                                (int64_t)b->player.regs[p * PLAYER_REGISTERS + (uint32_t)reg] + n);
+    }
+}
+
+static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+{
+    const fx line = b->player_kinds.line[b->player.kind[p]];
+    const bool full = is_full(L, b, p, kind);
+
+    board_score(
+        b, p,
+        items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16)));
+    if (full)
+        return;
+    give_registers(L, b, p, kind);
+    if (!b->item_kinds.lives[kind])
+        return;
+    b->player.lives[p] = (int32_t)int64_min((int64_t)b->player.lives[p] + b->item_kinds.lives[kind], MOST_LIVES);
+    board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
+}
+
+/* The handlers can read the item, which is not alive. A player who was hit in this frame takes it all the same: that it
+ * died comes behind. */
+static void apply_take(struct board *b, lua_State *L, const struct event *e)
+{
+    const uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
+
+    if (!board_alive(b, e->a) || !board_alive(b, e->b))
+        return;
+    slots_hold(&b->items.s, b->items.taken, i);
+    give(L, b, p, b->items.kind[i]);
+    if (events_push_function(L, b->items.kind[i], "item's on_take")) {
+        push_thing(L, e->a);
+        push_thing(L, e->b);
+        lua_call(L, 2, 0);
+    }
+    tell(L, e);
+    if (board_there(b, e->b))
+        slots_release(&b->items.s, i);
+}
+
 static bool anyone_in(const struct board *b)
 {
     return b->player.in[0] || b->player.in[1];
@@ -379,6 +480,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     fx x, y;
 
     tell(L, e);
+    items_let_go(&b->items, p);
     if (!board_alive(b, e->a))
         return;
     if (b->player.lives[p] >= 0) {
@@ -437,6 +539,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_DEATH:
         apply_death(b, L, e);
+        break;
+    case EV_TAKE:
+        apply_take(b, L, e);
         break;
     case EV_SCRIPT:
         apply_emitted(L, e);

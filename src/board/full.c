@@ -22,6 +22,7 @@ static const struct wording wordings[] = {
     { &enemies_chip, "enemies", "enemies", gone },
     { &sprites_chip, "sprites", "sprites", gone },
     { &sparks_chip, "sparks", "sparks", gone },
+    { &items_chip, "items", "items", gone },
     { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
     { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
     { &steps_chip, "motion steps", "motions", "what is given a program that finds no room flies straight" },

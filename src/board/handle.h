@@ -10,7 +10,8 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-/* The last three are groups: of bullets, of shots, of enemies. Their slot is a tag, 0: all. */
+/* H_GROUP, H_SHOTS, H_ENEMIES and H_ITEMS are groups: of bullets, shots, enemies, items. Their slot is a tag, 0:
+ * all. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,
@@ -22,6 +23,8 @@ enum handle_kind {
     H_GROUP,
     H_SHOTS,
     H_ENEMIES,
+    H_ITEM,
+    H_ITEMS,
     HANDLES
 };
 
@@ -42,7 +45,9 @@ static inline enum handle_kind handle_kind(int64_t h)
 
 static inline bool handle_kind_group(enum handle_kind kind)
 {
-    return kind >= H_GROUP && kind <= H_ENEMIES;
+    const unsigned groups = 1u << H_GROUP | 1u << H_SHOTS | 1u << H_ENEMIES | 1u << H_ITEMS;
+
+    return groups >> kind & 1;
 }
 
 static inline uint32_t handle_gen(int64_t h)

@@ -1,14 +1,15 @@
 /*
  * hit.h - every collision of a frame, in one fixed order. Reads everything; writes events and counts,
- * and releases the shots that left and hit nothing.
+ * and takes the shots and items away that left and hit nothing.
  * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then enemies by slot; then the shots by slot, each
  * with the enemy it touches, or the bullet that shots can hit: of several, the one that was nearest to it before they
  * moved, and of those an enemy, then the lowest slot; then the live bullets by slot, each with the enemy that blocks
  * it, if any does; then by pair of tags the bullets of the first tag by slot, each with the one of the second tag that
- * it meets; then the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move
- * outside of the field and its margin are tested as all others.
+ * it meets; then the enemies that left the field, by slot; then the items by slot, each with the player that takes it.
+ * Bullets, shots, enemies and items that end this frame's move outside of the field and its margin are tested as all
+ * others.
  */
 #ifndef BOARD_HIT_H
 #define BOARD_HIT_H

@@ -19,6 +19,7 @@
 #include "../chips/events.h"
 #include "../chips/fix.h"
 #include "../chips/input.h"
+#include "../chips/items.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
@@ -111,6 +112,8 @@ struct board {
     struct nvram nvram;
     struct sparks sparks;
     struct spark_kinds spark_kinds;
+    struct items items;
+    struct item_kinds item_kinds;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -118,7 +121,10 @@ struct part {
     const struct chip *chip;
     size_t at, size; /* of the struct, in struct board */
 };
-enum { PARTS = 20 };
+enum {
+    PARTS = 22,
+    PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
+};
 extern const struct part machine_parts[PARTS];
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
@@ -146,6 +152,25 @@ static inline enum press_side board_presses(const struct board *b)
 
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
+
+/* What an item is made from, and how it sets out. */
+struct item_drop {
+    fx x, y;
+    ang dir;
+    uint64_t spread; /* 2^32: all round */
+    fx speed;
+    uint16_t tag;
+};
+
+/* Makes n[k] items of each of `kinds` kinds, all of them laid out evenly, in this order; board_full when there is no
+ * room. */
+void board_drop(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds);
+
+/* An item at rest, in the place of something. */
+void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
+
+/* What each player attracts. */
+void board_pulls(const struct board *b, struct item_pull pull[PADS]);
 
 /* The spark that bullet i's kind leaves when the bullet is cleared. */
 void board_vanish(struct board *b, uint32_t i);

@@ -18,6 +18,7 @@ enum event_kind {
     EV_KILL,   /* a: enemy handle, b: player or 0 */
     EV_LEAVE,  /* a: enemy handle */
     EV_EXTEND, /* a: player */
+    EV_TAKE,   /* a: player, b: item handle */
     EV_SCRIPT, /* a: index of what sys.emit queued */
     EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
     EV_MEET    /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */

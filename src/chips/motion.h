@@ -51,7 +51,8 @@ enum {
     GROUP_HP = GROUP_VALUE + MAX_VALUES,
     GROUP_AROUND,
     GROUP_FROZEN,
-    GROUP_MEET
+    GROUP_MEET,
+    GROUP_ITEMS /* of players: what attracts items */
 };
 
 /* Of what stands still: a column of frames left, or FROZEN_FOREVER, and one of these flags. */

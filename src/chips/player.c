@@ -3,12 +3,22 @@
  */
 #include "player.h"
 #include <string.h>
+#include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(player_kinds, sprite), COLUMN(player_kinds, radius),
-    COLUMN(player_kinds, graze),  COLUMN(player_kinds, speed),
-    COLUMN(player_kinds, focus),  COLUMN(player_kinds, lives),
-    COLUMN(player_kinds, safe),   COLUMNS(player_kinds, start, PLAYER_REGISTERS),
+    COLUMN(player_kinds, sprite),
+    COLUMN(player_kinds, radius),
+    COLUMN(player_kinds, graze),
+    COLUMN(player_kinds, speed),
+    COLUMN(player_kinds, focus),
+    COLUMN(player_kinds, lives),
+    COLUMN(player_kinds, safe),
+    COLUMNS(player_kinds, start, PLAYER_REGISTERS),
+    DERIVED_COLUMNS(player_kinds, most, PLAYER_REGISTERS, "set while scripts load, as names are, and never after"),
+    GROUP_COLUMN(player_kinds, magnet, GROUP_ITEMS),
+    GROUP_COLUMN(player_kinds, line, GROUP_ITEMS),
+    GROUP_COLUMN(player_kinds, pull, GROUP_ITEMS),
+    GROUP_COLUMN(player_kinds, full, GROUP_ITEMS),
 };
 
 static const struct column columns[] = {
@@ -50,6 +60,25 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->score[i] = 0;
     p->focus[i] = 0;
     memcpy(p->regs + i * PLAYER_REGISTERS, kinds->start + kind * PLAYER_REGISTERS, PLAYER_REGISTERS * sizeof *p->regs);
+}
+
+static int32_t most_of(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg)
+{
+    return kinds->most[p->kind[i] * PLAYER_REGISTERS + reg];
+}
+
+void player_set_register(struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg, int64_t v)
+{
+    const int32_t most = most_of(p, kinds, i, reg);
+
+    p->regs[i * PLAYER_REGISTERS + reg] = (int32_t)int64_clamp(v, 0, most ? most : INT32_MAX);
+}
+
+bool player_register_full(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg)
+{
+    const int32_t most = most_of(p, kinds, i, reg);
+
+    return most && p->regs[i * PLAYER_REGISTERS + reg] == most;
 }
 
 bool player_retired(const struct player *p, uint32_t i)

@@ -10,7 +10,7 @@
 #include "motion.h"
 #include "slots.h"
 
-enum { PLAYER_REGISTERS = 16 };
+enum { PLAYER_REGISTERS = 16, MOST_LIVES = 99 };
 
 /* What player.def declares. */
 struct player_kinds {
@@ -22,6 +22,11 @@ struct player_kinds {
     int32_t *lives;
     uint32_t *safe; /* frames after a death, and after joining */
     int32_t *start; /* PLAYER_REGISTERS a kind: their values in a new game */
+    int32_t *most;  /* PLAYER_REGISTERS a kind: what they stop at, 0: nothing but INT32_MAX */
+    fx *magnet;     /* px: items so near come; NULL, with the next: not asked for */
+    fx *line;       /* y px: above it all come; FX_MIN: nowhere */
+    fx *pull;       /* px/frame they come at */
+    uint8_t *full;  /* register + 1 at whose most all come always, 0: none */
 };
 
 struct player {
@@ -47,6 +52,12 @@ bool player_retired(const struct player *p, uint32_t i);
 /* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives, score and registers. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
 void player_leave(struct player *p, uint32_t i);
+
+/* Sets register reg of player i to v, or to the nearest that it may be. */
+void player_set_register(struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg, int64_t v);
+
+/* Is register reg of player i at its most? False for one that has none. */
+bool player_register_full(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg);
 
 /* Puts a player somewhere without sweeping through what is between. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);

@@ -37,6 +37,8 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
 {
     uint64_t room = room_for(chip, cap), size = 0;
 
+    if (!cap)
+        return 0;
     if (!chip->list)
         size = aligned(room / 8) + aligned(room * 4);
     for (int i = 0; i < chip->count; i++)
@@ -318,6 +320,8 @@ static size_t walk(const struct chip *chip, const void *self, uint8_t *save, con
         size_t n;
     } piece;
 
+    if (!s->cap)
+        return 0;
     for (int i = chip->list ? 0 : -2; i < chip->count; i++) {
         if (i == -2)
             piece.p = (uint8_t *)s->used, piece.n = s->high / 8;

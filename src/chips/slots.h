@@ -62,6 +62,8 @@ struct column {
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL)
 #define DERIVED(chip, name, why)                                                                                       \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why)
+#define DERIVED_COLUMNS(chip, name, n, why)                                                                            \
+    COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_DERIVED, why)
 #define DERIVED_BLOCKS(chip, name, n, why)                                                                             \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, true, COL_DERIVED, why)
 

@@ -1,6 +1,6 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = 3 },
+  registers = { power = { start = 3, max = 40 } }, collect_line = 12, collect_full = "power", magnet = 9, pull = 1.7,
   run = function(p)
     while true do
       wait(4)
@@ -12,6 +12,8 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+item.def("bit", { sprite = "dot", radius = 2.5, gives = { score = { 3, 777 }, power = -1 } })
+item.def("chip", { sprite = "dart", radius = 1.5, gives = { power = 2, lives = 1 }, full = "power", gravity = 0.013 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })
 bullet.def("spore", { sprite = "dart", hit = { circle = 2 }, cloud = "dot", spin = 9.1, clearable = false })
@@ -26,7 +28,7 @@ motion.def { name = "spin",
 motion.def { name = "burst", { wait_for = { tag = "petal", limit = 25 } },
   { emit = { pattern = "fan", n = 3, spread = 50.5, kind = "rice", speed = 1.3, motion = "spin" } },
   { path = path.def { { x = 0, y = 0 }, { x = 9.3, y = 7.1, over = 9, ease = "both" } } }, { die = true } }
-enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", drops = { bit = 3, chip = 1 },
   run = function(e)
     while true do
       wait(rng.int(3, 9))
@@ -52,7 +54,7 @@ boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
       end
     end } } })
 
-local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0 }
+local counts = { graze = 0, hit = 0, death = 0, kill = 0, leave = 0, take = 0 }
 for name in pairs(counts) do on[name](function() counts[name] = counts[name] + 1 end) end
 
 local function fold(s)
@@ -106,6 +108,10 @@ task.go(function()
       petals:signal()
       bullet.fire { kind = "axe", x = 30, y = 5, speed = 1.5, aim = true, motion = "burst" }
       petals:clear { x = 10, y = 70, dx = 3, to_x = 60, to_y = 90, width = 7 }
+      petals:clear { from = mark, radius = 9, items = "bit" }
+      item.drop { kind = "chip", x = 30, y = 20, n = 5, spread = 133.7, speed = 1.9 }
+      item.each(nil, function(it) if it.age > 40 then it:pull() end end)
+      fold(item.group().count .. " " .. counts.take)
       shot.group():turn(3)
       bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
       enemy.group():shift(0, 1)

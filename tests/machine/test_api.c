@@ -12,11 +12,15 @@ static const char world[] =
     "bullet.def('air', { sprite = 'wink', hit = 'none' })\n"
     "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
     "spark.def('glow', { sprite = 'dot', life = 500 })\n"
+    "item.def('gem', { sprite = 'dot', radius = 9, gives = { score = { 1, 9 }, lives = 1, a = 2 }, full = 'a',\n"
+    "  on_take = function(p, i) string.chaos() i:remove() i:pull() item.group():remove() end })\n"
+    "item.def('husk', { sprite = 'arrow', radius = 8191, gravity = 0, magnet = false })\n"
     "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50, spark = 'glow', run = function(e) wait(9) "
-    "end })\n"
+    "end, drops = { gem = 2, husk = 1 } })\n"
     "enemy.def('brief', { sprite = 'wink', hit = { box = { 0, 0 } }, on_death = function(e) e:kill() e:hurt(1) "
     "e:remove() end })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 }, run = function(p) "
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = { max = 9 }, b = 2 }, collect_line = "
+    "60, run = function(p) "
     "wait(9) end })\n"
     "value.def('heat', { start = 2 }) value.def('goal') value.def('mood', { of = 'enemy' })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
@@ -25,6 +29,7 @@ static const char world[] =
     "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, spots = { { "
     "1, "
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
+    "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
     "}\n"
     "stage.def('s', function() wait(forever) end)\n"
@@ -38,11 +43,12 @@ static const char world[] =
     "  for i = 1, 30 do bullet.fire { kind = 'dot', x = i, y = i, speed = 1, tag = 't' } end\n"
     "  enemy.each(nil, function(e) e:kill() end)\n"
     "  enemy.spawn { kind = 'foe', x = 5, y = 5, tag = 't' }\n"
+    "  item.drop { kind = 'gem', x = 5, y = 5, n = 9, tag = 't' } item.group('t'):pull()\n"
     "  player.each(function(p) p.lives = 0 p.safe = 0 end)\n"
     "  return true, ...\n"
     "end\n"
     "function string.fails() error('fails') end\n"
-    "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos)\n"
+    "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos) on.take(string.chaos)\n"
     "bullet.meet('t', 't', { clear = 'both', on_meet = string.chaos })\n"
     "sys.join(1, 'ship')\n"
     "if pad.down('fire') then sys.join(2, 'ship') end\n"
@@ -57,6 +63,9 @@ static const char world[] =
     "  t[#t + 1] = player.get(i % 2 + 1)\n"
     "  t[#t + 1] = motion.def { { wait = i } }\n"
     "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
+    "  item.drop { kind = i == 1 and 'husk' or 'gem', x = 30 * i, y = 100, tag = 't' }\n"
+    "  t[#t + 1] = query.near { what = 'item', x = 30 * i, y = 100, radius = 1 }[1]\n"
+    "  t[#t + 1] = item.group(i == 1 and 't' or nil)\n"
     "end\n"
     "t[#t + 1] = task.scope()\n"
     "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
@@ -400,6 +409,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_SPARK_KIND:
         lua_pushliteral(L, "glow");
+        break;
+    case A_ITEM_KIND:
+        lua_pushstring(L, one_in(2) ? "gem" : "husk");
         break;
     case A_SPRITE:
         push_from(L, sprites, 3);
@@ -1039,6 +1051,7 @@ static int setup(void **state)
     m.dips[0].hi = 9;
     m.lua_kib = 512;
     m.frozen = m.meet = 1;
+    m.items = 40;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_power(&rig, &g, NULL);

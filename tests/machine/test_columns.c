@@ -40,6 +40,8 @@ static const struct home homes[] = {
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
     HOME("spark_kinds", "chips/sparks.h", spark_kinds),
+    HOME("items", "chips/items.h", items),
+    HOME("item_kinds", "chips/items.h", item_kinds),
 };
 
 /* A file without its comments. */
@@ -326,30 +328,35 @@ static bool has_room(struct board *b)
 }
 
 /* A scene in which every part has live slots, and pools have dead ones between. */
-static const char scene[] =
-    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
-    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
-    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 } })\n"
-    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
-    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
-    "stage.def('s', function()\n"
-    "  for i = 1, 20 do\n"
-    "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"
-    "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"
-    "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"
-    "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"
-    "    e:move { x = 100, y = 100, over = 100 }\n"
-    "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"
-    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "
-    "end)\n"
-    "  end\n"
-    "  text.put { col = 1, row = 1, text = 'words' }\n"
-    "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"
-    "  save.set('key', 1)\n"
-    "  wait(forever)\n"
-    "end)\n"
-    "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+#define SCENE(DEF, DROP, REMOVE)                                                                                       \
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"                                                    \
+    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"                                 \
+    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"                                       \
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = { start = 2, max = 9 } } "    \
+    "})\n"                                                                                                             \
+    "spark.def('glow', { sprite = 'dot', life = 500 })\n" DEF                                                          \
+    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"              \
+    "stage.def('s', function()\n"                                                                                      \
+    "  for i = 1, 20 do\n" DROP                                                                                        \
+    "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"          \
+    "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"                                    \
+    "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"                                             \
+    "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"                                                     \
+    "    e:move { x = 100, y = 100, over = 100 }\n"                                                                    \
+    "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"                                        \
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "  \
+    "end)\n"                                                                                                           \
+    "  end\n" REMOVE "  text.put { col = 1, row = 1, text = 'words' }\n"                                               \
+    "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"                          \
+    "  save.set('key', 1)\n"                                                                                           \
+    "  wait(forever)\n"                                                                                                \
+    "end)\n"                                                                                                           \
+    "boot.run { stages = { 's' }, players = { 'ship' } }\n"
+static const char scene[] = SCENE(
+    "item.def('gem', { sprite = 'dot', radius = 5, gives = { score = { 1, 5 }, lives = 2, a = 3 }, full = 'b' })\n",
+    "    item.drop { kind = 'gem', x = 50 + i, y = 30, speed = 0.5, tag = 'gem' .. i % 2 }\n",
+    "  task.go(function() wait(12) item.group('gem0'):remove() end)\n");
+static const char without_items[] = SCENE("", "", "");
 
 static void test_flips(void **state)
 {
@@ -365,6 +372,7 @@ static void test_flips(void **state)
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
     m.hp = m.around = m.frozen = m.meet = 1;
+    m.items = 128;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
@@ -399,7 +407,8 @@ static void test_groups(void **state)
     (void)state;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
     all.hp = all.around = all.frozen = all.meet = 1;
-    rig_script(&few, &m, scene);
+    all.items = 64;
+    rig_script(&few, &m, without_items);
     rig_script(&many, &all, scene);
     rig_power(&a, &few, &start);
     rig_power(&b, &many, &start);
@@ -439,7 +448,9 @@ static void test_derived(void **state)
     struct rig a, b;
 
     (void)state;
-    rig_script(&g, NULL, scene);
+    struct manifest m = rig_manifest();
+    m.items = 64;
+    rig_script(&g, &m, scene);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);
     for (int f = 0; f < 120; f++) {
@@ -448,6 +459,8 @@ static void test_derived(void **state)
         b.b->shots.moved = 99;
         for (int p = 0; p < PADS; p++)
             b.b->player.was_x[p] = b.b->player.was_y[p] = (fx)(f * 65536);
+        for (uint32_t i = 0; i < b.b->items.s.cap; i++)
+            b.b->items.was_x[i] = b.b->items.was_y[i] = (fx)(f * 65536);
         assert_int_equal(b.b->tasks.current, NO_SLOT);
         rig_run(&b, 1);
         if (rig_differs(&a, &b))

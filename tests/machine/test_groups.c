@@ -336,7 +336,7 @@ static void test_words(void **state)
     SAYS("query.box { what = 'bullet', x = 1, y = 2, w = 3 }",
          "query.box: h: expected a number from 0 to 32767 px, got nil");
     SAYS("query.line { what = 'bullets', x = 1, y = 2, to_x = 3, to_y = 2, width = 3 }",
-         "query.line: what: expected bullet, enemy, shot or player, got \"bullets\"");
+         "query.line: what: expected bullet, enemy, item, shot or player, got \"bullets\"");
     SAYS("query.line { what = 'bullet', x = 1, y = 2, to_x = 3, to_y = 2, radius = 3 }",
          "query.line: unknown argument \"radius\"");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
@@ -350,7 +350,8 @@ static void test_words(void **state)
          "bullet.sweep: place: expected x and y, or from (a thing), or follow (a thing)");
     SAYS("bullet.sweep { x = 1, y = 2, radius_to = 3 }",
          "bullet.sweep: over: expected a whole number from 1 to 65535 frames, got nil");
-    SAYS("bullet.clear { items = 'x' }", "bullet.clear: items is not there yet; the name is kept for it");
+    SAYS("bullet.clear { items = 'x' }",
+         "bullet.clear: items: this game has no room for it; rom.lua asks for it: board = { items = 512 }");
     SAYS("bullet.group():shift(1)", "group:shift: dy: expected a number from -16383 to 16383 px, got nil");
     SAYS("print(enemy.group('x').hp)", "enemies: hp cannot be read of a group (only count can)");
     SAYS("print(shot.group('x').age)", "shots: age cannot be read of a group (only count can)");

@@ -8,7 +8,7 @@ static const char kinds[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } }) shot.def('bolt', { sprite = 'dot', hit = { circle = 3 "
     "} }) "
     "enemy.def('wall', { sprite = 'dot', hit = { circle = 9 }, hp = 9 }) enemy.def('foe', { sprite = 'dot', hit = "
-    "'none', hp = 9 }) spark.def('glow', { sprite = 'dot', life = 9 }) "
+    "'none', hp = 9 }) spark.def('glow', { sprite = 'dot', life = 9 }) item.def('gem', { sprite = 'dot', radius = 3 }) "
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 3 } }) "
     "string.route = path.def { { x = 9, y = 9 }, { wait = 999 } }\n";
 
@@ -18,7 +18,10 @@ static struct rig rig;
 /* What a script says in so many frames. */
 static const char *said(const char *script, int frames)
 {
-    rig_with_sys(&g, NULL, script);
+    struct manifest m = rig_manifest();
+
+    m.items = 8;
+    rig_with_sys(&g, &m, script);
     const char *all = rig_said(&g, frames, true);
     rig_game_free(&g);
     return all;
@@ -53,6 +56,9 @@ static const char *const made[HANDLES] = {
     "bullet.group('t')",
     "shot.group('t')",
     "enemy.group('t')",
+    "(function() item.drop { kind = 'gem', x = 9, y = 9 } return query.near { what = 'item', x = 9, y = 9, radius = 1 "
+    "}[1] end)()",
+    "item.group('t')",
 };
 
 static void test_read_only(void **state)
@@ -72,7 +78,7 @@ static void test_read_only(void **state)
             seen++;
         }
     }
-    assert_int_equal(seen, 6 + 13 + 5);
+    assert_int_equal(seen, 7 + 15 + 8);
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
          "main.lua:2: bullet: alive is read only");
     SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");
@@ -127,7 +133,7 @@ static void test_later(void **state)
     SAYS("on.start(print)", "main.lua:2: on.start is not there yet; the name is kept for it");
     SAYS("print(board.stopp, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.stop = print board.stop('mine')", "mine\n");
-    SAYS("bullet.clear { items = 3 }", "main.lua:2: bullet.clear: items is not there yet; the name is kept for it");
+    SAYS("bullet.clear { lasers = 3 }", "main.lua:2: bullet.clear: lasers is not there yet; the name is kept for it");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
          "main.lua:2: pattern.ring: unknown argument \"needle\"");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",
@@ -170,7 +176,7 @@ static void test_none_is_there(void **state)
                 fail_msg("%s %c %s is there: it is no name for later", of, how, word);
             assert_true(api_reserved(of, how, word));
         }
-    assert_true(n > 60);
+    assert_true(n > 40);
     assert_true(is_there("", '.', "bullet"));
     assert_true(is_there("bullet", '.', "fire"));
     assert_true(is_there("bullet", ':', "aim"));
@@ -196,6 +202,36 @@ static void test_off(void **state)
     m.items = 1;
     assert_null(api_off(&m, "item"));
     assert_null(api_off(&m, "items"));
+}
+
+/* What is off says which line of rom.lua switches it on. */
+static void test_off_says(void **state)
+{
+    static const char *const uses[][2] = {
+        { "local i = item", "item" },
+        { "on.take(print)", "on.take" },
+        { "bullet.def('b', { sprite = 'dot', hit = 'none' }) bullet.clear { items = 'gem' }", "bullet.clear: items" },
+        { "bullet.def('b', { sprite = 'dot', hit = 'none' }) bullet.group():clear { items = 'gem' }",
+          "group:clear: items" },
+        { "query.near { what = 'item', x = 9, y = 9, radius = 3 }", "query.near: what" },
+        { "enemy.def('e', { sprite = 'dot', hit = 'none', drops = { gem = 3 } })", "enemy.def: drops" },
+        { "player.def('p', { sprite = 'dot', hit = { circle = 2 }, magnet = 3 })", "player.def: magnet" },
+    };
+    struct board_start start = { .difficulty = -1 };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof uses / sizeof *uses; i++) {
+        char want[200];
+        rig_script(&g, NULL, uses[i][0]);
+        rig_power_any(&rig, &g, &start);
+        snprintf(want, sizeof want,
+                 "main.lua:1: %s: this game has no room for it; rom.lua asks for it: board = { items = 512 }",
+                 uses[i][1]);
+        assert_non_null(rig_fault(&rig));
+        assert_string_equal(rig_fault(&rig)->message, want);
+        rig_free(&rig);
+        rig_game_free(&g);
+    }
 }
 
 /* ---- two fights ---- */
@@ -312,6 +348,7 @@ static void test_full(void **state)
           "the pool of sprites is full (16; sprites in rom.lua): " GONE },
         { "spark.burst { kind = 'glow', x = 9, y = 9, n = 129 }",
           "the pool of sparks is full (128; sparks in rom.lua): " GONE },
+        { "item.drop { kind = 'gem', x = 9, y = 9, n = 9 }", "the pool of items is full (8; items in rom.lua): " GONE },
         { "for i = 1, 99 do task.go(function() wait(forever) end) end",
           "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
         { "for i = 1, 99 do task.scope() end",
@@ -368,7 +405,9 @@ static void test_full_again(void **state)
 
     (void)state;
     snprintf(script, sizeof script, "%s%s", kinds, text);
-    rig_script(&g, NULL, script);
+    struct manifest m = rig_manifest();
+    m.items = 8;
+    rig_script(&g, &m, script);
     for (int spoilt = 0; spoilt < 2; spoilt++) {
         rig_power(&rig, &g, NULL);
         for (int f = 0; f < 60; f++) {
@@ -508,19 +547,13 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only),
-        cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_later),
-        cmocka_unit_test(test_none_is_there),
-        cmocka_unit_test(test_off),
-        cmocka_unit_test(test_fights),
-        cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),
-        cmocka_unit_test(test_full_again),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_manual),
-        cmocka_unit_test(test_each),
+        cmocka_unit_test(test_read_only), cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_later),     cmocka_unit_test(test_none_is_there),
+        cmocka_unit_test(test_off),       cmocka_unit_test(test_off_says),
+        cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
+        cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
+        cmocka_unit_test(test_manual),    cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);

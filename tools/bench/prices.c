@@ -1,11 +1,11 @@
 /*
- * prices.c - section "prices": what a bullet costs that does more than fly straight. One board a price; those of a
- * table are run in turns, with one whose bullets fly straight among them.
+ * prices.c - section "prices": what a bullet costs that does more than fly straight, and what an item does. One board a
+ * price; those of a table are run in turns, with one whose bullets fly straight among them.
  */
 #include <stdlib.h>
 #include "bench.h"
 
-enum { N = 4096, ROUNDS = 25, FRAMES = 8 };
+enum { N = 4096, ROUNDS = 25, FRAMES = 8, ITEMS = 512 };
 
 /* A value of the DIP price of roms/bench, or of one whose name goes on from it. */
 struct price {
@@ -168,6 +168,45 @@ static void print_others(const struct price *prices, int n, const char *columns)
     free_runs(print_prices(prices, n, columns), n);
 }
 
+/* What an item costs: a tick with so many more of them, and their pictures. */
+static void item_prices(void)
+{
+    static const struct {
+        const char *does, *what;
+        int n;
+    } rows[] = { { "straight", NULL, 0 }, { "straight", "falls", ITEMS }, { "home", "flies to the ship", ITEMS } };
+    enum { ROWS = sizeof rows / sizeof *rows };
+    struct scene s[ROWS];
+    struct samples tick[ROWS] = { { 0 } }, draw[ROWS] = { { 0 } };
+
+    for (int i = 0; i < ROWS; i++)
+        bench_scene(&s[i],
+                    &(struct scene_want){ .does = "items", .price = rows[i].does, .n = rows[i].n, .bullets = 64 });
+    for (int round = -2; round < ROUNDS; round++)
+        for (int i = 0; i < ROWS; i++)
+            for (int f = 0; f < FRAMES; f++) {
+                double from = bench_now();
+                bench_tick(&s[i]);
+                double ticked = bench_now();
+                scene_draw(&s[i]);
+                if (round < 0 || f == 0)
+                    continue;
+                samples_add(&tick[i], ticked - from);
+                samples_add(&draw[i], bench_now() - ticked);
+            }
+    report_text("Nanoseconds for each of %s items of 12 px, beyond a board without any.", report_count(ITEMS));
+    report_table(NULL, "an item that | tick> | draw>");
+    for (int i = 1; i < ROWS; i++)
+        report_row(i == 1, rows[i].what, report_figure((samples_median(&tick[i]) - samples_median(&tick[0])) / ITEMS),
+                   report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / ITEMS), NULL);
+    report_table_end();
+    for (int i = 0; i < ROWS; i++) {
+        samples_free(&tick[i]);
+        samples_free(&draw[i]);
+        scene_close(&s[i]);
+    }
+}
+
 void section_prices(void)
 {
     report_section("What a bullet costs");
@@ -182,4 +221,5 @@ void section_prices(void)
     print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | in all> | beyond straight>");
     report_text("What it takes to fire one, in figures of 64; it is gone in the same frame.");
     print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | in all> | beyond `bullet.fire`>");
+    item_prices();
 }

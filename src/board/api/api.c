@@ -187,7 +187,7 @@ bool api_push_member(lua_State *L, const char *of, char split, const char *name)
         for (int i = 0; i < api_modules[m]->n; i++) {
             const struct api_entry *e = &api_modules[m]->entries[i];
             const char *member = api_member(e, of, split);
-            if (member && !strcmp(member, name)) {
+            if (member && !strcmp(member, name) && !api_off(&vm_board(L)->cart.m, e->name)) {
                 push_function(L, e);
                 return true;
             }
@@ -229,7 +229,8 @@ void api_fill(lua_State *L, int at)
     const char *of = push_space(L, at), *member;
 
     for (int i = 0; of && i < api_count(); i++)
-        if ((member = api_member(api_entry(i), of, '.')) != NULL) {
+        if ((member = api_member(api_entry(i), of, '.')) != NULL &&
+            !api_off(&vm_board(L)->cart.m, api_entry(i)->name)) {
             lua_getfield(L, at, member);
             lua_pop(L, 1);
         }

@@ -190,7 +190,7 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_HARMLESS };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_HARMLESS, D_DROPS };
 
 /* Of shot_def alone. */
 enum { D_CANCELS = D_ORDER + 1 };
@@ -209,6 +209,7 @@ static const struct api_param bullet_def[] = {
     { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
     { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 static const struct api_param shot_def[] = {
@@ -267,7 +268,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 {
     struct bullet_kinds *k = &b->bullet_kinds;
 
-    for (int p = D_SCORE; p <= D_ON_DEATH; p++)
+    for (int p = D_SCORE; p <= D_DROPS; p++)
         if (v[p].given && !v[D_HP].given)
             api_error(L, "bullet.def", "%s: only of a bullet that has hp", bullet_def[p].name);
     if (!v[D_HP].given)
@@ -277,6 +278,10 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
     k->hp[i] = api_or_forever(&v[D_HP]);
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
+    if (v[D_DROPS].given) {
+        api_drops(L, "bullet.def", v[D_DROPS].at);
+        events_set_function(L, (uint16_t)i, "bullet's drops");
+    }
     if (!v[D_ON_DEATH].given)
         return;
     lua_pushvalue(L, v[D_ON_DEATH].at);
@@ -478,6 +483,7 @@ static const struct api_param bullet_sweep[] = {
     { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
     { "by", A_PAD, OPT, 0, 0, NULL, NULL },
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
 };
 
 /* ---- properties ---- */
@@ -1517,10 +1523,10 @@ static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0,
 const struct api_entry api_fire[2] = { BULLET_FIRE, SHOT_FIRE };
 
 #define CLEAR_ONE(thing)                                                                                               \
-    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark")
+    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark and item")
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
-             "removes those in the shape, or all, each leaving the named spark")
+             "removes those in the shape, or all, each leaving the named spark and item")
 /* The verbs of one and of a group; `it` names who does it. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL,                                                                \
@@ -1536,7 +1542,8 @@ static const struct api_entry entries[] = {
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
       "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
       "and h about it, "
-      "or within width of the line from it to to_x, to_y; with all, also what is not clearable" },
+      "or within width of the line from it to to_x, to_y; with all, also what is not clearable; items: each becomes "
+      "one" },
     { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
       "bullets with the tag first and bullets with the tag second meet when they touch: on_meet(a, b) is called, then "
       "those that clear names are gone, each leaving the named spark or its kind's; with all, also what is not "

@@ -11,8 +11,8 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,     "a bullet", "a shot",  "an enemy",         "a player",          "a sprite",
-    "a task", "a motion", "a group", "a group of shots", "a group of enemies"
+    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",        "a task",
+    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items"
 };
 
 /* Pushes how a value looks in an error. */
@@ -161,6 +161,9 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     v->i = api_names_find(L, what, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
+    const char *line = what == N_ITEM ? api_off(&vm_board(L)->cart.m, "item") : NULL;
+    if (line)
+        api_error(L, entry, "%s: " API_OFF, p->name, line);
     api_names_suggest(L, what, lua_tostring(L, at));
     if (lua_isnil(L, -1))
         api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
@@ -270,7 +273,8 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
 
 static void check_declared(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    static const char *const nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
+    static const char *const nouns[] = { "bullet kind", "shot kind",  "enemy kind",
+                                         "player kind", "spark kind", "item kind" };
     int k = (int)p->type - A_BULLET_KIND;
 
     check_name(L, entry, p, at, v, (enum api_names)k, nouns[k]);
@@ -334,6 +338,7 @@ static check *const CHECKS[] = {
     [A_ENEMY_KIND] = check_declared,
     [A_PLAYER_KIND] = check_declared,
     [A_SPARK_KIND] = check_declared,
+    [A_ITEM_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
     [A_BUTTON] = check_word,

@@ -46,8 +46,6 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
 
-    if (v[D_DROPS].given)
-        return api_error(L, "enemy.def", "drops: this board has no items yet");
     const struct api_shape shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     int32_t i = api_kind(L, "enemy.def", &k->s, &columns, &shape);
@@ -62,6 +60,10 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     keep_function(L, &v[D_RUN], i, "run");
     keep_function(L, &v[D_ON_HIT], i, "on_hit");
     keep_function(L, &v[D_ON_DEATH], i, "on_death");
+    if (v[D_DROPS].given) {
+        api_drops(L, "enemy.def", v[D_DROPS].at);
+        events_set_function(L, (uint16_t)i, "drops");
+    }
     return 0;
 }
 
@@ -76,6 +78,7 @@ enum {
     S_RUN,
     S_ON_DEATH,
     S_STAY,
+    S_DROPS,
     S_VALUES
 };
 
@@ -85,6 +88,7 @@ static const struct api_param spawn[] = {
     { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },  { "bank", A_INT, OPT, 0, 15, NULL, NULL },
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },   { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -143,6 +147,17 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
     start_task(L, b, h, 4);
 }
 
+static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct api_value *drops)
+{
+    if (drops->given)
+        api_drops(L, "enemy.spawn", drops->at);
+    else if (b->items.s.cap)
+        lua_pushnil(L);
+    else
+        return;
+    events_set_drops(L, i);
+}
+
 static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 {
     uint16_t kind = (uint16_t)v[S_KIND].i;
@@ -173,6 +188,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
         api_value_set(b, N_ENEMY_VALUE, (uint32_t)i, v + S_VALUES);
         lua_pushvalue(L, v[S_ON_DEATH].at);
         events_set_death(L, (uint32_t)i);
+        set_drops(L, b, (uint32_t)i, &v[S_DROPS]);
         if (v[S_RUN].given)
             lua_pushvalue(L, v[S_RUN].at);
         if (v[S_RUN].given || events_push_function(L, kind, "run"))

@@ -105,6 +105,9 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
     case H_SHOT:
     case H_SHOTS:
         return &b->shots.s;
+    case H_ITEM:
+    case H_ITEMS:
+        return &b->items.s;
     default:
         return &b->enemies.s;
     }
@@ -113,7 +116,10 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
 /* The tags of its things. */
 static const uint16_t *tags_of(const struct board *b, enum handle_kind group)
 {
-    return group == H_GROUP ? b->bullets.tag : group == H_SHOTS ? b->shots.tag : b->enemies.tag;
+    return group == H_GROUP   ? b->bullets.tag
+           : group == H_SHOTS ? b->shots.tag
+           : group == H_ITEMS ? b->items.tag
+                              : b->enemies.tag;
 }
 
 static int get_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
@@ -159,7 +165,9 @@ static const struct {
     unsigned of; /* kinds of handles */
     int group;   /* of columns */
 } switched[] = {
-    { "frozen", 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES,
+    { "frozen",
+      1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES |
+          1 << H_ITEMS,
       GROUP_FROZEN },
 };
 
@@ -168,7 +176,7 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
                      const char *name)
 {
     for (size_t i = 0; i < sizeof switched / sizeof *switched; i++)
-        if (switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
+        if (switched[i].name[0] == name[0] && switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
             !(pool(b, kind)->groups & SLOTS_GROUP(switched[i].group)))
             vm_fault(L, FAULT_SCRIPT, "%s: %s is off in this game: write board = { %s = true } in rom.lua", t->name,
                      name, name);
@@ -210,7 +218,7 @@ static int get_property(lua_State *L)
     return 1;
 }
 
-/* A register stops at 0, whatever is taken from it. */
+/* A register stops at 0, whatever is taken from it, and at its most, whatever is added. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
     struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
@@ -219,7 +227,7 @@ static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, c
 
     if (lua_type(L, 3) != LUA_TNUMBER || lua_tointegerx(L, 3, &whole) >= 0 || !whole)
         api_check(L, "player", &p, 3, &v);
-    b->player.regs[slot * PLAYER_REGISTERS + (uint32_t)reg] = (int32_t)v.i;
+    player_set_register(&b->player, &b->player_kinds, slot, (uint32_t)reg, v.i);
     return 0;
 }
 

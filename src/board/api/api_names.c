@@ -9,8 +9,8 @@
 /* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
 static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
-static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark",
-                                               "motion", "tag",  "value", "value",  "value" };
+static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "item",
+                                               "motion", "tag",  "value", "value",  "value", "item" };
 
 /* What is off has no names. */
 void api_open_names(lua_State *L)

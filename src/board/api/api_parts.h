@@ -185,7 +185,7 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
 bool api_region_has(const struct api_region *r, fx x, fx y);
 
 /* bullet.clear and the clears of bullets, shots and their groups. */
-enum { CLEAR_PARAMS = 14, CLEAR_SELF_PARAMS = 2, CLEAR_GROUP_PARAMS = 3 + REGION_PARAMS };
+enum { CLEAR_PARAMS = 15, CLEAR_SELF_PARAMS = 3, CLEAR_GROUP_PARAMS = 4 + REGION_PARAMS };
 extern const struct api_param api_clear_params[CLEAR_PARAMS], api_clear_self_params[CLEAR_SELF_PARAMS],
     api_clear_group_params[CLEAR_GROUP_PARAMS];
 int api_clear(lua_State *L, struct board *b, struct api_value *v);
@@ -222,8 +222,14 @@ void api_push_routes(lua_State *L, const char *entry, int at, const char *messag
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
 
-/* The number of a register of player `slot`'s kind, or -1. */
-int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
+/* Pushes a list, as a text, of what a table at `at` (drops = { NAME = n }) names, in byte order of the names. */
+void api_drops(lua_State *L, const char *entry, int at);
+
+/* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */
+void api_items_check(lua_State *L, struct board *b);
+
+/* The number of a register of that kind of ship, or -1. */
+int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);

@@ -10,7 +10,22 @@ extern const struct api_thing api_player_thing;
 
 static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
-enum { D_NAME, D_SPRITE, D_HIT, D_GRAZE, D_SPEED, D_FOCUS, D_LIVES, D_SAFE, D_REGISTERS, D_RUN };
+enum {
+    D_NAME,
+    D_SPRITE,
+    D_HIT,
+    D_GRAZE,
+    D_SPEED,
+    D_FOCUS,
+    D_LIVES,
+    D_SAFE,
+    D_REGISTERS,
+    D_RUN,
+    D_MAGNET,
+    D_LINE,
+    D_FULL,
+    D_PULL
+};
 
 static const struct api_param def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -19,10 +34,14 @@ static const struct api_param def[] = {
     { "graze", A_FX, OPT, 0, MAX_SPEED, "px", "16" },
     { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4" },
     { "focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2" },
-    { "lives", A_INT, OPT, 1, 99, NULL, "3" },
+    { "lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3" },
     { "safe", A_INT, OPT, 0, 100000, "frames", "120" },
     { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24" },
+    { "collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
+    { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
 };
 
 static void registry(lua_State *L)
@@ -35,6 +54,48 @@ static void registry(lua_State *L)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &registers_key);
 }
 
+/* A register: what it starts at, and its most. */
+struct register_def {
+    int64_t start, most;
+};
+
+static int64_t register_field(lua_State *L, const char *name, const char *field, int at, int64_t lo)
+{
+    struct api_param p = { name, A_INT, OPT, (double)lo, INT32_MAX, NULL, NULL };
+    struct api_value v = { 0 };
+    char full[64];
+
+    snprintf(full, sizeof full, "%s.%s", name, field);
+    p.name = full;
+    lua_getfield(L, at, field);
+    api_check(L, "player.def", &p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.given ? v.i : 0;
+}
+
+/* Reads n, or { start = n, max = n }, at `at`. */
+static struct register_def read_register(lua_State *L, const char *name, int at)
+{
+    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
+    struct register_def r = { 0 };
+    struct api_value v = { 0 };
+
+    if (lua_type(L, at) != LUA_TTABLE) {
+        api_check(L, "player.def", &whole, at, &v);
+        r.start = v.i;
+        return r;
+    }
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
+        if (lua_type(L, -2) != LUA_TSTRING ||
+            (strcmp(lua_tostring(L, -2), "start") && strcmp(lua_tostring(L, -2), "max")))
+            api_error(L, "player.def", "%s: expected a whole number, or { start = n, max = n }", name);
+    r.start = register_field(L, name, "start", at, 0);
+    r.most = register_field(L, name, "max", at, 1);
+    if (r.most && r.start > r.most)
+        api_error(L, "player.def", "%s: start %d is more than max %d", name, (int)r.start, (int)r.most);
+    return r;
+}
+
 /* Registers get their numbers in byte order of their names, so that no table order decides. */
 static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
 {
@@ -44,12 +105,10 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_pushnil(L);
     while (lua_next(L, at)) {
         char name[48] = "registers";
-        struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
-        struct api_value v = { 0 };
         if (lua_type(L, -2) != LUA_TSTRING)
             api_error(L, "player.def", "registers: expected names with whole numbers");
         snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
-        api_check(L, "player.def", &p, lua_gettop(L), &v);
+        read_register(L, name, lua_gettop(L));
         lua_pop(L, 1);
         if (api_property(&api_player_thing, lua_tostring(L, -1)))
             api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
@@ -64,7 +123,9 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_newtable(L);
     for (int i = 0; i < n; i++) {
         lua_getfield(L, at, names[i]);
-        k->start[kind * PLAYER_REGISTERS + i] = (int32_t)lua_tointeger(L, -1);
+        struct register_def r = read_register(L, names[i], lua_gettop(L));
+        k->start[kind * PLAYER_REGISTERS + i] = (int32_t)r.start;
+        k->most[kind * PLAYER_REGISTERS + i] = (int32_t)r.most;
         lua_pop(L, 1);
         lua_pushinteger(L, i);
         lua_setfield(L, -2, names[i]);
@@ -73,18 +134,20 @@ static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind,
     lua_pop(L, 1);
 }
 
-int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+int api_ship_register(lua_State *L, int32_t kind, const char *name)
 {
-    int i = -1;
+    int i = -1, top = lua_gettop(L);
 
     registry(L);
-    if (slot < PADS && lua_rawgeti(L, -1, b->player.kind[slot]) == LUA_TTABLE) {
-        if (lua_getfield(L, -1, name) == LUA_TNUMBER)
-            i = (int)lua_tointeger(L, -1);
-        lua_pop(L, 1);
-    }
-    lua_settop(L, 3);
+    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER)
+        i = (int)lua_tointeger(L, -1);
+    lua_settop(L, top);
     return i;
+}
+
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+{
+    return slot < PADS ? api_ship_register(L, b->player.kind[slot], name) : -1;
 }
 
 bool api_register_declared(lua_State *L, const char *name)
@@ -128,6 +191,39 @@ static void keep_run(lua_State *L, int32_t kind, int at)
     lua_pop(L, 1);
 }
 
+/* The register, + 1, at whose most all items come. */
+static uint8_t full_register(lua_State *L, const struct player_kinds *k, int32_t kind, const struct api_value *full)
+{
+    const char *name = full->given ? lua_tostring(L, full->at) : "";
+    int i = full->given ? api_ship_register(L, kind, name) : -1;
+
+    if (!full->given)
+        return 0;
+    if (i < 0)
+        api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship", name);
+    if (!k->most[kind * PLAYER_REGISTERS + i])
+        api_error(L, "player.def", "collect_full: the register \"%s\" has no max (registers = { %s = { max = n } })",
+                  name, name);
+    return (uint8_t)(i + 1);
+}
+
+/* How the ship attracts items. */
+static void define_items(lua_State *L, struct board *b, int32_t kind, const struct api_value *v)
+{
+    struct player_kinds *k = &b->player_kinds;
+    const char *line = api_off(&b->cart.m, "item");
+
+    for (int p = D_MAGNET; p <= D_PULL; p++)
+        if (line && v[p].given)
+            api_error(L, "player.def", "%s: " API_OFF, def[p].name, line);
+    if (line)
+        return;
+    k->magnet[kind] = v[D_MAGNET].f;
+    k->line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
+    k->pull[kind] = v[D_PULL].f;
+    k->full[kind] = full_register(L, k, kind, &v[D_FULL]);
+}
+
 static int player_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
@@ -146,6 +242,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->safe[i] = (uint32_t)v[D_SAFE].i;
     if (v[D_REGISTERS].given)
         define_registers(L, k, i, v[D_REGISTERS].at);
+    define_items(L, b, i, v);
     if (v[D_RUN].given)
         keep_run(L, i, v[D_RUN].at);
     return 0;
@@ -168,6 +265,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
             player_place(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
+    api_items_check(L, b);
     b->core.extended[i] = 0;
     b->core.over = 0;
     input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
@@ -216,7 +314,7 @@ enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "lives", A_INT, REQ, 0, 99, NULL, NULL },
+    { { "lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL },
       PROP_WRITE,
       "lives left besides this one; -1 in on.death: that was the last" },
     { { "safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames nothing can hit it" },

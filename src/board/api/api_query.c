@@ -44,8 +44,12 @@ static struct field field_named(lua_State *L, struct board *b, const char *entry
         return (struct field){ H_SHOT, &b->shots.s, b->shots.x, b->shots.y, b->shots.tag, NULL };
     if (!strcmp(what, "enemy"))
         return (struct field){ H_ENEMY, &b->enemies.s, b->enemies.x, b->enemies.y, b->enemies.tag, NULL };
+    if (!strcmp(what, "item") && api_off(&b->cart.m, what))
+        api_error(L, entry, "what: " API_OFF, api_off(&b->cart.m, what));
+    if (!strcmp(what, "item"))
+        return (struct field){ H_ITEM, &b->items.s, b->items.x, b->items.y, b->items.tag, NULL };
     if (strcmp(what, "player"))
-        api_error(L, entry, "what: expected bullet, enemy, shot or player, got \"%s\"", what);
+        api_error(L, entry, "what: expected bullet, enemy, item, shot or player, got \"%s\"", what);
     return (struct field){ H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL, b->player.in };
 }
 

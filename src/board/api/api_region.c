@@ -92,10 +92,17 @@ static void leave_spark(struct board *b, const struct bullets *s, const struct a
         board_vanish(b, i);
 }
 
+/* The item that it becomes, if one is given. */
+static void leave_item(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
+{
+    if (given->given)
+        board_turn_into(b, (uint16_t)given->i, s->x[i], s->y[i]);
+}
+
 /* What a clear takes: with the tag (0: any), in the region, and clearable unless `all`. */
 struct clearing {
     struct api_region region;
-    const struct api_value *spark;
+    const struct api_value *spark, *items; /* as given */
     uint32_t tag;
     bool all;
 };
@@ -119,6 +126,7 @@ static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const
         if (!takes(b, s, c, i))
             continue;
         leave_spark(b, s, c->spark, i);
+        leave_item(b, s, c->items, i);
         bullets_drop(s, i);
         n++;
     }
@@ -129,7 +137,7 @@ static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const
 }
 
 /* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
-enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_FROM, C_DX, C_DY, C_W, C_H, C_TO_X, C_TO_Y, C_WIDTH, C_ALL };
+enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_FROM, C_DX, C_DY, C_W, C_H, C_TO_X, C_TO_Y, C_WIDTH, C_ALL, C_ITEMS };
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },
@@ -143,13 +151,14 @@ const struct api_param api_clear_params[CLEAR_PARAMS] = {
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
 };
 
 int api_clear(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct api_value place[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
                                                     v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
-    struct clearing c = { .spark = &v[C_SPARK], .all = v[C_ALL].i };
+    struct clearing c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .all = v[C_ALL].i };
 
     if (v[C_TAG].given)
         c.tag = api_tag(L, "bullet.clear", v[C_TAG].at);
@@ -158,11 +167,12 @@ int api_clear(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-enum { ARG_SELF, ARG_SPARK, ARG_PLACE, ARG_ALL = ARG_PLACE + REGION_PARAMS };
+enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PLACE + REGION_PARAMS, ARG_ITEMS };
 
 const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
     { "self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL },
     { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
 };
 
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
@@ -174,6 +184,7 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
     (void)L;
     if (board_alive(b, h)) {
         leave_spark(b, s, &v[ARG_SPARK], i);
+        leave_item(b, s, &v[SELF_ITEMS], i);
         bullets_drop(s, i);
     } else if (board_there(b, h))
         bullets_release(s, handle_slot(h));
@@ -188,12 +199,15 @@ const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
 };
 
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
     bool shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
-    struct clearing c = { .spark = &v[ARG_SPARK], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i };
+    struct clearing c = {
+        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i
+    };
     bool there = api_region(L, b, shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
 
     lua_pushinteger(L, there ? clear(L, b, shots ? &b->shots : &b->bullets, &c) : 0);

@@ -11,21 +11,20 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser item option bomb game talk say choose bg screen sound music unlock test" },
+    { "", '.', "laser option bomb game talk say choose bg screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
-    { "on", '.', "start take bomb continue" },
+    { "on", '.', "start bomb continue" },
     { "text", '.', "line lang" },
     { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
-    { "boss.def phase", '{', "armour bg bonus_to clear cut_in down drops last music safe talk" },
-    { "bullet.clear", '{', "items lasers" },
-    { "bullet.def", '{', "drops" },
+    { "boss.def phase", '{', "armour bg bonus_to cut_in down last music safe talk" },
+    { "bullet.clear", '{', "lasers" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
+    { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
     { "shot.def", '{', "every pierce" },
     { "sprite.put", '{', "follow" },
     { "text.put", '{', "font" },
@@ -64,7 +63,7 @@ static const struct {
     size_t room; /* of struct manifest: an int32_t, 0: off */
     const char *line;
 } optional[] = {
-    { "item items", offsetof(struct manifest, items), "board = { items = 512 }" },
+    { "item items on.take sys.drop", offsetof(struct manifest, items), "board = { items = 512 }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)
@@ -81,6 +80,11 @@ const char *api_off(const struct manifest *m, const char *name)
 
 void api_no_field(lua_State *L, const char *of, const char *name)
 {
+    const char *full = lua_pushfstring(L, "%s.%s", of, name), *line = api_off(&vm_board(L)->cart.m, full);
+
+    if (line)
+        vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, full, line);
+    lua_pop(L, 1);
     if (api_reserved(of, '.', name))
         vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, name, NOT_YET);
     if (std_of_field(of, name) >= 0)

@@ -14,6 +14,8 @@ enum { JOIN_PLAYER, JOIN_KIND };
 enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
 enum { HOLD_ENEMY, HOLD_ON };
 enum { AIM_X, AIM_Y, AIM_SHOTS };
+enum { DROPS_ENTRY, DROPS_LIST };
+enum { DROP_LIST, DROP_X, DROP_Y };
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                          { "message", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -33,6 +35,12 @@ static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+
+static const struct api_param drops[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                          { "drops", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL },
+                                         { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                         { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -68,6 +76,21 @@ static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
     (void)v;
     lua_pushboolean(L, b->vm.loading);
     return 1;
+}
+
+/* On the board only where there are items. */
+static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
+    return 1;
+}
+
+static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushvalue(L, v[DROP_LIST].at);
+    api_drop_list(L, b, v[DROP_X].f, v[DROP_Y].f);
+    return 0;
 }
 
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
@@ -167,6 +190,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
     bullets_release_all(&b->shots);
     EACH_LIVE (i, &b->enemies.s)
         enemies_drop(&b->enemies, i);
+    EACH_LIVE (i, &b->items.s)
+        slots_drop(&b->items.s, i);
     EACH_LIVE (i, &b->sparks.s)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
@@ -250,11 +275,11 @@ static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark" };
-    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s, &b->enemy_kinds.s, &b->player_kinds.s,
-                                &b->spark_kinds.s };
+    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark", "item" };
+    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s,  &b->enemy_kinds.s,
+                                &b->player_kinds.s, &b->spark_kinds.s, &b->item_kinds.s };
 
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 6; k++) {
         if (strcmp(words[k], lua_tostring(L, v[ARG_NAME].at)))
             continue;
         lua_newtable(L);
@@ -337,6 +362,8 @@ static const struct api_entry entries[] = {
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
+    { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
+    { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

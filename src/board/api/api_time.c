@@ -117,8 +117,9 @@ ON(game_over, EV_GAME_OVER)
 ON(kill, EV_KILL)
 ON(leave, EV_LEAVE)
 ON(extend, EV_EXTEND)
-ON(phase, EV_EXTEND + 1)
-ON(stage, EV_EXTEND + 2)
+ON(take, EV_TAKE)
+ON(phase, EV_TAKE + 1)
+ON(stage, EV_TAKE + 2)
 
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
@@ -140,7 +141,8 @@ static const struct api_entry entries[] = {
     { "on.game_over", on_game_over, PARAMS(handler), 1, ON_FLAGS, NULL, "f(): the last player is out" },
     { "on.kill", on_kill, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, player): an enemy died (player may be nil)" },
     { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy): an enemy left the field" },
-    { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score brought a life" },
+    { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score, or an item, brought a life" },
+    { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, item): it was taken, and can still be read" },
     { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, id, won): a boss's phase is over" },
     { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
 };

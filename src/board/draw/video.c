@@ -1,7 +1,7 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
+ *     back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -56,6 +56,16 @@ static void draw_sprites(struct draw_target *c, int layer)
             fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
         c->drawn++;
     }
+}
+
+static void draw_items(struct draw_target *c)
+{
+    const struct items *s = &c->b->items;
+    const struct item_kinds *k = &c->b->item_kinds;
+
+    EACH_LIVE (i, &s->s)
+        put(c, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
+            (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
 }
 
 static void draw_enemies(struct draw_target *c)
@@ -116,6 +126,7 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     fb_fill(fb, 0);
     fb_clip(fb, m->field_x, m->field_y, m->field_w, m->field_h);
     draw_sprites(&c, LAYER_BACK);
+    draw_items(&c);
     draw_enemies(&c);
     video_bullets(&c, &b->shots, &b->shot_kinds);
     draw_sprites(&c, LAYER_MIDDLE);

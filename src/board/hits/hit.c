@@ -86,23 +86,11 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
         }
 }
 
-static struct body player_body(const struct board *b, uint32_t p)
-{
-    const struct player *pl = &b->player;
-
-    return (struct body){ .shape = SHAPE_CIRCLE,
-                          .a = b->player_kinds.radius[pl->kind[p]],
-                          .x = pl->x[p],
-                          .y = pl->y[p],
-                          .mx = pl->x[p] - pl->was_x[p],
-                          .my = pl->y[p] - pl->was_y[p] };
-}
-
 /* Those of a block's bullets that hit player p or graze. */
 static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
 {
     struct board *b = q->context;
-    struct body c = player_body(b, p);
+    struct body c = hit_player_body(b, p);
     uint64_t found = 0;
 
     for (uint64_t m = near; m; m &= m - 1) {
@@ -116,7 +104,7 @@ static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t
 void hit_queries(struct board *b, struct bullets_query query[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        struct body c = player_body(b, p);
+        struct body c = hit_player_body(b, p);
         fx graze = b->player_kinds.graze[b->player.kind[p]];
         query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, narrow_phase, b };
     }
@@ -133,7 +121,7 @@ static void enemies_leave(struct board *b)
 void hit_run(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        struct body c = player_body(b, p);
+        struct body c = hit_player_body(b, p);
         if (!b->player.in[p])
             continue;
         raise_bullet_hits(b, p);
@@ -145,4 +133,6 @@ void hit_run(struct board *b)
         hit_meets(b);
     if (b->enemies.leaving)
         enemies_leave(b);
+    if (b->items.s.top)
+        hit_items(b);
 }

@@ -25,6 +25,19 @@ static inline bool hit_touches(const struct body *p, const struct body *q, bool 
     return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
 }
 
+/* The hit circle of player p. */
+static inline struct body hit_player_body(const struct board *b, uint32_t p)
+{
+    const struct player *pl = &b->player;
+
+    return (struct body){ .shape = SHAPE_CIRCLE,
+                          .a = b->player_kinds.radius[pl->kind[p]],
+                          .x = pl->x[p],
+                          .y = pl->y[p],
+                          .mx = pl->x[p] - pl->was_x[p],
+                          .my = pl->y[p] - pl->was_y[p] };
+}
+
 /* The body of bullet, shot or enemy i, in one piece. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
@@ -135,5 +148,8 @@ void hit_blocks(struct board *b);
  * of the same tag meet once. Those that are delayed or have no shape meet none.
  */
 void hit_meets(struct board *b);
+
+/* Players against items: raises an event for each that is taken; of the others, those that left the field are gone. */
+void hit_items(struct board *b);
 
 #endif

@@ -1,0 +1,58 @@
+/*
+ * hit_items.c - players against items: swept circles, as everything. An item is taken once: by the player it was nearer
+ * to before they moved, of two as near by the first.
+ */
+#include "hit_parts.h"
+
+static struct body item_body(const struct board *b, uint32_t i)
+{
+    const struct items *s = &b->items;
+
+    return (struct body){ .shape = SHAPE_CIRCLE,
+                          .a = b->item_kinds.radius[s->kind[i]],
+                          .x = s->x[i],
+                          .y = s->y[i],
+                          .mx = fx_sub(s->x[i], s->was_x[i]),
+                          .my = fx_sub(s->y[i], s->was_y[i]) };
+}
+
+/* How far the two were from each other before they moved, squared. */
+static uint64_t were_apart(const struct body *p, const struct body *q)
+{
+    uint64_t dx = geom_gap(p->x - p->mx, q->x - q->mx), dy = geom_gap(p->y - p->my, q->y - q->my);
+
+    return dx * dx + dy * dy;
+}
+
+/* Who takes item i: a player's number, or PADS. */
+static uint32_t taker(const struct board *b, uint32_t i, const struct body body[PADS])
+{
+    const struct body item = item_body(b, i);
+    uint64_t nearest = UINT64_MAX;
+    uint32_t found = PADS;
+
+    for (uint32_t p = 0; p < PADS; p++) {
+        if (!b->player.in[p] || !hit_touches(&item, &body[p], true))
+            continue;
+        uint64_t d = were_apart(&item, &body[p]);
+        if (d < nearest) {
+            nearest = d;
+            found = p;
+        }
+    }
+    return found;
+}
+
+void hit_items(struct board *b)
+{
+    const struct body body[PADS] = { hit_player_body(b, 0), hit_player_body(b, 1) };
+    const struct items *s = &b->items;
+
+    EACH_LIVE (i, &s->s) {
+        uint32_t p = taker(b, i, body);
+        if (p < PADS)
+            board_event(b, EV_TAKE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ITEM, (int32_t)i));
+        else if (s->x[i] < b->keep.x0 || s->x[i] > b->keep.x1 || s->y[i] < b->keep.y0 || s->y[i] > b->keep.y1)
+            slots_drop(&b->items.s, i);
+    }
+}

@@ -1,0 +1,199 @@
+/*
+ * items.c - see items.h.
+ *
+ * Nothing here draws chance. An item that is on its way to a player has vx and vy of what it flew in the last frame, so
+ * that scripts read what is seen.
+ */
+#include "items.h"
+#include "../base/geom.h"
+
+static const struct column kind_columns[] = {
+    COLUMN(item_kinds, sprite),
+    COLUMN(item_kinds, bank),
+    COLUMN(item_kinds, flags),
+    COLUMN(item_kinds, radius),
+    COLUMN(item_kinds, gravity),
+    COLUMN(item_kinds, top),
+    COLUMN(item_kinds, low),
+    COLUMN(item_kinds, high),
+    COLUMN(item_kinds, lives),
+    COLUMN(item_kinds, full),
+    COLUMNS(item_kinds, gives, ITEM_REGISTERS),
+};
+
+static const struct column columns[] = {
+    COLUMN(items, x),
+    COLUMN(items, y),
+    COLUMN(items, vx),
+    COLUMN(items, vy),
+    DERIVED(items, was_x, "written by every move before hits read it"),
+    DERIVED(items, was_y, "written by every move before hits read it"),
+    COLUMN(items, kind),
+    COLUMN(items, tag),
+    COLUMN(items, born),
+    COLUMN(items, pull),
+    GROUP_COLUMN(items, frozen, GROUP_FROZEN),
+    GROUP_COLUMN(items, stands, GROUP_FROZEN),
+    DERIVED_BLOCKS(items, taken, 1, "nothing is held between frames"),
+    DERIVED_REGISTER(items, standing, "how many items stood, by the column stands"),
+};
+
+#define COUNT(table) (int)(sizeof table / sizeof *table)
+const struct chip items_chip = { "items", columns, COUNT(columns), false, false };
+const struct chip item_kinds_chip = { "item_kinds", kind_columns, COUNT(kind_columns), true, false };
+
+int32_t items_put(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock)
+{
+    int32_t i = slots_take(&s->s);
+
+    if (i == NO_SLOT)
+        return i;
+    s->x[i] = s->was_x[i] = x;
+    s->y[i] = s->was_y[i] = y;
+    s->vx[i] = s->vy[i] = 0;
+    s->kind[i] = kind;
+    s->tag[i] = 0;
+    s->born[i] = clock;
+    s->pull[i] = 0;
+    if (s->frozen)
+        s->frozen[i] = s->stands[i] = 0;
+    return i;
+}
+
+ang items_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n)
+{
+    return dir - (ang)(spread / 2) + (ang)(spread * (2 * (uint64_t)k + 1) / (2 * (uint64_t)n));
+}
+
+void items_pull(struct items *s, uint32_t i, uint32_t p)
+{
+    s->pull[i] = (uint8_t)(p + 1);
+}
+
+static void fall_again(struct items *s, uint32_t i)
+{
+    s->pull[i] = 0;
+    s->vx[i] = s->vy[i] = 0;
+}
+
+void items_let_go(struct items *s, uint32_t p)
+{
+    EACH_LIVE (i, &s->s)
+        if (s->pull[i] == p + 1)
+            fall_again(s, i);
+}
+
+/* Does it stand in this move? */
+static bool stands(struct items *s, uint32_t i)
+{
+    if (!s->frozen)
+        return false;
+    bool is = s->frozen[i] != 0;
+    s->frozen[i] -= s->frozen[i] > 0;
+    s->stands[i] = is ? STOOD : 0;
+    s->standing += is;
+    return is;
+}
+
+void items_stay(struct items *s)
+{
+    if (!s->standing)
+        return;
+    EACH_LIVE (i, &s->s)
+        s->born[i] += s->stands[i] != 0;
+}
+
+static uint64_t apart(const struct items *s, uint32_t i, const struct item_pull *p)
+{
+    uint64_t dx = geom_gap(s->x[i], p->x), dy = geom_gap(s->y[i], p->y);
+
+    return dx * dx + dy * dy;
+}
+
+/* The nearest of the players that attract it, player + 1; 0: none. Of two as near, the first. */
+static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
+{
+    uint64_t nearest = UINT64_MAX;
+    uint8_t found = 0;
+
+    for (uint32_t p = 0; p < PADS; p++) {
+        const struct item_pull *q = &pull[p];
+        if (!q->in || !(q->all || geom_circles(s->x[i], s->y[i], q->x, q->y, q->radius)))
+            continue;
+        uint64_t d = apart(s, i, q);
+        if (d < nearest) {
+            nearest = d;
+            found = (uint8_t)(p + 1);
+        }
+    }
+    return found;
+}
+
+/* Towards the player. Invariant: where the way is longer than the speed, it is divided by no less than its length; so
+ * the step is not longer than the speed, and on no axis does it go further than the player is. */
+static void fly(struct items *s, uint32_t i, const struct item_pull *p)
+{
+    int64_t dx = (int64_t)p->x - s->x[i], dy = (int64_t)p->y - s->y[i];
+    uint64_t way = apart(s, i, p);
+
+    if (way > (uint64_t)p->speed * (uint64_t)p->speed) {
+        uint64_t length = fx_root(way);
+        length += length * length < way;
+        dx = dx * p->speed / (int64_t)length;
+        dy = dy * p->speed / (int64_t)length;
+    }
+    s->vx[i] = (fx)dx;
+    s->vy[i] = (fx)dy;
+}
+
+/* v, by at most `by` nearer to `to`. */
+static fx nearer(fx v, fx to, fx by)
+{
+    return fx_clamp(to, fx_sub(v, by), fx_add(v, by));
+}
+
+static void fall(struct items *s, uint32_t i, const struct item_kinds *kinds)
+{
+    const fx gravity = kinds->gravity[s->kind[i]];
+
+    s->vy[i] = nearer(s->vy[i], kinds->top[s->kind[i]], gravity);
+    if (s->vy[i] >= 0)
+        s->vx[i] = nearer(s->vx[i], 0, gravity);
+}
+
+static void step(struct items *s, uint32_t i, const struct item_kinds *kinds, const struct item_pull pull[PADS])
+{
+    s->was_x[i] = s->x[i];
+    s->was_y[i] = s->y[i];
+    if (s->pull[i] && !pull[s->pull[i] - 1].in)
+        fall_again(s, i);
+    if (stands(s, i))
+        return;
+    if (!s->pull[i] && kinds->flags[s->kind[i]] & ITEM_MAGNET)
+        s->pull[i] = attracted(s, i, pull);
+    if (s->pull[i])
+        fly(s, i, &pull[s->pull[i] - 1]);
+    else
+        fall(s, i, kinds);
+    s->x[i] = fx_add(s->x[i], s->vx[i]);
+    s->y[i] = fx_add(s->y[i], s->vy[i]);
+}
+
+void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS])
+{
+    s->standing = 0;
+    EACH_LIVE (i, &s->s)
+        step(s, i, kinds, pull);
+    slots_trim(&s->s);
+}
+
+int64_t items_points(const struct item_kinds *kinds, uint16_t kind, fx y, fx line, fx bottom)
+{
+    const int64_t low = kinds->low[kind], high = kinds->high[kind];
+
+    if (y <= line)
+        return high;
+    if (y >= bottom)
+        return low;
+    return low + (high - low) * ((int64_t)bottom - y) / ((int64_t)bottom - line);
+}
