@@ -25,7 +25,8 @@ motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5
   { speed = 4.75, over = 9 } }
 motion.def { name = "spin",
   { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
-enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", drops = { bit = 3, chip = 1 },
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
+  drops = { bit = 3, chip = 1 },
   run = function(e)
     while true do
       wait(rng.int(3, 9))

@@ -261,6 +261,7 @@ bool builtins_handed(const struct symbol_origin *of)
         { "enemy", "each", NULL, 2, 1 },   { "player", "each", NULL, 1, 1 },   { "on", "graze", NULL, 1, 2 },
         { "on", "hit", NULL, 1, 2 },       { "on", "death", NULL, 1, 1 },      { "on", "kill", NULL, 1, 1 },
         { "on", "leave", NULL, 1, 1 },     { "on", "extend", NULL, 1, 1 },     { "on", "phase", NULL, 1, 1 },
+        { "on", "take", NULL, 1, 2 },      { "item", "def", "on_take", 2, 2 }, { "item", "each", NULL, 2, 1 },
     };
 
     for (size_t i = 0; i < COUNT(handed); i++)
