@@ -28,7 +28,8 @@ motion.def { name = "spin",
 motion.def { name = "burst", { wait_for = { tag = "petal", limit = 25 } },
   { emit = { pattern = "fan", n = 3, spread = 50.5, kind = "rice", speed = 1.3, motion = "spin" } },
   { path = path.def { { x = 0, y = 0 }, { x = 9.3, y = 7.1, over = 9, ease = "both" } } }, { die = true } }
-enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", drops = { bit = 3, chip = 1 },
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
+  drops = { bit = 3, chip = 1 },
   run = function(e)
     while true do
       wait(rng.int(3, 9))

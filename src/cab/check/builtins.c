@@ -264,7 +264,8 @@ bool builtins_handed(const struct symbol_origin *of)
         { "on", "hit", NULL, 1, 2 },           { "on", "death", NULL, 1, 1 },
         { "on", "kill", NULL, 1, 1 },          { "on", "leave", NULL, 1, 1 },
         { "on", "extend", NULL, 1, 1 },        { "on", "phase", NULL, 1, 1 },
-        { "bullet", "meet", "on_meet", 3, 2 },
+        { "bullet", "meet", "on_meet", 3, 2 }, { "on", "take", NULL, 1, 2 },
+        { "item", "def", "on_take", 2, 2 },    { "item", "each", NULL, 2, 1 },
     };
 
     for (size_t i = 0; i < COUNT(handed); i++)
