@@ -156,4 +156,12 @@ const char *api_reserved_row(int i, const char **of, char *how);
  * library. */
 const char *api_library_names(const char *library);
 
+/* What to use in place of a name that Lua has elsewhere and this board has not: the field of a library, or a global
+ * (space NULL); NULL: it is none. And of a field of that name, of whichever library: *space is that. */
+const char *api_instead(const char *space, const char *name);
+const char *api_instead_field(const char *name, const char **space);
+
+/* Is it a property of a thing that can be gone? */
+bool api_dies(const char *name);
+
 #endif

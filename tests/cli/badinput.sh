@@ -225,6 +225,12 @@ fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)'
 fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
 fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' \
     <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
+fault 'a name that is gone' \
+    "main.lua:1: attempt to call a nil value (field 'random') (math.random is not available: rng.int, rng.number, \
+rng.pick or rng.chance)" <<<'print(math.random())'
+fault 'a library that is gone' \
+    'main.lua:1: undeclared global "os" (not available: board.frame() tells the time, save.set keeps things)' \
+    <<<'print(os.time())'
 fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' \
     <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
 
