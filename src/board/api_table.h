@@ -127,6 +127,9 @@ extern const int api_module_count;
 /* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 
+/* The entry whose name is nearest to that; NULL: none is near. */
+const char *api_help_near(const char *name);
+
 /* The number of entries, and the i-th one. */
 int api_count(void);
 const struct api_entry *api_entry(int i);
