@@ -38,7 +38,7 @@ end
 -- number bomb answers; false: bomb does nothing). Returns the number chosen, or nil for bomb or when nobody answers.
 function menu.choose(a)
   local n, chosen, longest = #a.items, a.chosen or 1, 0
-  for _, item in ipairs(a.items) do longest = math.max(longest, #item) end
+  for _, item in ipairs(a.items) do longest = math.max(longest, sys.cells(item)) end
   local col = math.max(2, (hud.cols - longest) // 2)
   local top = a.row
   if a.title then top = hud.centre(a.row, a.title, hud.banks.bright) + 1 end

@@ -2,6 +2,7 @@
  * fix.c - see fix.h.
  */
 #include "fix.h"
+#include "../../fb/utf8.h"
 
 static const struct column columns[] = {
     COLUMN(fix, code),
@@ -12,19 +13,21 @@ static const struct column columns[] = {
 
 const struct chip fix_chip = { "fix", columns, sizeof columns / sizeof *columns, true, false };
 
-static void set(struct fix *f, int64_t col, int64_t row, char code, uint8_t bank)
+static void set(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank)
 {
     if (col < 0 || row < 0 || col >= f->cols || row >= f->rows)
         return;
     size_t cell = (size_t)(row * f->cols + col);
-    f->code[cell] = (uint8_t)code;
+    f->code[cell] = (uint8_t)(code > 255 ? FIX_OTHER : code);
     f->bank[cell] = bank;
 }
 
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank)
 {
-    for (size_t i = 0; i < n && i < f->cols + 65536u; i++)
-        set(f, col + (int64_t)i, row, text[i], bank);
+    const char *end = text + n;
+
+    for (int64_t i = 0; text < end && i < FIX_TEXT; i++)
+        set(f, col + i, row, utf8_next(&text, end), bank);
 }
 
 void fix_clear(struct fix *f, int col, int row, int w, int h)

@@ -7,18 +7,22 @@
 
 #include "slots.h"
 
-enum { FIX_CELL = 8 };
+enum {
+    FIX_CELL = 8,
+    FIX_OTHER = 1,   /* no character; no font has a picture of it */
+    FIX_TEXT = 1024, /* characters that are written at a time */
+};
 
 struct fix {
     struct slots s; /* a list of cols x rows cells, row by row */
-    uint8_t *code;  /* character, 0 or 32: nothing */
+    uint8_t *code;  /* code point, 0: nothing; FIX_OTHER: one over 255 */
     uint8_t *bank;
     uint32_t cols, rows;
 };
 
 extern const struct chip fix_chip;
 
-/* Writes n characters from (col, row) on; what falls outside the grid is cut off. */
+/* Writes the characters of n bytes from (col, row) on; what falls outside the grid is cut off. */
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank);
 
 /* Empties a rectangle of cells, cut to the grid. */

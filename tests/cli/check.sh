@@ -109,6 +109,15 @@ LUA
 
 # ---- scripts ----
 
+lua 'characters without a glyph' <<'LUA'
+text.put { col = 1, row = 1, text = "A" }
+local title, note = "弾幕 été", "plain"
+print("弾幕", title, note)
+----
+main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
+main.lua:3: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text: a box is shown
+2 problems
+LUA
 lua 'names that are kept for later' <<'LUA'
 local sounds = {}
 on.start(function() sound.play("hit") end)

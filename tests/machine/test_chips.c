@@ -854,6 +854,18 @@ static void test_fix(void **state)
     fix_put(f, INT32_MIN, 0, "xyz", 3, 1);
     row_is(f, 0, "");
     row_is(f, 8, "");
+    /* characters, not bytes; what no cell can hold; a byte that is no UTF-8 */
+    fix_put(f, 1, 4,
+            "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89"
+            "b",
+            11, 2);
+    assert_memory_equal(f->code + 40,
+                        "\0\xe9\1\1\x89"
+                        "b\0",
+                        7);
+    assert_memory_equal(f->bank + 40, "\0\2\2\2\2\2\0", 7);
+    fix_clear(f, 0, 4, 10, 1);
+    row_is(f, 4, "");
     fix_clear(f, 3, 1, 1, 1);
     row_is(f, 1, "..a.c");
     fix_clear(f, -5, 1, 8, 2);

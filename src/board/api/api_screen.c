@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../../fb/utf8.h"
 #include "../api.h"
 #include "../lualib.h"
 
@@ -230,8 +231,8 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
         return api_error(L, "text.put", "text: expected a finite number");
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
-    n = n > 1024 ? 1024 : n;
-    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? (int)n / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? (int)n : 0;
+    int cells = (int)utf8_count(s, n, FIX_TEXT, &n);
+    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
     fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i);
     return 0;
 }

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
 
@@ -292,6 +293,22 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+enum { CELLS_TEXT, CELLS_MOST };
+static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL },
+                                              { "most", A_INT, OPT, 0, MAX_TEXT, NULL, "65536" } };
+
+static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n, bytes;
+    const char *s = lua_tolstring(L, v[CELLS_TEXT].at, &n);
+
+    (void)b;
+    vm_charge(L, n / 8);
+    lua_pushinteger(L, (lua_Integer)utf8_count(s, n, (size_t)v[CELLS_MOST].i, &bytes));
+    lua_pushinteger(L, (lua_Integer)bytes);
+    return 2;
+}
+
 /* A place may be so far from a thing that is anywhere in the world. */
 static const struct api_param sys_aim[] = { { "x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
                                             { "y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
@@ -336,6 +353,8 @@ static const struct api_entry entries[] = {
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 2, API_SYS, "count, bytes",
+      "characters of a text, but at most so many; and their bytes" },
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };

@@ -98,10 +98,8 @@ static void draw_text(struct draw_target *c)
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
 
     fb_clip_all(c->fb);
-    if (!cart->glyphs)
-        return;
     for (uint32_t i = 0; i < f->s.live; i++)
-        if (f->code[i] > 32)
+        if (f->code[i])
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
                        f->bank[i]);
 }

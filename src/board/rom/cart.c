@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../../fb/text.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
 {
@@ -236,6 +237,13 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name)
     struct lump l;
 
     return find_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+}
+
+bool cart_has_glyph(const struct cart *cart, uint32_t code)
+{
+    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+
+    return text_blank(code) || text_has(&font, code);
 }
 
 static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,

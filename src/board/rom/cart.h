@@ -70,6 +70,9 @@ int cart_find_blend(const struct cart *cart, const char *name);
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);
 
+/* Can the character be shown by a font of the game? A blank can always. */
+bool cart_has_glyph(const struct cart *cart, uint32_t code);
+
 /* The text of script "stages/one" (or "@std/pattern"), not NUL-terminated; false: none. */
 bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size);
 

@@ -69,4 +69,8 @@ void check_art(struct check *c);
 void check_unused(struct check *c);
 void check_run(struct check *c);
 
+/* Characters without a glyph; cart: the game, packed. Part of check_run. */
+struct cart;
+void check_text(struct check *c, const struct cart *cart);
+
 #endif
