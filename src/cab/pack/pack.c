@@ -65,7 +65,8 @@ struct packer {
     struct manifest m;
     struct art art;
     uint8_t palette[CART_PALETTE];
-    uint64_t std; /* modules that the scripts so far name (std.h) */
+    char *rom_text; /* of rom.lua, malloc, with a 0 behind it */
+    uint64_t std;   /* modules that the scripts so far name (std.h) */
     char *err;
     size_t err_size;
 };
@@ -132,7 +133,12 @@ static bool read_manifest(struct packer *p)
                                              p->err_size)
                              : err_set(p->err, p->err_size, "out of memory");
     free(block);
-    free(text);
+    p->rom_text = realloc(text, size + 1);
+    if (p->rom_text == NULL) {
+        free(text);
+        return err_set(p->err, p->err_size, "out of memory");
+    }
+    p->rom_text[size] = '\0';
     return good;
 }
 
@@ -144,6 +150,36 @@ static bool add_manifest(struct packer *p)
     return add_copy(p, "", "manifest", bytes, sizeof bytes);
 }
 
+/* Does p stand behind -- in its line? */
+static bool in_comment(const char *text, const char *p)
+{
+    for (; p > text && p[-1] != '\n'; p--)
+        if (p[0] == '-' && p[-1] == '-')
+            return true;
+    return false;
+}
+
+/* The line of rom.lua that spells the file's name; 0: none does. */
+static int line_of(const char *text, const char *file)
+{
+    size_t n = strlen(file);
+    int line = 1;
+
+    for (const char *p = text; *p != '\0'; line += *p++ == '\n')
+        if ((*p == '"' || *p == '\'') && strncmp(p + 1, file, n) == 0 && p[n + 1] == *p && !in_comment(text, p))
+            return line;
+    return 0;
+}
+
+static bool refuse_missing(struct packer *p, const char *file)
+{
+    int line = line_of(p->rom_text, file);
+
+    if (line > 0)
+        return err_set(p->err, p->err_size, "rom.lua:%d: there is no %s", line, file);
+    return err_set(p->err, p->err_size, "rom.lua: there is no %s", file);
+}
+
 /* A picture of the folder into *out (free rgba). */
 static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
 {
@@ -153,6 +189,8 @@ static bool load_picture(struct packer *p, const char *file, struct art_picture 
 
     if (!tree_portable(file))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+    if (!tree_has(&p->files, file))
+        return refuse_missing(p, file);
     if (!load_in(p, file, TREE_FILE, &data, &size))
         return false;
     bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
@@ -454,6 +492,7 @@ bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, c
     bool good = gather(p) && write_image(p, image, size);
     tree_close(&p->files);
     lumps_close(&p->lumps);
+    free(p->rom_text);
     free(p);
     return good;
 }
