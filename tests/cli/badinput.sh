@@ -201,7 +201,8 @@ art 'PNG cut short' 'art/all.png: a PNG that is cut short' truncate -s 60 art/al
 art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
 art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash \
     -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
-art 'syntax error further down' "stages/one.lua:2: expected \`end\` to close \`do\` at line 1, got the end of the file" bash \
+lacking="stages/one.lua:2: expected \`end\` to close \`do\` at line 1, got the end of the file"
+art 'syntax error further down' "$lacking" bash \
     -c 'mkdir stages; echo "do" >stages/one.lua'
 art 'compiled Lua' 'main.lua:1: compiled Lua, expected text' bash -c 'printf "\33Lua" >main.lua'
 art 'the operator ^' \

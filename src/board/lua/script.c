@@ -400,7 +400,8 @@ static void read_expected(const char *at, char word[16], int *line, char near[64
         snprintf(near, 64, "%s", strcmp(behind, "near <eof>") == 0 ? "the end of the file" : behind + strlen("near "));
 }
 
-/* Where Lua says that an end is missing: "'end' expected", or that a bracket closes, or a comma stands, where a statement could. */
+/* Where Lua says that an end is missing: "'end' expected", or that a bracket closes or a comma stands where a statement
+ * could begin. */
 static char *end_missing(char *err)
 {
     char *at = strstr(err, "'end' expected"), *symbol = strstr(err, "unexpected symbol near '");
