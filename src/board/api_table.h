@@ -11,6 +11,7 @@
 
 struct lua_State;
 struct board;
+struct manifest;
 struct api_value;
 
 enum api_type {
@@ -137,6 +138,14 @@ double api_default(const struct api_param *p);
 /* Is the name reserved? how '.': as a field of the table `of` ("board"; "": the globals); '{': as an argument of the
  * function `of` ("bullet.fire"); ':': as a property or a verb of the thing `of` ("bullet"). */
 bool api_reserved(const char *of, char how, const char *name);
+
+/* Some tables of the API stand for a chip that a game has only if rom.lua gives it room. A game that does not has
+ * neither the table nor the verbs of its things. Of such a game, the line of rom.lua that the table, thing or group of
+ * that name ("item", "items") needs; NULL: the name is on, or is none of these. */
+const char *api_off(const struct manifest *m, const char *name);
+
+/* Said of one: the line. */
+#define API_OFF "this game has no room for it; rom.lua asks for it: %s"
 
 /* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. For tests. */
 const char *api_reserved_row(int i, const char **of, char *how);

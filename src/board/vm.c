@@ -329,9 +329,12 @@ int vm_print(lua_State *L)
 static int undeclared(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    const char *line = api_off(&vm_board(L)->cart.m, name);
 
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (line)
+        return vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, name, line);
     if (std_of(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);

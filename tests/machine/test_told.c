@@ -197,6 +197,22 @@ static void test_none_is_there(void **state)
     assert_false(api_reserved("", '.', "ound"));
 }
 
+/* A chip's names are off until rom.lua gives it room. */
+static void test_off(void **state)
+{
+    struct manifest m;
+
+    (void)state;
+    manifest_default(&m);
+    assert_string_equal(api_off(&m, "item"), "board = { items = 512 }");
+    assert_string_equal(api_off(&m, "items"), "board = { items = 512 }");
+    assert_null(api_off(&m, "ite"));
+    assert_null(api_off(&m, "bullet"));
+    m.items = 1;
+    assert_null(api_off(&m, "item"));
+    assert_null(api_off(&m, "items"));
+}
+
 /* ---- two fights ---- */
 
 #define QUEEN                                                                                                          \
@@ -507,12 +523,19 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only), cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_later),     cmocka_unit_test(test_none_is_there),
-        cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
-        cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_manual),    cmocka_unit_test(test_each),
+        cmocka_unit_test(test_read_only),
+        cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_later),
+        cmocka_unit_test(test_none_is_there),
+        cmocka_unit_test(test_off),
+        cmocka_unit_test(test_fights),
+        cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),
+        cmocka_unit_test(test_full_again),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_places_in_library),
+        cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);

@@ -485,10 +485,10 @@ static void test_pack(void **state)
     free(r);
 }
 
-/* A lump of format 1 is shorter by the numbers that came later, which then have their defaults. */
+/* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
 static void test_unpack_old(void **state)
 {
-    struct result *r = read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true } }");
+    struct result *r = read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, items = 9 } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
@@ -498,8 +498,13 @@ static void test_unpack_old(void **state)
     manifest_pack(&r->m, bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
-    bytes[0] = 1;
+    bytes[0] = 2;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
+    assert_int_equal(r->m.items, 9);
+    r->m.items = 0;
+    assert_memory_equal(&m, &r->m, sizeof m);
+    bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     r->m.bullet_values = r->m.hp = r->m.frozen = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
@@ -518,12 +523,13 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5203 bytes long, expected 5204");
-    for (int format = 0; format < 5; format++) {
+    assert_string_equal(err, "5207 bytes long, expected 5208");
+    for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
-        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 2);
+        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);
+        assert_int_equal(manifest_unpack(bytes, 5204, &m, err, sizeof err), format == 2);
         assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
-        if (format > 2)
+        if (format > 3)
             assert_string_equal(err, "its format is not known");
     }
     free(r);
@@ -547,7 +553,7 @@ static void test_format_1(void **state)
     assert_int_equal(m.nvram_kib, 32);
     m.nvram_kib = 3;
     manifest_pack(&m, again);
-    bytes[0] = 2;
+    bytes[0] = 3;
     assert_memory_equal(bytes, again, sizeof bytes);
     free(r);
 }

@@ -166,7 +166,7 @@ static void push_function(lua_State *L, const struct api_entry *e)
     lua_pushcclosure(L, call, 2);
 }
 
-/* "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
+/* What is off goes nowhere. "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
 static void install(lua_State *L, const struct api_entry *e, int sys)
 {
     const char *split = strpbrk(e->name, ".:");
@@ -178,6 +178,8 @@ static void install(lua_State *L, const struct api_entry *e, int sys)
         return;
     }
     snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
+    if (api_off(&vm_board(L)->cart.m, space))
+        return;
     if (*split == ':') {
         for (int k = 1; k < HANDLES; k++)
             if (api_things[k] && !strcmp(api_things[k]->name, space))

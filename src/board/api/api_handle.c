@@ -7,9 +7,13 @@
 
 static const char methods_key[HANDLES] = { 0 }; /* registry: a table of methods a kind of handle */
 
+/* Kinds that are off have none; table 0, which stays empty, serves for them. */
 void api_push_methods(lua_State *L, int kind)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]) != LUA_TNIL)
+        return;
+    lua_pop(L, 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[0]);
 }
 
 static const struct api_prop *prop_named(const struct api_thing *t, const char *name, int *index)
@@ -248,6 +252,8 @@ static int set_property(lua_State *L)
 void api_open_handles(lua_State *L)
 {
     for (int i = 0; i < HANDLES; i++) {
+        if (i > 0 && api_off(&vm_board(L)->cart.m, api_things[i]->name))
+            continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[i]);
     }

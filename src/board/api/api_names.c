@@ -9,12 +9,18 @@
 /* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
 static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
+static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark",
+                                               "motion", "tag",  "value", "value",  "value" };
+
+/* What is off has no names. */
 void api_open_names(lua_State *L)
 {
     struct board *b = vm_board(L);
 
     memset(b->names, 0, sizeof b->names);
     for (int i = 0; i < NAME_LISTS; i++) {
+        if (api_off(&b->cart.m, nouns[i]))
+            continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
     }
@@ -42,9 +48,6 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
 
 void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
-    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark",
-                                                   "motion", "tag",  "value", "value",  "value" };
-
     if (api_names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);
     if (index != NO_MOTION)
@@ -60,7 +63,8 @@ void api_names_declare(lua_State *L, enum api_names what, const char *entry, con
 
 int api_names_find(lua_State *L, enum api_names what, const char *name)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]) == LUA_TNIL)
+        return lua_pop(L, 1), NO_SLOT;
     int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
     lua_pop(L, 2);
     return index;

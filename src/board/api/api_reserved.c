@@ -59,6 +59,27 @@ const char *api_reserved_row(int i, const char **of, char *how)
     return reserved[i].names;
 }
 
+/* The tables that are there only if rom.lua says so. */
+static const struct {
+    const char *names;
+    size_t room; /* of struct manifest: an int32_t, 0: off */
+    const char *line;
+} optional[] = {
+    { "item items", offsetof(struct manifest, items), "board = { items = 512 }" },
+};
+
+const char *api_off(const struct manifest *m, const char *name)
+{
+    int32_t room;
+
+    for (size_t i = 0; i < sizeof optional / sizeof *optional; i++) {
+        memcpy(&room, (const char *)m + optional[i].room, sizeof room);
+        if (!room && has_word(optional[i].names, name))
+            return optional[i].line;
+    }
+    return NULL;
+}
+
 /* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
 static int missing_field(lua_State *L)
 {

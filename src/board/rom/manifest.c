@@ -14,8 +14,10 @@
 #include "../../chips/motion.h"
 #include "../../chips/nvram.h"
 
-/* The first word of the lump. A lump of format 1, which core versions to 4 wrote, has the first numbers alone. */
-enum { FORMAT = 2, NUMBERS_1 = 17, BYTES_1 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_1) };
+/* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
+ * core version 5 wrote format 2. */
+enum { FORMAT = 3, NUMBERS_1 = 17 };
+static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -53,6 +55,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.around", around),
     FLAG("board.frozen", frozen),
     NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
+    NUMBER("board.items", items, 0, 1 << 16),
 };
 
 void manifest_default(struct manifest *m)
@@ -323,8 +326,7 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     for (int i = 0; i < MAX_DIPS; i++)
         walk_dip(w, &m->dips[i]);
     walk_32(w, &m->n_dips);
-    if (format > 1)
-        walk_numbers(w, m, NUMBERS_1, MANIFEST_NUMBERS);
+    walk_numbers(w, m, NUMBERS_1, numbers_of[expected]);
 }
 
 void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
@@ -347,15 +349,23 @@ static bool unused_dips_zero(const struct manifest *m)
     return true;
 }
 
+static size_t bytes_of(int format)
+{
+    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
+}
+
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size)
 {
     struct walk w = { NULL, data, true };
+    int format = FORMAT;
 
-    if (size != MANIFEST_BYTES && size != BYTES_1)
+    while (format > 0 && size != bytes_of(format))
+        format--;
+    if (!format)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_KIB; /* of format 1 */
-    walk_manifest(&w, m, size == BYTES_1 ? 1 : FORMAT);
+    walk_manifest(&w, m, format);
     if (!w.good)
         return err_set(err, err_size, "its format is not known");
     if (!manifest_check(m, err, err_size))

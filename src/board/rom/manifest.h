@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5204,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5208,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -43,6 +43,7 @@ struct manifest {
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* numbers of its own that each has room for */
     int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
+    int32_t items; /* a capacity: 0 unless rom.lua asks for them */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -106,7 +107,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 24 };
+enum { MANIFEST_NUMBERS = 25 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

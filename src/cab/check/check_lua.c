@@ -247,8 +247,14 @@ static bool is_open(const struct check *c, const char *space)
 
 static void judge_global(struct check *c, const char *path, const struct symbol_global *g)
 {
+    const char *line = c->manifest ? api_off(&c->m, g->name) : NULL;
+
     if (strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0)
         return;
+    if (line && !api_reserved("", '.', g->name)) {
+        diagnostics_add(&c->found, path, g->line, "%s: " API_OFF, g->name, line);
+        return;
+    }
     if (!name_set_has(&c->builtins, NULL, g->name)) {
         if (!c->any_global)
             unknown_global(c, path, g);
