@@ -62,9 +62,9 @@ function hud.wrap(s, width)
   return lines
 end
 
--- Puts s in the middle of the screen, broken into lines; returns the row below.
+-- Puts s, in the language of the run, in the middle of the screen, broken into lines; returns the row below.
 function hud.centre(row, s, bank)
-  for _, line in ipairs(hud.wrap(s, hud.cols)) do
+  for _, line in ipairs(hud.wrap(text.lang(s), hud.cols)) do
     hud.put(math.max(0, (hud.cols - sys.cells(line)) // 2), row, line, bank)
     row = row + 1
   end

@@ -80,6 +80,7 @@ enum {
     API_MORE = 1 << 5,    /* any further arguments are passed on */
     API_FIRE = 1 << 6,    /* a pattern: takes every argument of bullet.fire, or shot.fire, besides its own */
     API_GLOBAL = 1 << 7,  /* stands among the globals */
+    API_LATE = 1 << 9,    /* a field that comes into its table when it is first read */
     API_VALUES =
         1 << 8, /* takes the values declared for what its name begins with, as API_FIRE those of what it fires */
 };

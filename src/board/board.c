@@ -253,6 +253,16 @@ static bool lang_fits(const char *lang, char *err, size_t err_size)
     return true;
 }
 
+static bool open_lang(struct board *b, char *err, size_t err_size)
+{
+    if (!lang_fits(b->start.lang, err, err_size))
+        return false;
+    if (cart_lang(&b->cart, b->start.lang, &b->words))
+        return true;
+    snprintf(err, err_size, "language \"%s\": the game has no lang/%s.txt", b->start.lang, b->start.lang);
+    return false;
+}
+
 /* Is what the start asks for in the manifest? */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
@@ -305,7 +315,7 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start.nvram_size = 0;
     end_texts(&b->start);
     b->vm.counting = count;
-    if (!start_fits(&b->cart.m, start, err, err_size) || !lang_fits(b->start.lang, err, err_size))
+    if (!start_fits(&b->cart.m, start, err, err_size) || !open_lang(b, err, err_size))
         return NULL;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);

@@ -82,6 +82,7 @@ struct board {
     bool reset;              /* board.reset was called this frame */
     struct box keep, area;   /* where things live; where players may go */
     struct sprite *pictures; /* of the ROM, by index */
+    struct words words;      /* of the language that the start asks for */
     struct output *output;
     struct vm vm;
     struct name_list names[NAME_LISTS];

@@ -109,6 +109,27 @@ LUA
 
 # ---- scripts ----
 
+mkdir -p tongues/lang
+game tongues <<'LUA'
+local used = { "dot", "dart" }
+print(used, text.lang("Hello"), text.lang("World"))
+LUA
+printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
+printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
+finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
+lang/fr.txt:3: "World" stands in line 2 already
+main.lua:2: no words for "World" in lang/de.txt, lang/fr.txt
+2 problems; the game was not run, for it cannot be packed
+TEXT
+printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
+finds 'words without a glyph' tongues <<'TEXT'
+lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more of this text: a box is shown
+lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
+lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
+main.lua:2: no words for "World" in lang/de.txt
+4 problems
+TEXT
+rm -r tongues
 lua 'characters without a glyph' <<'LUA'
 text.put { col = 1, row = 1, text = "A" }
 local title, note = "弾幕 été", "plain"

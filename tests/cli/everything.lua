@@ -131,7 +131,7 @@ task.go(function()
       pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
     end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
-    text.put { col = 0, row = 7, text = ("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
+    text.put { col = 0, row = 7, text = text.lang("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
     wait(1)
   end
 end)

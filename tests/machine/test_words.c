@@ -1,6 +1,7 @@
 /*
  * test_words.c - texts beyond ASCII: cells, the hud's rows, and what is drawn of them.
  */
+#include "../../src/cab/pack/lang.h"
 #include "rig.h"
 
 static struct rig_game g;
@@ -127,13 +128,77 @@ static void test_boss(void **state)
     end();
 }
 
+/* ---- languages ---- */
+
+/* The game with a language "de" besides. */
+static void add_german(struct rig_game *game)
+{
+    static const char german[] = "Hello = Hallo\nShip %d = Schiff %d\nPRESS START = START DR\xc3\x9c\x43KEN\n";
+    struct rig_game had = *game;
+    struct lump lumps[64];
+    int n = (int)had.image.rom.count;
+    struct lang l;
+    uint8_t *lump;
+    char err[256];
+
+    if (!lang_read(&l, german, sizeof german - 1, "de", err, sizeof err))
+        fail_msg("%s", err);
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    lumps[n++] = (struct lump){ "lang/de", NULL, (uint32_t)lang_make(&l, &lump) };
+    lumps[n - 1].data = lump;
+    rig_write(game, lumps, n);
+    free(lump);
+    lang_close(&l);
+    free(had.image.bytes);
+}
+
+static void say_in(const char *lang)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1 };
+
+    rig_script(&g, NULL,
+               "text.put { col = 0, row = 0, text = text.lang('Hello') .. text.lang('Other') }\n"
+               "text.put { col = 0, row = 1, text = text.lang('Ship %d'):format(3) }\n"
+               "assert(text.lang == text.lang and rawget(text, 'lang') and text.more == nil)\n"
+               "hud.centre(2, 'PRESS START')");
+    add_german(&g);
+    snprintf(start.lang, sizeof start.lang, "%s", lang);
+    rig_power(&rig, &g, &start);
+    rig_run(&rig, 2);
+}
+
+static void test_lang(void **state)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1, .lang = "fr" };
+    uint64_t hash;
+    char err[256];
+
+    (void)state;
+    say_in("");
+    row_is(0, 0, "HelloOther");
+    row_is(1, 0, "Ship 3");
+    row_is(2, 9, "PRESS START");
+    hash = board_hash(rig.b);
+    end();
+    say_in("de");
+    row_is(0, 0, "HalloOther");
+    row_is(1, 0, "Schiff 3");
+    row_is(2, 8, "START DR\xdc\x43KEN");
+    assert_true(board_hash(rig.b) != hash);
+    hash = board_hash(rig.b);
+    rig_spoil(&rig);
+    assert_true(board_hash(rig.b) == hash);
+    assert_null(board_power(rig.ram, rig.ram_size, &g.image.rom, &start, false, err, sizeof err));
+    assert_string_equal(err, "language \"fr\": the game has no lang/fr.txt");
+    end();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cells),
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_hud),
-        cmocka_unit_test(test_boss),
+        cmocka_unit_test(test_cells), cmocka_unit_test(test_boxes), cmocka_unit_test(test_hud),
+        cmocka_unit_test(test_boss),  cmocka_unit_test(test_lang),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

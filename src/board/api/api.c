@@ -159,21 +159,22 @@ static int sys_check(lua_State *L)
 
 /* ---- opening ---- */
 
-static void push_function(lua_State *L, const struct api_entry *e)
+void api_push_function(lua_State *L, const struct api_entry *e)
 {
     lua_pushlightuserdata(L, (void *)(uintptr_t)e);
     lua_pushinteger(L, (lua_Integer)hash_bytes(HASH_START, e->name, strlen(e->name)));
     lua_pushcclosure(L, call, 2);
 }
 
-/* What is off goes nowhere. "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets, "sys.join" into sys. */
+/* What is off goes nowhere. "bullet.fire" goes into global table bullet, "bullet:aim" among the methods of bullets,
+ * "sys.join" into sys. */
 static void install(lua_State *L, const struct api_entry *e, int sys)
 {
     const char *split = strpbrk(e->name, ".:");
     char space[32];
 
     if (!split) {
-        push_function(L, e);
+        api_push_function(L, e);
         lua_setglobal(L, e->name);
         return;
     }
@@ -192,7 +193,7 @@ static void install(lua_State *L, const struct api_entry *e, int sys)
         lua_pushvalue(L, -1);
         lua_setglobal(L, space);
     }
-    push_function(L, e);
+    api_push_function(L, e);
     lua_setfield(L, -2, split + 1);
     lua_pop(L, 1);
 }
@@ -207,7 +208,7 @@ void api_open(lua_State *L)
     lua_newtable(L);
     int sys = lua_gettop(L);
     for (int i = 0; i < api_count(); i++)
-        if (!(api_entry(i)->flags & API_LUA))
+        if (!(api_entry(i)->flags & (API_LUA | API_LATE)))
             install(L, api_entry(i), sys);
     lua_pushcfunction(L, sys_check);
     lua_setfield(L, sys, "check");

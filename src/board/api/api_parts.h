@@ -14,6 +14,9 @@ enum { MAX_PARAMS = 40 };
 enum { FIRES_BULLETS, FIRES_SHOTS };
 extern const struct api_entry api_fire[2];
 
+/* Pushes the entry's function. */
+void api_push_function(lua_State *L, const struct api_entry *e);
+
 /* An entry by name; NULL: none. */
 const struct api_entry *api_find(const char *name);
 

@@ -15,7 +15,7 @@ static const struct {
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start take bomb continue" },
-    { "text", '.', "line lang" },
+    { "text", '.', "line" },
     { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
@@ -80,11 +80,28 @@ const char *api_off(const struct manifest *m, const char *name)
     return NULL;
 }
 
+/* Puts the field into the table at 1 and pushes it, if it is one that comes when it is read. */
+static bool late_field(lua_State *L, const char *of, const char *name)
+{
+    char full[64];
+
+    snprintf(full, sizeof full, "%s.%s", of, name);
+    const struct api_entry *e = api_find(full);
+    if (!e || !(e->flags & API_LATE))
+        return false;
+    api_push_function(L, e);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, 1, name);
+    return true;
+}
+
 /* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
 static int missing_field(lua_State *L)
 {
     const char *of = lua_tostring(L, lua_upvalueindex(1));
 
+    if (lua_type(L, 2) == LUA_TSTRING && late_field(L, of, lua_tostring(L, 2)))
+        return 1;
     if (lua_type(L, 2) == LUA_TSTRING && api_reserved(of, '.', lua_tostring(L, 2)))
         return vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, lua_tostring(L, 2), NOT_YET);
     if (lua_type(L, 2) == LUA_TSTRING && std_of_field(of, lua_tostring(L, 2)) >= 0)

@@ -244,6 +244,20 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static const struct api_param text_lang[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
+
+static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n;
+    const char *text = lua_tolstring(L, v[0].at, &n), *words = words_find(&b->words, text, n);
+
+    if (words)
+        lua_pushstring(L, words);
+    else
+        lua_pushvalue(L, v[0].at);
+    return 1;
+}
+
 /* ---- palette ---- */
 
 enum { SET_INDEX, SET_RGB };
@@ -338,6 +352,8 @@ static const struct api_entry entries[] = {
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
       "writes text on the screen's 8x8 cells; stays until overwritten" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
+    { "text.lang", text_lang_run, PARAMS(text_lang), 1, API_LATE, "string",
+      "what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does" },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, "sets a colour, 0xRRGGBB" },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL, "sets all colours from a palette of rom.lua" },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,

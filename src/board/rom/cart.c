@@ -84,6 +84,24 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+static bool open_langs(struct cart *c, char *err, size_t err_size)
+{
+    struct words words;
+    struct lump l;
+    char why[128];
+
+    c->first_lang = range(c->rom, "lang/", "lang0", &c->langs);
+    for (int i = 0; i < c->langs; i++) {
+        rom_lump(c->rom, c->first_lang + i, &l);
+        if (!manifest_word_ok(cart_lang_name(c, i)))
+            return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
+                           MAX_WORD - 1);
+        if (!words_open(&words, l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
 static bool open_font(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
@@ -182,7 +200,8 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_blends(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
+           open_blends(cart, err, err_size) && open_langs(cart, err, err_size) && open_font(cart, err, err_size) &&
+           open_sprites(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -225,6 +244,24 @@ const char *cart_blend_name(const struct cart *cart, int i)
     assert(i >= 0 && i < cart->blends);
     rom_lump(cart->rom, cart->first_blend + i, &l);
     return l.name + strlen("blend/");
+}
+
+const char *cart_lang_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->langs);
+    rom_lump(cart->rom, cart->first_lang + i, &l);
+    return l.name + strlen("lang/");
+}
+
+bool cart_lang(const struct cart *cart, const char *name, struct words *out)
+{
+    struct lump l;
+    char err[128];
+
+    *out = (struct words){ NULL, 0 };
+    return !name[0] || (find_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
 }
 
 int cart_find_blend(const struct cart *cart, const char *name)

@@ -11,6 +11,7 @@
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
+ *         lang/X          a language: words.h
  *         demo/X          demos
  *         data/X          text files for rom.text
  */
@@ -22,6 +23,7 @@
 #include <stdint.h>
 #include "../../base/rom.h"
 #include "manifest.h"
+#include "words.h"
 
 enum {
     CART_GFX_HEADER = 24,
@@ -42,6 +44,7 @@ struct cart {
     int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
     int first_palette, palettes;
     int first_blend, blends;
+    int first_lang, langs;
     const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
     const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
@@ -66,6 +69,12 @@ int cart_find_sprite(const struct cart *cart, const char *name);
 /* Blend i, 0 <= i < blends: its name without "blend/"; the index of a name, or -1. */
 const char *cart_blend_name(const struct cart *cart, int i);
 int cart_find_blend(const struct cart *cart, const char *name);
+
+/* Language i, 0 <= i < langs: its name without "lang/". */
+const char *cart_lang_name(const struct cart *cart, int i);
+
+/* The words of a language; "": none, in which nothing is found. False: the game has no such language. */
+bool cart_lang(const struct cart *cart, const char *name, struct words *out);
 
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);

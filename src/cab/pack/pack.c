@@ -21,6 +21,7 @@
 #include "../../board/std.h"
 #include "art.h"
 #include "blend.h"
+#include "lang.h"
 #include "../host/files.h"
 #include "tree.h"
 #include "png.h"
@@ -295,6 +296,11 @@ static bool add_art(struct packer *p)
     return true;
 }
 
+bool pack_is_lang(const char *path)
+{
+    return starts_with(path, "lang/") && ends_with(path + strlen("lang/"), ".txt");
+}
+
 bool pack_is_std(const char *path)
 {
     for (int i = 0; i < std_script_count; i++) {
@@ -359,6 +365,30 @@ static bool add_text(struct packer *p, const char *path)
     return add(p, "data/", path, data, size);
 }
 
+/* lang/NAME.txt is the lump lang/NAME. */
+static bool add_lang(struct packer *p, const char *path)
+{
+    char name[PATH];
+    uint8_t *text, *data;
+    struct lang lang;
+    size_t size;
+
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("lang/") - strlen(".txt")), path + strlen("lang/"));
+    if (!manifest_word_ok(name))
+        return err_set(p->err, p->err_size, "%s: expected a language's name of 1 to %d letters, digits, _ and -", path,
+                       MAX_WORD - 1);
+    if (!load_in(p, path, LANG_FILE, &text, &size))
+        return false;
+    tree_drop_bom(text, &size);
+    bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
+    size = good ? lang_make(&lang, &data) : 0;
+    lang_close(&lang);
+    free(text);
+    if (!good)
+        return false;
+    return size > 0 ? add(p, "lang/", name, data, size) : err_set(p->err, p->err_size, "out of memory");
+}
+
 static bool add_file(struct packer *p, const char *path)
 {
     bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
@@ -369,7 +399,10 @@ static bool add_file(struct packer *p, const char *path)
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
-    return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
+    return lua                  ? add_script(p, path)
+           : demo               ? add_demo(p, path)
+           : pack_is_lang(path) ? add_lang(p, path)
+                                : add_text(p, path);
 }
 
 static bool add_files(struct packer *p)
