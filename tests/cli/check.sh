@@ -118,7 +118,7 @@ printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
 printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
 finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
 lang/fr.txt:3: "World" stands in line 2 already
-main.lua:2: no words for "World" in lang/de.txt, lang/fr.txt
+main.lua:2: no words for "World" in lang/de.txt
 2 problems; the game was not run, for it cannot be packed
 TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
