@@ -72,7 +72,8 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(motions_chip, motions, m->motions, 0)                                                                         \
     PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), 0)                                          \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_WIDE) : 0)        \
+    PART(lines_chip, lines, m->lines, 0)                                                                               \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
@@ -396,6 +397,15 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
+/* Lines that follow a thing go with it. */
+static void drop_lines(struct board *b)
+{
+    EACH_LIVE (i, &b->lines.s)
+        if (b->lines.follow[i] && !board_alive(b, b->lines.follow[i]))
+            slots_drop(&b->lines.s, i);
+    slots_trim(&b->lines.s);
+}
+
 /* The game's clock goes on, but not for what stood in this frame's move. */
 static void next_frame(struct board *b)
 {
@@ -428,6 +438,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     fine = fine && vm_call(b, events_run);
     phase_done(b, PHASE_EVENTS);
     if (fine) {
+        if (b->lines.s.live)
+            drop_lines(b);
         if (!b->core.frozen)
             pal_step(&b->pal);
         b->core.frame++;
@@ -681,6 +693,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->sprites.s;
     case H_TASK:
         return &b->tasks.s;
+    case H_LINE:
+        return &b->lines.s;
     default:
         return NULL;
     }

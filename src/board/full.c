@@ -21,6 +21,7 @@ static const struct wording wordings[] = {
     { &shots_chip, "shots", "shots", gone },
     { &enemies_chip, "enemies", "enemies", gone },
     { &sprites_chip, "sprites", "sprites", gone },
+    { &lines_chip, "lines of text", "lines", gone },
     { &sparks_chip, "sparks", "sparks", gone },
     { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
     { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },

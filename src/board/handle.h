@@ -22,6 +22,7 @@ enum handle_kind {
     H_GROUP,
     H_SHOTS,
     H_ENEMIES,
+    H_LINE,
     HANDLES
 };
 

@@ -19,6 +19,7 @@
 #include "../chips/events.h"
 #include "../chips/fix.h"
 #include "../chips/input.h"
+#include "../chips/lines.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
@@ -106,6 +107,7 @@ struct board {
     struct steps steps;
     struct sprites sprites;
     struct fix fix; /* the text layer: a grid of characters */
+    struct lines lines;
     struct pal pal;
     struct nvram nvram;
     struct sparks sparks;
@@ -117,7 +119,7 @@ struct part {
     const struct chip *chip;
     size_t at, size; /* of the struct, in struct board */
 };
-enum { PARTS = 20 };
+enum { PARTS = 21 };
 extern const struct part machine_parts[PARTS];
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */

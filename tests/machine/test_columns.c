@@ -36,6 +36,7 @@ static const struct home homes[] = {
     HOME("steps", "chips/motion.h", steps),
     HOME("sprites", "chips/sprites.h", sprites),
     HOME("fix", "chips/fix.h", fix),
+    HOME("lines", "chips/lines.h", lines),
     HOME("pal", "chips/pal.h", pal),
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),

@@ -523,7 +523,7 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5207 bytes long, expected 5208");
+    assert_string_equal(err, "5215 bytes long, expected 5216");
     for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
         assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);

@@ -179,7 +179,7 @@ static void install(lua_State *L, const struct api_entry *e, int sys)
         return;
     }
     snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
-    if (api_off(&vm_board(L)->cart.m, space))
+    if (api_off_thing(&vm_board(L)->cart.m, space))
         return;
     if (*split == ':') {
         for (int k = 1; k < HANDLES; k++)

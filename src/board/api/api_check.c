@@ -10,8 +10,8 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,     "a bullet", "a shot",  "an enemy",         "a player",          "a sprite",
-    "a task", "a motion", "a group", "a group of shots", "a group of enemies"
+    NULL,     "a bullet", "a shot",  "an enemy",         "a player",           "a sprite",
+    "a task", "a motion", "a group", "a group of shots", "a group of enemies", "a line of text"
 };
 
 /* Pushes how a value looks in an error. */
@@ -182,6 +182,23 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
     api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
+static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a font's name");
+    v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
+    if (v->i > 0)
+        return;
+    for (int i = 0; i < cart->faces; i++)
+        api_suggest_nearer(lua_tostring(L, at), cart_face_name(cart, i), &best, &found);
+    if (!found)
+        api_error(L, entry, "font \"%s\" is not in rom.lua's fonts", lua_tostring(L, at));
+    api_error(L, entry, "font \"%s\" is not in rom.lua's fonts (did you mean \"%s\"?)", lua_tostring(L, at), found);
+}
+
 /* There are few: an error names them all. */
 static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
@@ -318,6 +335,9 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         break;
     case A_BLEND:
         check_blend(L, entry, p, at, v);
+        break;
+    case A_FACE:
+        check_face(L, entry, p, at, v);
         break;
     case A_BUTTON:
         check_word(L, entry, p, at, v, buttons, PAD_BUTTONS);

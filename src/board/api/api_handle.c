@@ -252,7 +252,7 @@ static int set_property(lua_State *L)
 void api_open_handles(lua_State *L)
 {
     for (int i = 0; i < HANDLES; i++) {
-        if (i > 0 && api_off(&vm_board(L)->cart.m, api_things[i]->name))
+        if (i > 0 && api_off_thing(&vm_board(L)->cart.m, api_things[i]->name))
             continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[i]);

@@ -17,6 +17,9 @@ extern const struct api_entry api_fire[2];
 /* Pushes the entry's function. */
 void api_push_function(lua_State *L, const struct api_entry *e);
 
+/* Is the table or the kind of thing of that name off (api_off)? */
+bool api_off_thing(const struct manifest *m, const char *name);
+
 /* An entry by name; NULL: none. */
 const struct api_entry *api_find(const char *name);
 

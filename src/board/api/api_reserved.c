@@ -15,7 +15,6 @@ static const struct {
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start take bomb continue" },
-    { "text", '.', "line" },
     { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
@@ -29,7 +28,6 @@ static const struct {
     { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
     { "shot.def", '{', "every pierce" },
     { "sprite.put", '{', "follow" },
-    { "text.put", '{', "font" },
 };
 
 static bool has_word(const char *words, const char *word)
@@ -66,6 +64,7 @@ static const struct {
     const char *line;
 } optional[] = {
     { "item items", offsetof(struct manifest, items), "board = { items = 512 }" },
+    { "line: text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)
@@ -87,12 +86,24 @@ static bool late_field(lua_State *L, const char *of, const char *name)
 
     snprintf(full, sizeof full, "%s.%s", of, name);
     const struct api_entry *e = api_find(full);
+    const char *line = api_off(&vm_board(L)->cart.m, full);
     if (!e || !(e->flags & API_LATE))
         return false;
+    if (line)
+        vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, full, line);
     api_push_function(L, e);
     lua_pushvalue(L, -1);
     lua_setfield(L, 1, name);
     return true;
+}
+
+/* Of a table or a kind of thing. */
+bool api_off_thing(const struct manifest *m, const char *name)
+{
+    char kind[32];
+
+    snprintf(kind, sizeof kind, "%s:", name);
+    return api_off(m, name) || api_off(m, kind);
 }
 
 /* The __index of a table of the API; upvalue 1: its name. A field a game has put there is found before. */
@@ -130,6 +141,7 @@ void api_reserved_install(lua_State *L)
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         if (reserved[i].how == '.' && reserved[i].of[0])
             explain_missing(L, reserved[i].of);
+    explain_missing(L, "text"); /* its fields that come late */
     for (int i = 0; i < STD_MODULES; i++)
         if (std_adds_to(i))
             explain_missing(L, std_adds_to(i));

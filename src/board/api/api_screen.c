@@ -203,12 +203,12 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT };
 
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
+    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "font", A_FACE, OPT, 0, 0, NULL, NULL },
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -225,6 +225,8 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     size_t n;
     int col = (int)v[TEXT_COL].i;
 
+    if (v[TEXT_FONT].given && !b->cart.m.wide)
+        return api_error(L, "text.put", "font: cells have none; rom.lua asks for it: board = { wide = true }");
     if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
         return api_error(L, "text.put", "text: expected a string or a number, got a %s",
                          luaL_typename(L, v[TEXT_TEXT].at));
@@ -233,7 +235,7 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
     int cells = (int)utf8_count(s, n, FIX_TEXT, &n);
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i);
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i, (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
 

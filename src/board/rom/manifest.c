@@ -56,6 +56,8 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.frozen", frozen),
     NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
     NUMBER("board.items", items, 0, 1 << 16),
+    NUMBER("board.lines", lines, 0, 4096),
+    FLAG("board.wide", wide),
 };
 
 void manifest_default(struct manifest *m)

@@ -15,15 +15,20 @@
 #include "../pack/lang.h"
 #include "../pack/pack.h"
 
-/* The first character that has no glyph, of those from `from` on; 0: all have one. *n: how many have none. */
-static uint32_t first_missing(const struct cart *cart, const char *s, uint32_t from, int *n)
+/* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. */
+struct place {
+    uint32_t from, most;
+};
+
+/* The first character that has no glyph; 0: all have one. *n: how many have none. */
+static uint32_t first_missing(const struct cart *cart, const char *s, struct place place, int *n)
 {
     const char *end = s + strlen(s);
     uint32_t first = 0;
 
     for (*n = 0; s < end;) {
         uint32_t code = utf8_next(&s, end);
-        if (code < from || cart_has_glyph(cart, code))
+        if (code < place.from || (code <= place.most && cart_has_glyph(cart, code)))
             continue;
         first = first ? first : code;
         ++*n;
@@ -31,11 +36,12 @@ static uint32_t first_missing(const struct cart *cart, const char *s, uint32_t f
     return first;
 }
 
-static void judge(struct check *c, const struct cart *cart, const char *path, int line, const char *s, uint32_t from)
+static void judge(struct check *c, const struct cart *cart, const char *path, int line, const char *s,
+                  struct place place)
 {
     char bytes[UTF8_BYTES + 1] = "", more[48] = "";
     int n;
-    uint32_t code = first_missing(cart, s, from, &n);
+    uint32_t code = first_missing(cart, s, place, &n);
 
     if (code == 0)
         return;
@@ -43,6 +49,12 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
         bytes[utf8_put(bytes, code)] = '\0';
     if (n > 1)
         snprintf(more, sizeof more, ", nor for %d more of this text", n - 1);
+    if (cart_has_glyph(cart, code)) {
+        diagnostics_add(&c->found, path, line,
+                        "a cell has no room for %s%s%sU+%04X%s: a box is shown (board = { wide = true } in rom.lua)",
+                        bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
+        return;
+    }
     diagnostics_add(&c->found, path, line, "no font of the game has a glyph for %s%s%sU+%04X%s: a box is shown",
                     bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
 }
@@ -70,12 +82,12 @@ static void judge_script(struct check *c, const struct cart *cart, const struct 
         const struct symbol_table *t = &f->tables[f->keys[i].table];
         if (t->key < 0 && is(t->space, "text") && is(t->name, "put") && is(f->keys[i].name, "text") &&
             f->keys[i].value != NULL)
-            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, 1);
+            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, (struct place){ 1, c->m.wide ? UTF8_MAX : 255 });
     }
     for (int i = 0; i < f->n_texts; i++)
         if (!(f->texts[i].how & SYMBOL_KEY) && !diagnostics_at(&c->found, s->path, f->texts[i].line) &&
             !is_for_log(f, f->texts[i].line))
-            judge(c, cart, s->path, f->texts[i].line, f->texts[i].s, 128);
+            judge(c, cart, s->path, f->texts[i].line, f->texts[i].s, (struct place){ 128, UTF8_MAX });
 }
 
 /* ---- languages ---- */
@@ -178,7 +190,8 @@ void check_text(struct check *c, const struct cart *cart)
     read_tongues(c, t);
     for (int i = 0; i < t->n; i++)
         for (int k = 0; k < t->list[i].lang.n; k++)
-            judge(c, cart, t->list[i].path, t->list[i].lang.list[k].line, t->list[i].lang.list[k].words, 33);
+            judge(c, cart, t->list[i].path, t->list[i].lang.list[k].line, t->list[i].lang.list[k].words,
+                  (struct place){ 33, UTF8_MAX });
     for (int i = 0; i < t->n; i++)
         lang_close(&t->list[i].lang);
     free(t);

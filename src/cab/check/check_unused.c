@@ -206,6 +206,8 @@ static bool picture_used(const struct check *c, const char *path)
 
     for (int i = 0; i < c->art.n_palettes; i++)
         used = used || strcmp(path, c->art.palettes[i].file) == 0;
+    for (int i = 0; i < c->art.n_fonts; i++)
+        used = used || strcmp(path, c->art.fonts[i].file) == 0;
     for (int i = 0; i < c->art.n_sheets; i++)
         used = used || strcmp(path, c->art.sheets[i].file) == 0;
     return used;

@@ -21,6 +21,8 @@
 #include "../../board/std.h"
 #include "art.h"
 #include "blend.h"
+#include "bdf.h"
+#include "faces.h"
 #include "lang.h"
 #include "../host/files.h"
 #include "tree.h"
@@ -66,8 +68,9 @@ struct packer {
     struct manifest m;
     struct art art;
     uint8_t palette[CART_PALETTE];
-    char *rom_text; /* of rom.lua, malloc, with a 0 behind it */
-    uint64_t std;   /* modules that the scripts so far name (std.h) */
+    struct faces_set shown; /* characters of the game's texts */
+    char *rom_text;         /* of rom.lua, malloc, with a 0 behind it */
+    uint64_t std;           /* modules that the scripts so far name (std.h) */
     char *err;
     size_t err_size;
 };
@@ -259,6 +262,70 @@ static bool add_font(struct packer *p)
     return good ? add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
+static bool read_bdf(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+{
+    char why[256];
+    uint8_t *text;
+    size_t size;
+
+    if (!tree_has(&p->files, font->file))
+        return refuse_missing(p, font->file);
+    if (!load_in(p, font->file, BDF_FILE, &text, &size))
+        return false;
+    bool good = bdf_read(f, (const char *)text, size, wanted, why, sizeof why);
+    free(text);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
+}
+
+static bool read_cells(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+{
+    struct art_picture picture;
+    char why[256];
+    uint32_t code;
+
+    if (!load_picture(p, font->file, &picture))
+        return false;
+    bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
+    if (good && !faces_sort(f, &code)) {
+        snprintf(why, sizeof why, "`chars` has U+%04X twice", (unsigned)code);
+        good = false;
+    }
+    free(picture.rgba);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
+}
+
+/* Of a font only what the game's texts need comes into the ROM; of ASCII all, for numbers are made as it runs. */
+static bool add_face(struct packer *p, const struct art_font *font)
+{
+    struct faces_set *wanted = malloc(sizeof *wanted);
+    struct faces f = { 0 };
+    uint8_t *data;
+    size_t size = 0;
+
+    if (wanted == NULL)
+        return err_set(p->err, p->err_size, "out of memory");
+    *wanted = p->shown;
+    for (uint32_t c = 32; c < 127; c++)
+        faces_add(wanted, c);
+    faces_add_text(wanted, font->also, strlen(font->also));
+    bool good = font->w == 0 ? read_bdf(p, font, wanted, &f) : read_cells(p, font, wanted, &f);
+    free(wanted);
+    if (good && (!font->shadow || faces_shadow(&f)))
+        size = faces_make(&f, &data);
+    faces_close(&f);
+    if (!good)
+        return false;
+    return size > 0 ? add(p, "font/", font->name, data, size) : err_set(p->err, p->err_size, "out of memory");
+}
+
+static bool add_faces(struct packer *p)
+{
+    for (int i = 0; i < p->art.n_fonts; i++)
+        if (!add_face(p, &p->art.fonts[i]))
+            return false;
+    return true;
+}
+
 /* The sprites of one sheet. */
 static bool add_sheet(struct packer *p, int sheet)
 {
@@ -288,7 +355,7 @@ static bool add_sheet(struct packer *p, int sheet)
 
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_blends(p) || !add_font(p))
+    if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))
@@ -333,6 +400,7 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     }
     p->std |= std_named((const char *)text, size);
+    faces_add_script(&p->shown, (const char *)text, size);
     return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
 }
 
@@ -381,6 +449,8 @@ static bool add_lang(struct packer *p, const char *path)
         return false;
     tree_drop_bom(text, &size);
     bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
+    for (int i = 0; good && i < lang.n; i++)
+        faces_add_text(&p->shown, lang.list[i].words, strlen(lang.list[i].words));
     size = good ? lang_make(&lang, &data) : 0;
     lang_close(&lang);
     free(text);
