@@ -2,6 +2,7 @@
  * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are
  * kept for later, two fights at once, waits where there can be none, and nil for all.
  */
+#include "../../src/board/api/api_parts.h"
 #include "rig.h"
 
 static const char kinds[] =
@@ -20,9 +21,11 @@ static char log_text[8192];
 static const char *said(const char *script, int frames)
 {
     const uint16_t none[PADS] = { 0 };
+    struct manifest m = rig_manifest();
     size_t n = 0;
 
-    rig_with_sys(&g, NULL, script);
+    m.lines = 8;
+    rig_with_sys(&g, &m, script);
     rig_power_any(&rig, &g, NULL);
     for (int f = 0; f < frames && !rig_fault(&rig); f++) {
         const struct board_out *out = board_tick(rig.b, none);
@@ -66,6 +69,7 @@ static const char *const made[HANDLES] = {
     "bullet.group('t')",
     "shot.group('t')",
     "enemy.group('t')",
+    "text.line { x = 9, y = 9, text = 'words' }",
 };
 
 static void test_read_only(void **state)
@@ -85,7 +89,7 @@ static void test_read_only(void **state)
             seen++;
         }
     }
-    assert_int_equal(seen, 6 + 13 + 5);
+    assert_int_equal(seen, 6 + 13 + 5 + 2);
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
          "main.lua:2: bullet: alive is read only");
     SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");
@@ -208,6 +212,12 @@ static void test_off(void **state)
     assert_string_equal(api_off(&m, "items"), "board = { items = 512 }");
     assert_null(api_off(&m, "ite"));
     assert_null(api_off(&m, "bullet"));
+    assert_string_equal(api_off(&m, "text.line"), "board = { lines = 32 }");
+    assert_null(api_off(&m, "line"));
+    assert_true(api_off_thing(&m, "line") && !api_off_thing(&m, "sprite"));
+    m.lines = 1;
+    assert_null(api_off(&m, "text.line"));
+    assert_false(api_off_thing(&m, "line"));
     m.items = 1;
     assert_null(api_off(&m, "item"));
     assert_null(api_off(&m, "items"));
