@@ -37,7 +37,7 @@ static bool cell_picture(const struct font *font, uint32_t code, struct face_gly
     return true;
 }
 
-/* The glyph of a code: the font's own, or else that of the first of `fonts` that has it, or of the cells' font, at the
+/* The glyph of a code: the font's own, or else, but of a blank, that of the first of `fonts` that has it, or of the cells' font, at the
  * bottom of the row. */
 static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
 {
@@ -45,6 +45,8 @@ static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
 
     if (p->face.data && face_find(&p->face, code, g))
         return true;
+    if (text_blank(code))
+        return false;
     if (!p->face.data && text_has(&p->font, code))
         return cell_picture(&p->font, code, g, 0);
     for (int i = 0; i < p->cart->faces; i++) {

@@ -76,8 +76,8 @@ static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off
 }
 
 /* The shade of pixel (x, y), 0 for a transparent one; -1 with a sentence. */
-int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
-              size_t err_size)
+static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+                    size_t err_size)
 {
     const uint8_t *colour = p->rgba + ((size_t)y * (size_t)p->w + (size_t)x) * 4;
     int off, shade;
@@ -92,6 +92,12 @@ int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t
     return -1;
 }
 
+int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+              size_t err_size)
+{
+    return shade_of(p, x, y, bank, rgb, nearest, err, err_size);
+}
+
 bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size)
 {
@@ -104,7 +110,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
         return err_set(err, err_size, "out of memory");
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
-            int shade = art_shade(p, x, y, 0, rgb, nearest, err, err_size);
+            int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
             if (shade < 0) {
                 free(*out);
                 *out = NULL;
@@ -170,7 +176,7 @@ static bool cut_frames(struct stack *s, const struct art_picture *sheet, const s
 {
     for (int y = 0; y < s->h; y++) {
         for (int x = 0; x < s->w * s->n; x++) {
-            int shade = art_shade(sheet, sprite->x + x, sprite->y + y, bank, rgb, nearest, err, err_size);
+            int shade = shade_of(sheet, sprite->x + x, sprite->y + y, bank, rgb, nearest, err, err_size);
             if (shade < 0)
                 return false;
             stack_picture(s, x / s->w)[y * s->w + x % s->w] = shade == 0 ? 0 : (uint8_t)(bank * 16 + shade);

@@ -400,7 +400,8 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     }
     p->std |= std_named((const char *)text, size);
-    faces_add_script(&p->shown, (const char *)text, size);
+    if (p->art.n_fonts > 0)
+        faces_add_script(&p->shown, (const char *)text, size);
     return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
 }
 
