@@ -1,9 +1,11 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
-  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true }, -- room for all that
-  -- chapters 3 and 4 show
+  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true, -- room for all that
+            lines = 32, wide = true }, -- chapters 3, 4 and 12 show
   palette = "art/palette.png", font = "art/font.png",
+  fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
+    " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {
     glow    = { file = "art/glow.png",    bank = 0 },

@@ -37,8 +37,8 @@ static bool cell_picture(const struct font *font, uint32_t code, struct face_gly
     return true;
 }
 
-/* The glyph of a code: the font's own, or else, but of a blank, that of the first of `fonts` that has it, or of the cells' font, at the
- * bottom of the row. */
+/* The glyph of a code: the font's own, or else, but of a blank, that of the first of `fonts` that has it, or of the
+ * cells' font, at the bottom of the row. */
 static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
 {
     const int side = p->face.data ? p->face.height : TEXT_SIDE;

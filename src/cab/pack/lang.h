@@ -6,8 +6,8 @@
  *     PRESS START = Bitte START drücken
  *     Wave %d\nof %d = Welle %d\nvon %d
  *
- * A line is `text = words`, UTF-8; blanks at its ends and about the = do not count. Escapes: \n a new line, \= an equals
- * sign in the text, \# one at the beginning, \\ a backslash, and a backslash before a blank, which then counts.
+ * A line is `text = words`, UTF-8; blanks at its ends and about the = do not count. Escapes: \n a new line, \= an
+ * equals sign in the text, \# one at the beginning, \\ a backslash, and a backslash before a blank, which then counts.
  */
 #ifndef CAB_LANG_H
 #define CAB_LANG_H
