@@ -90,6 +90,8 @@ static void test_letters(void **state)
     const uint32_t want[] = { 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4 };
     for (int f = 0; f < 14; f++, rig_run(&rig, 1))
         assert_int_equal(lines_seen(&rig.b->lines, 0, rig.b->core.clock), want[f]);
+    for (int k = 4; k < LINE_TEXT; k++) /* what stood there before is no part of the state */
+        assert_int_equal(rig.b->lines.code[k], 0);
     end();
     holds("task.go(function()\n"
           "  local l = text.line { x = 0, y = 0, text = 'abcd', letter = 3 }\n"
