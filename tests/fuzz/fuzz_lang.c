@@ -44,7 +44,7 @@ static void as_lump(const uint8_t *data, size_t size)
         return;
     }
     for (uint32_t i = 0; i < w.n; i++) {
-        const char *words, *text = words_at(&w, i, &words);
+        const char *words, *text = words_entry(&w, i, &words);
         need(words_find(&w, text, strlen(text)) == words);
     }
     words_find(&w, (const char *)data, size < 40 ? size : 40);

@@ -10,7 +10,7 @@
 
 enum { HEAD = 4, ENTRY = 8 };
 
-const char *words_at(const struct words *w, uint32_t i, const char **words)
+const char *words_entry(const struct words *w, uint32_t i, const char **words)
 {
     const uint8_t *entry = w->data + HEAD + (size_t)i * ENTRY;
 
@@ -37,7 +37,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
         if (!string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry)) ||
             !string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry + 4)))
             return err_set(err, err_size, "text %" PRIu32 " is not in it", i);
-        if (i > 0 && strcmp(words_at(w, i - 1, NULL), words_at(w, i, NULL)) >= 0)
+        if (i > 0 && strcmp(words_entry(w, i - 1, NULL), words_entry(w, i, NULL)) >= 0)
             return err_set(err, err_size, "text %" PRIu32 " is not in byte order", i);
     }
     return true;
@@ -59,7 +59,7 @@ const char *words_find(const struct words *w, const char *text, size_t n)
 
     while (lo < hi) {
         uint32_t mid = lo + (hi - lo) / 2;
-        int order = compare(words_at(w, mid, &words), text, n);
+        int order = compare(words_entry(w, mid, &words), text, n);
         if (!order)
             return words;
         if (order < 0)

@@ -23,7 +23,7 @@ struct words {
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size);
 
 /* Entry i: its text and its words. */
-const char *words_at(const struct words *w, uint32_t i, const char **words);
+const char *words_entry(const struct words *w, uint32_t i, const char **words);
 
 /* What stands for the n bytes of a text; NULL: nothing does. */
 const char *words_find(const struct words *w, const char *text, size_t n);
