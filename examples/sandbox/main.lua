@@ -2,6 +2,7 @@
 require "kinds"
 require "glow"
 require "looks"
+require "words"
 local try = require "try"
 
 stage.def("try", function()

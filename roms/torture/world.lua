@@ -238,7 +238,7 @@ local function pictures()
     if l and l.alive then
       l.x, l.y, l.dx, l.dy, l.bank = l.x + 1, l.y - 1, l.dx + 0.5, l.dy - 0.5, (l.bank + 1) % 16
       if n % 6 == 0 then l.text = l.text .. "!" end
-      l.hidden = l.done
+      l.hidden = l.done and not l.hidden
       if n % 3 == 0 then l:remove() end
     end
     enemy.each(nil, function(e)

@@ -141,8 +141,24 @@ static void patch(lua_State *L, int at, lua_CFunction call, int seen)
     }
 }
 
+/* Reads the fields that come into their tables when they are read. */
+static void read_late(lua_State *L)
+{
+    for (int i = 0; i < api_count(); i++) {
+        const char *name = api_entry(i)->name, *dot = strchr(name, '.');
+        if (!(api_entry(i)->flags & API_LATE))
+            continue;
+        lua_pushglobaltable(L);
+        lua_pushlstring(L, name, (size_t)(dot - name));
+        lua_gettable(L, -2);
+        lua_getfield(L, -1, dot + 1);
+        lua_settop(L, 0);
+    }
+}
+
 static void patch_all(lua_State *L)
 {
+    read_late(L);
     lua_getglobal(L, "wait");
     lua_CFunction call = lua_tocfunction(L, -1);
     lua_newtable(L);
