@@ -25,7 +25,8 @@ struct fix {
 
 extern const struct chip fix_chip;
 
-/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. What falls outside the grid is cut off. */
+/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. What falls outside
+ * the grid is cut off. */
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font);
 
 /* The code point of a cell. */

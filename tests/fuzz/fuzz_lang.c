@@ -1,7 +1,6 @@
 /*
  * fuzz_lang.c - libFuzzer: any bytes as a language file, and as a language's lump. What is read is found again in the
- * lump that is made of it; what is refused says file, line and why. A lump that is taken is in order, whatever is looked
- * for.
+ * lump that is made of it; what is refused says file, line and why. In a lump that is taken each text is found.
  */
 #include <stddef.h>
 #include <stdint.h>
