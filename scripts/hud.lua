@@ -9,58 +9,20 @@ hud.banks = { plain = 0, bright = 0, faint = 0 } -- a game with coloured text se
 -- The font's own picture for a code from 128 on, or else a plain character.
 function hud.glyph(code, plain) return code - 32 < sys.glyphs() and string.char(code) or plain end
 
--- The first n characters of s, which has more than n bytes.
-local function cut(s, n)
-  local _, bytes = sys.cells(s, n)
-  return s:sub(1, bytes)
-end
-
 -- How many characters s has; kept for texts of the game, which come again each frame.
 local known = {}
 local function len(s)
-  local n = known[s]
-  if not n then
-    n = sys.cells(s)
-    known[s] = n
-  end
-  return n
+  known[s] = known[s] or sys.cells(s)
+  return known[s]
 end
 
 function hud.put(col, row, s, bank)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  if #s > hud.cols - col then s = cut(s, hud.cols - col) end
   text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain }
 end
 
--- The words of s; one that is wider than a line, as in Japanese, is broken.
-local function words(s, width)
-  local list = {}
-  for word in s:gmatch("%S+") do
-    while #word > width and sys.cells(word) > width do
-      list[#list + 1] = cut(word, width)
-      word = word:sub(#list[#list] + 1)
-    end
-    list[#list + 1] = word
-  end
-  return list
-end
-
 -- Breaks s between words into lines of at most `width` characters; what fits stays as it is.
-function hud.wrap(s, width)
-  if #s <= width or len(s) <= width then return { s } end
-  local lines, line = {}, ""
-  for _, word in ipairs(words(s, width)) do
-    if line == "" then
-      line = word
-    elseif sys.cells(line) + 1 + sys.cells(word) <= width then
-      line = line .. " " .. word
-    else
-      lines[#lines + 1], line = line, word
-    end
-  end
-  lines[#lines + 1] = line
-  return lines
-end
+function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
 
 -- Puts s, in the language of the run, in the middle of the screen, broken into lines; returns the row below.
 function hud.centre(row, s, bank)
@@ -111,7 +73,6 @@ local function add(rows, first, middle, last, n)
   n = n or #first
   if n + #middle + #last + 2 > width then
     for _, s in ipairs { first, middle, last } do
-      if #s > width then s = cut(s, width) end
       if s ~= "" then rows[#rows + 1] = s end
     end
     return
