@@ -135,8 +135,8 @@ local used = { "dot", "dart" }
 print(used, text.line { x = 1, y = 1, text = "a", font = "wide" }.alive)
 LUA
 png faces/art/cells.png 16 8 ff8800 # no colour of bank 0
-sed -i 's/^  players = 2,/  players = 2, fonts = { wade = { file = "art\/cells.png", cell = { 8, 8 }, chars = "ab" } },/' \
-    faces/rom.lua
+wade='fonts = { wade = { file = "art\/cells.png", cell = { 8, 8 }, chars = "ab" } },'
+sed -i "s/^  players = 2,/  players = 2, $wade/" faces/rom.lua
 "$curtain" check faces >found
 check 'a font of another name' grep -qx 'main.lua:2: font "wide" is not in rom.lua (did you mean "wade"?)' found
 check 'a colour of its picture' grep -q '^art/cells.png: pixel 0,0: colour #ff8800 is not in bank 0' found
