@@ -2,15 +2,59 @@
  * text.c - see text.h. A character is an image as any other; its rows are one word each, the blit's quickest case.
  */
 #include "text.h"
+#include <string.h>
 #include "blit.h"
 
-void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint8_t c, uint8_t bank)
+/* Does it draw a pixel? */
+static bool any_ink(const uint8_t *glyph)
 {
-    if (c < font->first || c - font->first >= font->count)
+    uint64_t all = 0, row;
+
+    for (int y = 0; y < TEXT_SIDE; y++) {
+        memcpy(&row, glyph + y * TEXT_SIDE, sizeof row);
+        all |= row;
+    }
+    return all != 0;
+}
+
+static const uint8_t *glyph_of(const struct font *font, uint32_t code)
+{
+    uint32_t i = code - (uint32_t)font->first;
+
+    if (code < (uint32_t)font->first || i >= (uint32_t)font->count)
+        return NULL;
+    const uint8_t *glyph = font->glyphs + (size_t)i * TEXT_SIDE * TEXT_SIDE;
+    return any_ink(glyph) ? glyph : NULL;
+}
+
+bool text_has(const struct font *font, uint32_t code)
+{
+    return glyph_of(font, code) != NULL;
+}
+
+void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank)
+{
+    if (text_blank(code))
         return;
-    struct image glyph = { font->glyphs + (c - font->first) * (TEXT_SIDE * TEXT_SIDE), TEXT_SIDE, TEXT_SIDE,
-                           TEXT_SIDE };
-    blit_sprite(fb, &glyph, x, y, bank, 0);
+    const uint8_t *glyph = glyph_of(font, code);
+    struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
+
+    if (glyph)
+        blit_sprite(fb, &image, x, y, bank, 0);
+    else
+        text_box(fb, x, y, TEXT_SIDE - 1, TEXT_SIDE, bank);
+}
+
+/* As far to the right or down as an int goes, nothing is seen, shadow or not. */
+static int beside(int v)
+{
+    return v < INT32_MAX ? v + 1 : v;
+}
+
+void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
+{
+    fb_frame(fb, beside(x), beside(y), w - 1, h - 1, (uint8_t)(bank * 16 + 1));
+    fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank)

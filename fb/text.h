@@ -5,6 +5,7 @@
 #ifndef FB_TEXT_H
 #define FB_TEXT_H
 
+#include <stdbool.h>
 #include "fb.h"
 
 enum { TEXT_SIDE = 8 }; /* px a character, each way */
@@ -14,8 +15,21 @@ struct font {
     int first, count;      /* the codes [first, first + count) have a glyph */
 };
 
-/* One character, its top left corner at (x, y); clipped; a code without a glyph draws nothing. Any x, y. */
-void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint8_t c, uint8_t bank);
+/* One character, its top left corner at (x, y); clipped. A blank (text_blank) draws nothing, any other code without a
+ * glyph, or whose glyph is empty, a box. Any x, y. */
+void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank);
+
+/* The box that stands for a character without a glyph, in the shades 15 and 1 of the bank, w x h px with its shadow. */
+void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
+
+/* Has the code a glyph that draws a pixel? */
+bool text_has(const struct font *font, uint32_t code);
+
+/* Does it stand for room between words? */
+static inline bool text_blank(uint32_t code)
+{
+    return code == 32 || code == 160 || code == 0x3000;
+}
 
 /* Bytes up to the NUL, TEXT_SIDE px apart; '\n' goes back to x, one line down. Any x, y. For tests. */
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank);

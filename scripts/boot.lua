@@ -89,11 +89,11 @@ end
 -- How many stages were cleared.
 local function play_stages(game, stages, players)
   for i, name in ipairs(stages) do
-    local title = "STAGE " .. menu.label(name)
+    local title = text.lang("STAGE %s"):format(menu.label(name))
     hud.banner({ title }, 150)
     if not finished(stage.play(name, game)) then return i - 1 end
     quieten()
-    menu.results(title .. " CLEAR", players, stopped)
+    menu.results(text.lang("%s CLEAR"):format(title), players, stopped)
     if stopped() then return i end
     if i < #stages then
       sys.wipe()

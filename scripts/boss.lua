@@ -107,7 +107,8 @@ local function fight(b, phases)
   end)
   fly_in(b, e)
   for i, phase in ipairs(phases) do
-    status = { enemy = e, title = b.title, spell = phase.spell, left = #phases - i,
+    local spell = phase.spell and text.lang(phase.spell)
+    status = { enemy = e, title = text.lang(b.title), spell = spell, left = #phases - i,
                hp = not phase.survive and phase.hp, ends = sys.clock() + phase.time }
     won = play(b, e, phase)
     all = all and won

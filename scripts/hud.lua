@@ -9,32 +9,25 @@ hud.banks = { plain = 0, bright = 0, faint = 0 } -- a game with coloured text se
 -- The font's own picture for a code from 128 on, or else a plain character.
 function hud.glyph(code, plain) return code - 32 < sys.glyphs() and string.char(code) or plain end
 
+-- How many characters s has; kept for texts of the game, which come again each frame.
+local known = {}
+local function len(s)
+  known[s] = known[s] or sys.cells(s)
+  return known[s]
+end
+
 function hud.put(col, row, s, bank)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  text.put { col = col, row = row, text = s:sub(1, hud.cols - col), bank = bank or hud.banks.plain }
+  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain }
 end
 
 -- Breaks s between words into lines of at most `width` characters; what fits stays as it is.
-function hud.wrap(s, width)
-  if #s <= width then return { s } end
-  local lines, line = {}, ""
-  for word in s:gmatch("%S+") do
-    if line == "" then
-      line = word
-    elseif #line + 1 + #word <= width then
-      line = line .. " " .. word
-    else
-      lines[#lines + 1], line = line, word
-    end
-  end
-  lines[#lines + 1] = line
-  return lines
-end
+function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
 
--- Puts s in the middle of the screen, broken into lines; returns the row below.
+-- Puts s, in the language of the run, in the middle of the screen, broken into lines; returns the row below.
 function hud.centre(row, s, bank)
-  for _, line in ipairs(hud.wrap(s, hud.cols)) do
-    hud.put(math.max(0, (hud.cols - #line) // 2), row, line, bank)
+  for _, line in ipairs(hud.wrap(text.lang(s), hud.cols)) do
+    hud.put(math.max(0, (hud.cols - sys.cells(line)) // 2), row, line, bank)
     row = row + 1
   end
   return row
@@ -75,18 +68,19 @@ local function lives(i)
   return LIFE:rep(n)
 end
 
--- One row with a left, a middle and a right part; in a narrow panel, a row for each.
-local function add(rows, first, middle, last)
-  if #first + #middle + #last + 2 > width then
+-- One row with a left, a middle and a right part; in a narrow panel, a row for each. n: characters of the left part.
+local function add(rows, first, middle, last, n)
+  n = n or #first
+  if n + #middle + #last + 2 > width then
     for _, s in ipairs { first, middle, last } do
-      if s ~= "" then rows[#rows + 1] = s:sub(1, width) end
+      if s ~= "" then rows[#rows + 1] = s end
     end
     return
   end
-  local before = (width - #middle) // 2 - #first
+  local before = (width - #middle) // 2 - n
   if before < 1 then before = 1 end
   local line = first .. (" "):rep(before) .. middle
-  rows[#rows + 1] = line .. (" "):rep(width - #line - #last) .. last
+  rows[#rows + 1] = line .. (" "):rep(width - #line + #first - n - #last) .. last
 end
 
 local function play_rows(rows)
@@ -119,14 +113,14 @@ local function boss_rows(rows)
   if not b then return end
   local seconds = b.ends and ("%3d"):format((b.ends - sys.clock() + 59) // 60) or ""
   rows[#rows + 1] = (b.hp and bar(b.enemy.hp, b.hp, width - 4) or (" "):rep(width - 4)) .. " " .. seconds
-  add(rows, b.title, "", GRAZE:rep(math.min(b.left, 6)))
+  add(rows, b.title, "", GRAZE:rep(math.min(b.left, 6)), len(b.title))
   for _, line in ipairs(b.spell and hud.wrap(b.spell, width) or {}) do
-    rows[#rows + 1] = (" "):rep(width - #line) .. line
+    rows[#rows + 1] = (" "):rep(width - len(line)) .. line
   end
 end
 
 local function show(row, s)
-  s = s .. (" "):rep(width - #s)
+  s = s .. (" "):rep(width - (known[s] or #s))
   local before = shown[row] or (" "):rep(width)
   shown[row] = s
   if s ~= before then hud.put(left, row - 1, s) end

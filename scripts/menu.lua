@@ -23,10 +23,10 @@ end
 local function accepted(p) return pressed("fire", p) or pressed("start", p) end
 
 -- A declared name as a line of text: "rose_red" is ROSE RED.
-function menu.label(name) return (name:gsub("_", " "):upper()) end
+function menu.label(name) return text.lang((name:gsub("_", " "):upper())) end
 
-local function draw_items(a, col, row, chosen)
-  for i, item in ipairs(a.items) do
+local function draw_items(items, col, row, chosen)
+  for i, item in ipairs(items) do
     local mine = i == chosen
     hud.put(col - 2, row, mine and ARROW or " ", hud.banks.bright)
     hud.put(col, row, item, mine and hud.banks.bright or hud.banks.plain)
@@ -37,14 +37,17 @@ end
 -- Shows a list to choose from: items, row, and if wanted title, chosen, p (whose switches), limit (frames), back (the
 -- number bomb answers; false: bomb does nothing). Returns the number chosen, or nil for bomb or when nobody answers.
 function menu.choose(a)
-  local n, chosen, longest = #a.items, a.chosen or 1, 0
-  for _, item in ipairs(a.items) do longest = math.max(longest, #item) end
+  local n, chosen, longest, items = #a.items, a.chosen or 1, 0, {}
+  for i, item in ipairs(a.items) do
+    items[i] = text.lang(item)
+    longest = math.max(longest, sys.cells(items[i]))
+  end
   local col = math.max(2, (hud.cols - longest) // 2)
   local top = a.row
   if a.title then top = hud.centre(a.row, a.title, hud.banks.bright) + 1 end
   local answer, idle = nil, 0
   while idle < (a.limit or IDLE) do
-    draw_items(a, col, top, chosen)
+    draw_items(items, col, top, chosen)
     wait(1) -- the press that opened this list is not meant for it
     idle = idle + 1
     local step = (stepped("down", a.p) and 1 or 0) - (stepped("up", a.p) and 1 or 0)
@@ -72,7 +75,7 @@ function menu.title(over)
     hud.centre(third - 1, rom.title:upper(), hud.banks.bright)
   end
   local top = score.rows(board.difficulty())[1]
-  if top then hud.centre(1, ("HI %09d"):format(top.score)) end
+  if top then hud.centre(1, text.lang("HI %09d"):format(top.score)) end
   local started = wait_until(function()
     if board.frame() % 60 < 40 then
       hud.centre(2 * third, "PRESS START", hud.banks.bright)
@@ -95,7 +98,7 @@ end
 function menu.ship(p, kinds, many)
   local items = {}
   for i, kind in ipairs(kinds) do items[i] = menu.label(kind) end
-  local title = many and ("PLAYER %d, YOUR SHIP?"):format(p) or "YOUR SHIP?"
+  local title = many and text.lang("PLAYER %d, YOUR SHIP?"):format(p) or "YOUR SHIP?"
   return kinds[menu.choose { title = title, items = items, row = hud.rows // 3, p = many and p or nil } or 0]
 end
 
@@ -117,10 +120,10 @@ end
 
 local function tally(row, i, many)
   local p = player.get(i)
-  if many then row = hud.centre(row, ("PLAYER %d"):format(i), hud.banks.bright) + 1 end
-  row = hud.centre(row, ("SCORE  %09d"):format(hud.score(i)))
-  row = hud.centre(row + 1, ("GRAZE  %9d"):format(p.grazes or 0))
-  row = hud.centre(row + 1, ("LIVES  %9d"):format(p.lives or 0))
+  if many then row = hud.centre(row, text.lang("PLAYER %d"):format(i), hud.banks.bright) + 1 end
+  row = hud.centre(row, text.lang("SCORE  %09d"):format(hud.score(i)))
+  row = hud.centre(row + 1, text.lang("GRAZE  %9d"):format(p.grazes or 0))
+  row = hud.centre(row + 1, text.lang("LIVES  %9d"):format(p.lives or 0))
   return row + 2
 end
 
@@ -138,7 +141,7 @@ end
 function menu.scores(name, over, mark)
   text.clear()
   local rows, row = score.rows(name), math.max(1, hud.rows // 2 - RANKS - 2)
-  hud.centre(row, "BEST OF " .. menu.label(name), hud.banks.bright)
+  hud.centre(row, text.lang("BEST OF %s"):format(menu.label(name)), hud.banks.bright)
   for i = 1, RANKS do
     local r = rows[i] or { name = "--------", score = 0 }
     local line = ("%2d %-8s %09d"):format(i, r.name, r.score)
@@ -193,7 +196,7 @@ end
 function menu.name(p, points)
   text.clear()
   local row = hud.rows // 3
-  hud.centre(row - 4, ("PLAYER %d  %09d"):format(p, points), hud.banks.bright)
+  hud.centre(row - 4, text.lang("PLAYER %d  %09d"):format(p, points), hud.banks.bright)
   hud.centre(row - 2, "YOUR NAME?", hud.banks.bright)
   hud.centre(row + 5, "UP DOWN: LETTER", hud.banks.faint)
   hud.centre(row + 7, "FIRE: NEXT  BOMB: BACK", hud.banks.faint)

@@ -54,6 +54,8 @@ for what; do
         have desktop-file-validate || need desktop-file-utils
         have appstreamcli || need appstream
         have mandoc || need mandoc
+        have pcf2bdf || need pcf2bdf
+        [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
         ;;
     fuzz)
         have clang || need clang

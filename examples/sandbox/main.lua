@@ -4,6 +4,7 @@ require "glow"
 require "looks"
 require "moves"
 require "treasure"
+require "words"
 local try = require "try"
 
 stage.def("try", function()

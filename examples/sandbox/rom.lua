@@ -2,8 +2,10 @@
 return {
   title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
-            meet = true, items = 256 }, -- room for all that chapters 3, 4 and 22 show
+            meet = true, items = 256, lines = 32, wide = true }, -- room for all that chapters 3, 4, 12 and 22 show
   palette = "art/palette.png", font = "art/font.png",
+  fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
+    " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {
     glow    = { file = "art/glow.png",    bank = 0 },

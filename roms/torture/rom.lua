@@ -5,7 +5,9 @@ return {
   screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },
   board = { bullets = 200, shots = 40, enemies = 24, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
-            meet = true, items = 48 },
+            meet = true, items = 48,
+            lines = 10, wide = true },
+  fonts = { grid = { file = "art/font.png", cell = { 8, 8 }, chars = " !\"#$%&'()*+,-./0123456789", also = "é" } },
   palette = "art/palette.png", font = "art/font.png",
   sheets = { card = { file = "art/card.png", bank = 0 } },
   sprites = {

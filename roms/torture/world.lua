@@ -228,7 +228,7 @@ local function enemies()
 end
 
 local function pictures()
-  local put = {}
+  local put, lines = {}, {}
   for n = 0, forever do
     put[n % 26] = sprite.put { sprite = "steps", x = 8 * (n % 26), y = 100 + n % 30, bank = n % 3, screen = n % 5 == 0,
       layer = n % 3 == 0 and "back" or n % 3 == 1 and "middle" or nil, flip_x = n % 2 == 0 }
@@ -242,6 +242,20 @@ local function pictures()
     end
     spark.burst { kind = n % 4 == 0 and "long" or "ping", x = 112, y = 112, n = 5, dir = n, spread = 90, speed = 3 }
     text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
+    text.put { col = n % 40, row = 27, text = "é" .. utf8.char(0x5f3e, 48 + n % 10), font = n % 2 == 0 and "grid" or nil }
+    lines[n % 12] = text.line { x = n % 300, y = 200, text = text.lang("écrit ") .. utf8.char(0x5f3e) .. n, width = 8 + n % 90,
+      font = n % 3 == 0 and "grid" or nil, align = n % 4 == 0 and "center" or "right", bank = n % 16,
+      letter = n % 5, box = n % 7 == 0, screen = n % 2 == 0, hidden = n % 11 == 0, stay = n % 13 == 0 }
+    local l = lines[(n + 5) % 12]
+    if l and l.alive then
+      l.x, l.y, l.dx, l.dy, l.bank = l.x + 1, l.y - 1, l.dx + 0.5, l.dy - 0.5, (l.bank + 1) % 16
+      if n % 6 == 0 then l.text = l.text .. "!" end
+      l.hidden = l.done and not l.hidden
+      if n % 3 == 0 then l:remove() end
+    end
+    enemy.each(nil, function(e)
+      if n % 30 == 0 then text.line { follow = e, dx = -4, dy = 9.5, text = n, letter = 3 } end
+    end)
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
     if n % 60 == 0 then palette.fade { to = 0x202040, over = 20, first = 16, last = 40 } end

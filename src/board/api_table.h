@@ -38,6 +38,7 @@ enum api_type {
     A_ITEM_KIND,
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
+    A_FACE,  /* a font of rom.lua, the same way */
     A_BUTTON,
     A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
     A_EASE,

@@ -73,13 +73,14 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(motions_chip, motions, m->motions, 0)                                                                         \
     PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), 0)                                          \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_WIDE) : 0)        \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
     PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
-    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)
+    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
+    PART(lines_chip, lines, m->lines, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -265,6 +266,16 @@ static bool lang_fits(const char *lang, char *err, size_t err_size)
     return true;
 }
 
+static bool open_lang(struct board *b, char *err, size_t err_size)
+{
+    if (!lang_fits(b->start.lang, err, err_size))
+        return false;
+    if (cart_lang(&b->cart, b->start.lang, &b->words))
+        return true;
+    snprintf(err, err_size, "language \"%s\": the game has no lang/%s.txt", b->start.lang, b->start.lang);
+    return false;
+}
+
 /* Is what the start asks for in the manifest? */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
@@ -318,7 +329,7 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start.nvram_size = 0;
     end_texts(&b->start);
     b->vm.counting = count;
-    if (!start_fits(&b->cart.m, start, err, err_size) || !lang_fits(b->start.lang, err, err_size))
+    if (!start_fits(&b->cart.m, start, err, err_size) || !open_lang(b, err, err_size))
         return NULL;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);
@@ -411,6 +422,15 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
+/* Lines that follow a thing go with it. */
+static void drop_lines(struct board *b)
+{
+    EACH_LIVE (i, &b->lines.s)
+        if (b->lines.follow[i] && !board_alive(b, b->lines.follow[i]))
+            slots_drop(&b->lines.s, i);
+    slots_trim(&b->lines.s);
+}
+
 /* The game's clock goes on, but not for what stood in this frame's move. */
 static void next_frame(struct board *b)
 {
@@ -444,6 +464,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     fine = fine && vm_call(b, events_run);
     phase_done(b, PHASE_EVENTS);
     if (fine) {
+        if (b->lines.s.live)
+            drop_lines(b);
         if (!b->core.frozen)
             pal_step(&b->pal);
         b->core.frame++;
@@ -700,6 +722,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->items.s;
     case H_TASK:
         return &b->tasks.s;
+    case H_LINE:
+        return &b->lines.s;
     default:
         return NULL;
     }

@@ -21,6 +21,7 @@ static const struct wording wordings[] = {
     { &shots_chip, "shots", "shots", gone },
     { &enemies_chip, "enemies", "enemies", gone },
     { &sprites_chip, "sprites", "sprites", gone },
+    { &lines_chip, "lines of text", "lines", gone },
     { &sparks_chip, "sparks", "sparks", gone },
     { &items_chip, "items", "items", gone },
     { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },

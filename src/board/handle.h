@@ -25,6 +25,7 @@ enum handle_kind {
     H_ENEMIES,
     H_ITEM,
     H_ITEMS,
+    H_LINE,
     HANDLES
 };
 

@@ -20,6 +20,7 @@
 #include "../chips/fix.h"
 #include "../chips/input.h"
 #include "../chips/items.h"
+#include "../chips/lines.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
@@ -85,6 +86,7 @@ struct board {
     bool reset;              /* board.reset was called this frame */
     struct box keep, area;   /* where things live; where players may go */
     struct sprite *pictures; /* of the ROM, by index */
+    struct words words;      /* of the language that the start asks for */
     struct output *output;
     struct vm vm;
     struct name_list names[NAME_LISTS];
@@ -114,6 +116,7 @@ struct board {
     struct spark_kinds spark_kinds;
     struct items items;
     struct item_kinds item_kinds;
+    struct lines lines;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -122,7 +125,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 22,
+    PARTS = 23,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];

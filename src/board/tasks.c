@@ -100,6 +100,8 @@ static int64_t scene_in(const struct board *b, int64_t owner)
         return b->enemies.owner[i];
     case H_SPRITE:
         return b->sprites.owner[i];
+    case H_LINE:
+        return b->lines.owner[i];
     case H_BULLET:
     case H_SHOT:
         return b->tasks.now_scene;
@@ -229,6 +231,8 @@ void tasks_stop(struct board *b, uint32_t slot)
     int64_t h = board_handle(b, H_TASK, (int32_t)slot);
     enemies_drop_of(&b->enemies, h);
     sprites_drop_of(&b->sprites, h);
+    if (b->lines.s.live)
+        lines_drop_of(&b->lines, h);
 }
 
 int64_t tasks_owner(const struct board *b)

@@ -34,6 +34,10 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
+/* Lines of text; a cell whose font is one of rom.lua's `fonts`. */
+void video_lines(struct draw_target *c);
+void video_cell(struct draw_target *c, uint32_t i);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);
 

@@ -59,6 +59,7 @@ enum option {
     OPTION_REGISTER,
     OPTION_INVINCIBLE,
     OPTION_DIFFICULTY,
+    OPTION_LANG,
     OPTION_SCALE,
     OPTION_FULLSCREEN,
     OPTION_MUTE,
@@ -94,6 +95,7 @@ static const struct {
                           "with --stage: a register of the ship starts so; may be given several times" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
+    [OPTION_LANG] = { "--lang", "NAME", FOR_RUN, "start in this language of the game, lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY, "window pixels a picture pixel, 1 to 16" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
@@ -352,6 +354,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_string(&a->stage, o, value, err, err_size);
     case OPTION_DIFFICULTY:
         return set_string(&a->difficulty, o, value, err, err_size);
+    case OPTION_LANG:
+        return set_string(&a->lang, o, value, err, err_size);
     case OPTION_SHEET:
         return set_string(&a->sheet, o, value, err, err_size);
     case OPTION_OUT:
@@ -486,8 +490,8 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
 {
     char with[64];
     const unsigned practice = 1u << OPTION_LIVES | 1u << OPTION_REGISTER | 1u << OPTION_INVINCIBLE;
-    const unsigned fixed =
-        practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE | 1u << OPTION_DIFFICULTY;
+    const unsigned fixed = practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE |
+                           1u << OPTION_DIFFICULTY | 1u << OPTION_LANG;
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))

@@ -87,6 +87,21 @@ static bool set_difficulty(struct game *g, const char *name, char *err, size_t e
     return unknown("--difficulty", "difficulty", name, names, m->n_difficulties, err, err_size);
 }
 
+static bool set_lang(struct game *g, const char *name, char *err, size_t err_size)
+{
+    enum { MOST = 64 };
+    const char *names[MOST];
+    int n = g->cart.langs < MOST ? g->cart.langs : MOST;
+    struct words words;
+
+    for (int i = 0; i < n; i++)
+        names[i] = cart_lang_name(&g->cart, i);
+    if (!cart_lang(&g->cart, name, &words))
+        return unknown("--lang", "language", name, names, n, err, err_size);
+    snprintf(g->start.lang, sizeof g->start.lang, "%s", name);
+    return true;
+}
+
 /* Is text a whole number in range, and nothing more? strtoll passes over blanks, and reads none in "". */
 static bool whole_number(const char *text, int64_t lo, int64_t hi, int32_t *out)
 {
@@ -203,6 +218,8 @@ bool game_start(struct game *g, const struct args *a, char *err, size_t err_size
             return false;
     }
     if (a->difficulty && !set_difficulty(g, a->difficulty, err, err_size))
+        return false;
+    if (a->lang && !set_lang(g, a->lang, err, err_size))
         return false;
     return set_practice(g, a, err, err_size);
 }

@@ -7,19 +7,33 @@
 
 #include "slots.h"
 
-enum { FIX_CELL = 8 };
+enum {
+    FIX_CELL = 8,
+    FIX_OTHER = 1,   /* no character; no font has a picture of it */
+    FIX_TEXT = 1024, /* characters that are written at a time */
+    FIX_WIDE = 1,    /* group of columns */
+};
 
 struct fix {
     struct slots s; /* a list of cols x rows cells, row by row */
-    uint8_t *code;  /* character, 0 or 32: nothing */
+    uint8_t *code;  /* code point, 0: nothing; FIX_OTHER: one over 255 */
     uint8_t *bank;
+    uint16_t *page; /* of group FIX_WIDE: the rest of the code point, / 256; FIX_OTHER is not used then */
+    uint8_t *font;  /* of group FIX_WIDE: 0, or a font + 1 */
     uint32_t cols, rows;
 };
 
 extern const struct chip fix_chip;
 
-/* Writes n characters from (col, row) on; what falls outside the grid is cut off. */
-void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank);
+/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. What falls outside
+ * the grid is cut off. */
+void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font);
+
+/* The code point of a cell. */
+static inline uint32_t fix_code(const struct fix *f, uint32_t cell)
+{
+    return f->page ? (uint32_t)f->page[cell] << 8 | f->code[cell] : f->code[cell];
+}
 
 /* Empties a rectangle of cells, cut to the grid. */
 void fix_clear(struct fix *f, int col, int row, int w, int h);

@@ -7,8 +7,9 @@
 #include "../base/hash.h"
 
 enum {
-    ALIGN = 64, /* a cache line, so that columns do not share one */
-    LONG = 1024 /* bytes of a piece of a snapshot */
+    MOST_COLUMNS = 64, /* of a chip */
+    ALIGN = 64,        /* a cache line, so that columns do not share one */
+    LONG = 1024        /* bytes of a piece of a snapshot */
 };
 
 static uint32_t blocks(uint32_t n)
@@ -243,22 +244,47 @@ static bool hashed_register(const struct column *c, uint32_t groups)
     return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
 }
 
+/* The columns that are hashed, found once for all slots. */
+struct hashed {
+    const struct column *column[MOST_COLUMNS];
+    const uint8_t *at[MOST_COLUMNS];
+    int n;
+};
+
+static void hashed_columns(struct hashed *h, const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+
+    assert(chip->count <= MOST_COLUMNS);
+    h->n = 0;
+    for (int c = 0; c < chip->count; c++) {
+        const struct column *col = &chip->columns[c];
+        if (col->reg || col->kind != COL_GAME || !slots_column_there(col, s->groups))
+            continue;
+        h->column[h->n] = col;
+        h->at[h->n++] = column_at(col, self);
+    }
+}
+
 uint64_t slots_hash(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
     uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
+    struct hashed list;
 
     for (int c = 0; c < chip->count; c++)
         if (hashed_register(&chip->columns[c], s->groups))
             h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
+    if (s->live == 0)
+        return h;
+    hashed_columns(&list, chip, self);
     uint32_t end = s->used ? s->top : s->live;
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
         if (s->used)
             h = hash_fold(h, (uint64_t)s->gen[i] << 32 | i);
-        for (int c = 0; c < chip->count; c++) {
-            const struct column *col = &chip->columns[c];
-            if (!col->reg && col->kind == COL_GAME && slots_column_there(col, s->groups))
-                h = fold_values(h, col, column_at(col, self) + (size_t)i * col->width * col->n);
+        for (int c = 0; c < list.n; c++) {
+            const struct column *col = list.column[c];
+            h = fold_values(h, col, list.at[c] + (size_t)i * col->width * col->n);
         }
     }
     return h;

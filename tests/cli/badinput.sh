@@ -154,7 +154,7 @@ with 'sprite outside its sheet' \
     's/w = 8, h = 8 }/w = 99, h = 8 }/'
 with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not one of the sheets' \
     's/sheet = "all"/sheet = "al"/g'
-with 'picture that is not there' 'art/none.png: no such file' 's/art\/all.png/art\/none.png/'
+with 'picture that is not there' 'rom.lua:4: there is no art/none.png' 's/art\/all.png/art\/none.png/'
 with 'picture outside the folder' \
     'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' \
     's/art\/all.png/..\/all.png/'
@@ -195,13 +195,14 @@ art 'colour that is not in its bank' \
 idle | game near
 (cd near && dotted)
 says 'and --nearest takes it' 0 '' hash near --nearest --frames 1
-art 'missing art file' 'art/all.png: no such file' rm art/all.png
+art 'missing art file' 'rom.lua:4: there is no art/all.png' rm art/all.png
 art 'art that is not a PNG' 'art/all.png: not a PNG' cp rom.lua art/all.png
 art 'PNG cut short' 'art/all.png: a PNG that is cut short' truncate -s 60 art/all.png
 art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
 art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash \
     -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
-art 'syntax error further down' "stages/one.lua:2: 'end' expected (to close 'do' at line 1) near <eof>" bash \
+lacking="stages/one.lua:2: expected \`end\` to close \`do\` at line 1, got the end of the file"
+art 'syntax error further down' "$lacking" bash \
     -c 'mkdir stages; echo "do" >stages/one.lua'
 art 'compiled Lua' 'main.lua:1: compiled Lua, expected text' bash -c 'printf "\33Lua" >main.lua'
 art 'the operator ^' \

@@ -52,7 +52,7 @@ python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
 for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua
+    rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua page/words.lua
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200", "power", "point", "life", "shard" }'
@@ -109,6 +109,47 @@ LUA
 
 # ---- scripts ----
 
+mkdir -p tongues/lang
+game tongues <<'LUA'
+local used = { "dot", "dart" }
+print(used, text.lang("Hello"), text.lang("World"))
+LUA
+printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
+printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
+finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
+lang/fr.txt:3: "World" stands in line 2 already
+main.lua:2: no words for "World" in lang/de.txt
+2 problems; the game was not run, for it cannot be packed
+TEXT
+printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
+finds 'words without a glyph' tongues <<'TEXT'
+lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more of this text: a box is shown
+lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
+lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
+main.lua:2: no words for "World" in lang/de.txt
+4 problems
+TEXT
+rm -r tongues
+game faces <<'LUA'
+local used = { "dot", "dart" }
+print(used, text.line { x = 1, y = 1, text = "a", font = "wide" }.alive)
+LUA
+png faces/art/cells.png 16 8 ff8800 # no colour of bank 0
+wade='fonts = { wade = { file = "art\/cells.png", cell = { 8, 8 }, chars = "ab" } },'
+sed -i "s/^  players = 2,/  players = 2, $wade/" faces/rom.lua
+"$curtain" check faces >found
+check 'a font of another name' grep -qx 'main.lua:2: font "wide" is not in rom.lua (did you mean "wade"?)' found
+check 'a colour of its picture' grep -q '^art/cells.png: pixel 0,0: colour #ff8800 is not in bank 0' found
+rm -r faces found
+lua 'characters without a glyph' <<'LUA'
+text.put { col = 1, row = 1, text = "A" }
+local title, note = "弾幕 été", "plain"
+print("弾幕", title, note)
+----
+main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
+main.lua:3: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text: a box is shown
+2 problems
+LUA
 lua 'names that are kept for later' <<'LUA'
 local sounds = {}
 on.start(function() sound.play("hit") end)

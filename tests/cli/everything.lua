@@ -143,7 +143,14 @@ task.go(function()
       pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
     end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
-    text.put { col = 0, row = 7, text = ("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
+    text.put { col = 0, row = 7, text = text.lang("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
+    if i == 9 then
+      local l = text.line { x = 4, y = 9, text = text.lang("en garde"), letter = 3, width = 40, box = true }
+      wait_until(function() return l.done end)
+      l.text, l.x, l.dx, l.bank, l.hidden = l.text:upper(), l.x + 1, l.dx - 1, 3, not l.alive
+      text.line { follow = l.alive and player.get(1), dx = -9, dy = 8, text = l.y + l.dy }
+      l:remove()
+    end
     wait(1)
   end
 end)

@@ -39,7 +39,7 @@ static void frames(const struct args *a)
 
 static void taken(const struct args *a, char *const *argv, int argc)
 {
-    const char *text[] = { a->record, a->demo, a->stage, a->difficulty, a->out, a->sheet };
+    const char *text[] = { a->record, a->demo, a->stage, a->difficulty, a->lang, a->out, a->sheet };
 
     need((unsigned)a->command < COMMANDS && a->n_words >= 0 && a->n_words < argc);
     for (int i = 0; i < a->n_words; i++)

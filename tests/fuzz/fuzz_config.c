@@ -56,6 +56,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     c = standard;
     if (config_read(&c, "a.conf", copy, size, err, sizeof err)) {
         need(within(c.scale, 0, 16) && within(c.volume, 0, 100) && within(c.mute, 0, 1) && within(c.fullscreen, 0, 1));
+        need(memchr(c.lang, 0, sizeof c.lang) != NULL);
         play(&c.keys, data, size);
     } else {
         need(strncmp(err, "a.conf:", 7) == 0 && strlen(err) > 9 && memcmp(&c, &standard, sizeof c) == 0);

@@ -119,6 +119,12 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
     struct lump lumps[MOST];
     int k = 0;
 
+    /* "tiny": A, 3 x 4 px, and U+5F3E, 5 x 5 */
+    static const uint8_t tiny[FACE_HEAD + 2 * FACE_GLYPH + 32 + 40] = {
+        6, 0, 0,  0, 2, 0, 0, 0, 'A', 0,    0, 0, 40, 0, 0,  0, 3,  4, 0, 1, 4, 0, 0, 0, 0x3e, 0x5f,
+        0, 0, 72, 0, 0, 0, 5, 5, 1,   0xff, 7, 0, 0,  0, 15, 0, 15, 0, 0, 0, 0, 0, 3, 3, 3,    [81] = 3,
+    };
+
     manifest_pack(&own, manifest);
     for (int i = 0; i < CART_PALETTE; i++)
         palette[i] = (uint8_t)(i * 37 + i / 3);
@@ -131,6 +137,7 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
     lumps[k++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[k++] = (struct lump){ "palette/other", palette, sizeof palette };
     lumps[k++] = (struct lump){ "font", font, sizeof font };
+    lumps[k++] = (struct lump){ "font/tiny", tiny, sizeof tiny };
     lumps[k++] = (struct lump){ "gfx/dot", dot, sizeof dot };
     lumps[k++] = (struct lump){ "gfx/arrow", arrow, sizeof arrow };
     lumps[k++] = (struct lump){ "gfx/wink", wink, sizeof wink };

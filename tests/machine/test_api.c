@@ -59,6 +59,7 @@ static const char world[] =
     "  t[#t + 1] = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5, from = nil, tag = 't' }\n"
     "  t[#t + 1] = enemy.spawn { kind = i == 1 and 'brief' or 'foe', x = 20 + 9 * i, y = 20, tag = 't' }\n"
     "  t[#t + 1] = sprite.put { sprite = 'wink', x = i, y = i }\n"
+    "  t[#t + 1] = text.line { x = i, y = i, text = 'words', letter = i }\n"
     "  t[#t + 1] = task.go(function() wait(forever) end)\n"
     "  t[#t + 1] = player.get(i % 2 + 1)\n"
     "  t[#t + 1] = motion.def { { wait = i } }\n"
@@ -418,6 +419,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_BLEND:
         lua_pushstring(L, one_in(2) ? "glow" : "ghost");
+        break;
+    case A_FACE:
+        lua_pushliteral(L, "tiny");
         break;
     case A_BUTTON:
         push_from(L, buttons, PAD_BUTTONS);
@@ -819,7 +823,7 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 1000 : entry->count > 8 ? 600 : entry->count > 4 ? 260 : 240);
+        int n = trials(entry->flags & API_FIRE ? 1000 : entry->count > 16 ? 1500 : entry->count > 8 ? 600 : entry->count > 4 ? 260 : 240);
         for (int k = 0; k < n; k++)
             try_once(entry->name, entry->flags & API_LOAD, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */
@@ -1042,7 +1046,8 @@ static int setup(void **state)
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
-    m.around = 1;
+    m.around = m.wide = 1;
+    m.lines = 16;
 
     (void)state;
     m.n_dips = 1;

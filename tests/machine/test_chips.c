@@ -841,19 +841,31 @@ static void test_fix(void **state)
     struct fix *f = &r.b->fix;
     assert_int_equal(f->cols, 10);
     assert_int_equal(f->rows, 9);
-    fix_put(f, 2, 1, "abc", 3, 5);
+    fix_put(f, 2, 1, "abc", 3, 5, 0);
     row_is(f, 1, "..abc");
     assert_int_equal(f->bank[12], 5);
-    fix_put(f, -2, 2, "abcd", 4, 1);
+    fix_put(f, -2, 2, "abcd", 4, 1, 0);
     row_is(f, 2, "cd");
-    fix_put(f, 8, 3, "abcd", 4, 1);
+    fix_put(f, 8, 3, "abcd", 4, 1, 0);
     row_is(f, 3, "........ab");
-    fix_put(f, 0, -1, "x", 1, 1);
-    fix_put(f, 0, 9, "x", 1, 1);
-    fix_put(f, INT32_MAX, 0, "xyz", 3, 1);
-    fix_put(f, INT32_MIN, 0, "xyz", 3, 1);
+    fix_put(f, 0, -1, "x", 1, 1, 0);
+    fix_put(f, 0, 9, "x", 1, 1, 0);
+    fix_put(f, INT32_MAX, 0, "xyz", 3, 1, 0);
+    fix_put(f, INT32_MIN, 0, "xyz", 3, 1, 0);
     row_is(f, 0, "");
     row_is(f, 8, "");
+    /* characters, not bytes; what no cell can hold; a byte that is no UTF-8 */
+    fix_put(f, 1, 4,
+            "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89"
+            "b",
+            11, 2, 0);
+    assert_memory_equal(f->code + 40,
+                        "\0\xe9\1\1\x89"
+                        "b\0",
+                        7);
+    assert_memory_equal(f->bank + 40, "\0\2\2\2\2\2\0", 7);
+    fix_clear(f, 0, 4, 10, 1);
+    row_is(f, 4, "");
     fix_clear(f, 3, 1, 1, 1);
     row_is(f, 1, "..a.c");
     fix_clear(f, -5, 1, 8, 2);

@@ -36,6 +36,7 @@ static const struct home homes[] = {
     HOME("steps", "chips/motion.h", steps),
     HOME("sprites", "chips/sprites.h", sprites),
     HOME("fix", "chips/fix.h", fix),
+    HOME("lines", "chips/lines.h", lines),
     HOME("pal", "chips/pal.h", pal),
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
@@ -342,9 +343,12 @@ static bool has_room(struct board *b)
     "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"                                    \
     "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"                                             \
     "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"                                                     \
+    "    local l = text.line { x = i, y = i, text = 'words' .. i, letter = 1 }\n"                                      \
     "    e:move { x = 100, y = 100, over = 100 }\n"                                                                    \
     "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"                                        \
-    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "  \
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() l:remove() "   \
+    "end "                                                                                                             \
+    "wait(i) "                                                                                                         \
     "end)\n"                                                                                                           \
     "  end\n" REMOVE "  text.put { col = 1, row = 1, text = 'words' }\n"                                               \
     "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"                          \
@@ -371,8 +375,8 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.around = m.frozen = m.meet = 1;
-    m.items = 128;
+    m.hp = m.around = m.frozen = m.meet = m.wide = 1;
+    m.items = m.lines = 128;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
@@ -444,12 +448,13 @@ static void test_groups(void **state)
 static void test_derived(void **state)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
+    struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig a, b;
 
     (void)state;
-    struct manifest m = rig_manifest();
     m.items = 64;
+    m.lines = 32;
     rig_script(&g, &m, scene);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);

@@ -244,9 +244,9 @@ static void test_taken(void **state)
             bool out = s->x[i] < b->keep.x0 || s->x[i] > b->keep.x1 || s->y[i] < b->keep.y0 || s->y[i] > b->keep.y1;
             assert_int_equal(slots_has(&s->s, i, s->s.gen[i]), want.by[i] || !out);
             if (want.by[i]) {
-                assert_true(k < b->events.n && b->events.list[k].kind == EV_TAKE);
-                assert_int_equal(b->events.list[k].a, board_handle(b, H_PLAYER, want.by[i] - 1));
-                assert_int_equal(b->events.list[k].b, board_handle(b, H_ITEM, (int32_t)i));
+                assert_true(k < b->events.n && b->events.kind[k] == EV_TAKE);
+                assert_int_equal(b->events.a[k], board_handle(b, H_PLAYER, want.by[i] - 1));
+                assert_int_equal(b->events.b[k], board_handle(b, H_ITEM, (int32_t)i));
                 k++;
             }
             takes += want.by[i] > 0;

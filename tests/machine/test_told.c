@@ -2,6 +2,7 @@
  * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are
  * kept for later, two fights at once, waits where there can be none, and nil for all.
  */
+#include "../../src/board/api/api_parts.h"
 #include "rig.h"
 
 static const char kinds[] =
@@ -20,7 +21,7 @@ static const char *said(const char *script, int frames)
 {
     struct manifest m = rig_manifest();
 
-    m.items = 8;
+    m.items = m.lines = 8;
     rig_with_sys(&g, &m, script);
     const char *all = rig_said(&g, frames, true);
     rig_game_free(&g);
@@ -59,6 +60,7 @@ static const char *const made[HANDLES] = {
     "(function() item.drop { kind = 'gem', x = 9, y = 9 } return query.near { what = 'item', x = 9, y = 9, radius = 1 "
     "}[1] end)()",
     "item.group('t')",
+    "text.line { x = 9, y = 9, text = 'words' }",
 };
 
 static void test_read_only(void **state)
@@ -78,7 +80,7 @@ static void test_read_only(void **state)
             seen++;
         }
     }
-    assert_int_equal(seen, 7 + 15 + 8);
+    assert_int_equal(seen, 32);
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
          "main.lua:2: bullet: alive is read only");
     SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");
@@ -199,6 +201,10 @@ static void test_off(void **state)
     assert_string_equal(api_off(&m, "items"), "board = { items = 512 }");
     assert_null(api_off(&m, "ite"));
     assert_null(api_off(&m, "bullet"));
+    assert_string_equal(api_off(&m, "text.line"), "board = { lines = 32 }");
+    assert_null(api_off(&m, "line"));
+    m.lines = 1;
+    assert_null(api_off(&m, "text.line"));
     m.items = 1;
     assert_null(api_off(&m, "item"));
     assert_null(api_off(&m, "items"));

@@ -73,7 +73,8 @@ instrumented() {
         not_ok "it builds under MemorySanitizer" "$(tail -n 20 "$scratch/made")"
         return
     fi
-    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_nvram fuzz_png fuzz_records \
+    for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_lang fuzz_bdf \
+        fuzz_nvram fuzz_png fuzz_records \
         fuzz_rom; do
         clean "$target: $(seeds "$target" | wc -l) files" given "$msan" "$target"
     done

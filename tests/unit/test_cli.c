@@ -88,12 +88,13 @@ static void test_commands(void **state)
 static void test_values(void **state)
 {
     (void)state;
-    reads("play game --record r --scale 3 --fullscreen --mute --stage one:mark --difficulty=hard");
+    reads("play game --record r --scale 3 --fullscreen --mute --stage one:mark --difficulty=hard --lang de");
     assert_string_equal(a.record, "r");
     assert_int_equal(a.scale, 3);
     assert_true(a.fullscreen && a.mute && !a.seeded);
     assert_string_equal(a.stage, "one:mark");
     assert_string_equal(a.difficulty, "hard");
+    assert_string_equal(a.lang, "de");
     reads("play --seed 18446744073709551615");
     assert_true(a.seeded && a.seed == UINT64_MAX);
     reads("play --seed 0xFfffffffffffffff");

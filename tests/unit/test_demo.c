@@ -61,6 +61,9 @@ static void make_rom(void)
     lumps[n++] = (struct lump){ "manifest", manifest, sizeof manifest };
     lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[n++] = (struct lump){ "script/main.lua", (const uint8_t *)script, sizeof script - 1 };
+    static const char *const langs[] = { "lang/d", "lang/deutsch", "lang/123456789_abcde" };
+    for (int i = 0; i < 3; i++)
+        lumps[n++] = (struct lump){ langs[i], (const uint8_t *)"\0\0\0", 4 }; /* of no texts */
     for (int i = 0; i < std_script_count; i++, n++) {
         snprintf(names[n], sizeof names[n], "script/@std/%s.lua", std_scripts[i].name);
         lumps[n] = (struct lump){ names[n], std_scripts[i].data, (uint32_t)std_scripts[i].size };
@@ -779,7 +782,7 @@ static void test_values(void **state)
 /* The language of a start, of any length there is room for. */
 static void test_lang(void **state)
 {
-    static const char *const langs[] = { "", "d", "deutsch", "123456789 abcde" };
+    static const char *const langs[] = { "", "d", "deutsch", "123456789_abcde" };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .on = false };
     struct demo d;

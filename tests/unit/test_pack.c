@@ -751,7 +751,12 @@ static void test_art_errors(void **state)
 {
     (void)state;
     put_game("return { palette = 'art/p.png' }");
-    refused("art/p.png: no such file");
+    refused("rom.lua:1: there is no art/p.png");
+    put_game("return {\n -- font = 'art/p.png'\n font = 'art/p.pngx', palette =\n\"art/p.png\" }");
+    refused("rom.lua:4: there is no art/p.png");
+    put_game("return {\n palette = 'art/' .. 'p.png' }");
+    refused("rom.lua: there is no art/p.png");
+    put_game("return { palette = 'art/p.png' }");
     put_text("art/p.png", "not a picture");
     assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
     assert_int_equal(strncmp(err, "art/p.png: ", 11), 0);

@@ -199,6 +199,48 @@ static void test_check(void **state)
     checked("return 1\n[[a\nb]]", "stages/one.lua:3: <eof> expected near '[[a b]]'");
 }
 
+/* A missing end: the block that Lua means, and by the indentation the one that the author means. */
+static void test_end(void **state)
+{
+    (void)state;
+    checked("do\n  x = 1\n", "stages/one.lua:3: expected `end` to close `do` at line 1, got the end of the file");
+    checked("if x then y = 1", "stages/one.lua:1: expected `end` to close `if` at line 1, got the end of the file");
+    checked("function f()\n  if a then\n    b()\nend\nlocal x = 2\n",
+            "stages/one.lua:6: expected `end` to close `function` at line 1, got the end of the file; by the "
+            "indentation it is `if` at line 2 that has none");
+    checked("run(function()\n\twhile f(function() return 'end' end) do -- end\n\t\tx()\nend)\n",
+            "stages/one.lua:4: expected `end` to close `while` at line 2, got ')'");
+    checked("player.def('p', { run = function(p)\n  if x[y(1)] then\n    z()\n  end\n})\n",
+            "stages/one.lua:5: expected `end` to close `function` at line 1, got '}'");
+    checked("x = { y = ] }", "stages/one.lua:1: unexpected symbol near ']'");
+    checked("f(1, end)", "stages/one.lua:1: unexpected symbol near 'end'");
+    checked("local a = [[\nend]] for i = 1, 2 do\n  repeat x() until i\n  do y() end\n",
+            "stages/one.lua:5: expected `end` to close `for` at line 2, got the end of the file");
+    checked("t = { f = function() if x then z() end,\n  g = 1 }\n",
+            "stages/one.lua:1: expected `end` to close `function` at line 1, got ','");
+    checked("x = 'end' y = (\n", "stages/one.lua:2: unexpected symbol near <eof>");
+}
+
+/* Deeper than is looked at, and cut everywhere: no more than Lua says itself, and nothing is read beyond the end. */
+static void test_end_anywhere(void **state)
+{
+    static _Alignas(16) char work[1 << 20];
+    static const char all[] = "local function f(a)\n  for i = 1, 2 do if a then repeat x = \"end\" until y end end\n"
+                              "  while z do do end end -- end\n  return function() end\nend\n";
+    char err[256], deep[300 * 3 + 1];
+
+    (void)state;
+    for (size_t n = 0; n < sizeof all; n++) {
+        char *cut = malloc(n ? n : 1);
+        memcpy(cut, all, n);
+        script_check(cut, n, "@one.lua", work, sizeof work, err, sizeof err);
+        free(cut);
+    }
+    for (int i = 0; i < 300; i++)
+        memcpy(deep + 3 * i, "do ", 4);
+    assert_false(script_check(deep, strlen(deep), "@one.lua", work, sizeof work, err, sizeof err));
+}
+
 /* One call after the other finds all, with their lines. */
 static void test_all(void **state)
 {
@@ -295,10 +337,10 @@ static void test_modules(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_power),   cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
-        cmocka_unit_test(test_lines),   cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
-        cmocka_unit_test(test_check),   cmocka_unit_test(test_all),        cmocka_unit_test(test_reads),
-        cmocka_unit_test(test_modules),
+        cmocka_unit_test(test_power), cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
+        cmocka_unit_test(test_lines), cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
+        cmocka_unit_test(test_check), cmocka_unit_test(test_end),        cmocka_unit_test(test_end_anywhere),
+        cmocka_unit_test(test_all),   cmocka_unit_test(test_reads),      cmocka_unit_test(test_modules),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -12,7 +12,7 @@
 #include "../../fb/text.h"
 #include "../../src/base/rng.h"
 
-enum { W = 64, H = 40, FIRST = 32, COUNT = 100, SAFE = 1 << 20 };
+enum { W = 64, H = 40, FIRST = 32, COUNT = 100, EMPTY = 40, SAFE = 1 << 20 };
 
 struct bed {
     struct fb fb;
@@ -34,6 +34,7 @@ static int bed_open(void **state)
     fb_init(&b->fb, b->mem, W, H);
     for (size_t i = 0; i < sizeof b->glyphs; i++)
         b->glyphs[i] = rng_below(&b->r, 2) ? (uint8_t)rng_below(&b->r, 16) : 0;
+    memset(b->glyphs + (EMPTY - FIRST) * 64, 0, 64);
     b->font = (struct font){ b->glyphs, FIRST, COUNT };
     *state = b;
     return 0;
@@ -54,15 +55,38 @@ static void bed_reset(struct bed *b, uint8_t c)
     memset(b->want, c, sizeof b->want);
 }
 
-static void paint(struct bed *b, int64_t x, int64_t y, int c, uint8_t bank)
+static void dot(struct bed *b, int64_t x, int64_t y, int c)
 {
-    if (c < FIRST || c >= FIRST + COUNT)
+    if (x >= b->fb.x0 && x < b->fb.x1 && y >= b->fb.y0 && y < b->fb.y1)
+        b->want[y][x] = (uint8_t)c;
+}
+
+/* The box of a character without a glyph: six pixels by seven, and its shadow beside it. */
+static void paint_box(struct bed *b, int64_t x, int64_t y, int bank)
+{
+    for (int by = 0; by < 7; by++)
+        for (int bx = 0; bx < 6; bx++)
+            if (bx == 0 || by == 0 || bx == 5 || by == 6)
+                dot(b, x + 1 + bx, y + 1 + by, bank * 16 + 1);
+    for (int by = 0; by < 7; by++)
+        for (int bx = 0; bx < 6; bx++)
+            if (bx == 0 || by == 0 || bx == 5 || by == 6)
+                dot(b, x + bx, y + by, bank * 16 + 15);
+}
+
+static void paint(struct bed *b, int64_t x, int64_t y, uint32_t c, uint8_t bank)
+{
+    if (c == 32 || c == 160 || c == 0x3000)
         return;
+    if (c < FIRST || c >= FIRST + COUNT || c == EMPTY) {
+        paint_box(b, x, y, bank);
+        return;
+    }
     for (int64_t k = 0; k < 64; k++) {
         int64_t px = x + k % 8, py = y + k / 8;
-        uint8_t v = b->glyphs[(c - FIRST) * 64 + k];
-        if (v && px >= b->fb.x0 && px < b->fb.x1 && py >= b->fb.y0 && py < b->fb.y1)
-            b->want[py][px] = (uint8_t)(v + bank * 16);
+        uint8_t v = b->glyphs[(c - FIRST) * 64 + (uint32_t)k];
+        if (v)
+            dot(b, px, py, v + bank * 16);
     }
 }
 
@@ -77,11 +101,15 @@ static void every_code(void **state)
     struct bed *b = *state;
 
     fb_clip_all(&b->fb);
-    for (int c = 0; c < 256; c++) {
+    static const uint32_t more[] = { 0x3000, 0x5f3e, 0x10ffff, UINT32_MAX };
+
+    for (uint32_t i = 0; i < 260; i++) {
+        uint32_t c = i < 256 ? i : more[i - 256];
         bed_reset(b, 3);
         paint(b, 11, 9, c, (uint8_t)(c % 16));
-        text_glyph(&b->fb, &b->font, 11, 9, (uint8_t)c, (uint8_t)(c % 16));
+        text_glyph(&b->fb, &b->font, 11, 9, c, (uint8_t)(c % 16));
         expect(b);
+        assert_int_equal(text_has(&b->font, c), c >= FIRST && c < FIRST + COUNT && c != EMPTY);
     }
 }
 
@@ -132,7 +160,7 @@ static void long_text_from_far_left(void **state)
     fb_clip_all(&b->fb);
     bed_reset(b, 1);
     for (int i = -1; i < 7; i++)
-        paint(b, 5 + 8 * i, 4, i < 4 ? 'x' : i == 4 ? 'A' : i == 5 ? 'B' : 0, 2);
+        paint(b, 5 + 8 * i, 4, i < 4 ? 'x' : i == 4 ? 'A' : i == 5 ? 'B' : ' ', 2);
     text_draw(&b->fb, &b->font, 5 + 8 * (4 - SAFE), 4, s, 2);
     expect(b);
     free(s);

@@ -190,7 +190,7 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
 /* Of bullet_def alone. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_HARMLESS, D_DROPS };
+enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS, D_HARMLESS };
 
 /* Of shot_def alone. */
 enum { D_CANCELS = D_ORDER + 1 };
@@ -208,8 +208,8 @@ static const struct api_param bullet_def[] = {
     { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
     { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static const struct api_param shot_def[] = {

@@ -11,8 +11,8 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",        "a task",
-    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items"
+    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
+    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text"
 };
 
 /* Pushes how a value looks in an error. */
@@ -193,6 +193,23 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
     api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
+static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a font's name");
+    v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
+    if (v->i > 0)
+        return;
+    for (int i = 0; i < cart->faces; i++)
+        api_suggest_nearer(lua_tostring(L, at), cart_face_name(cart, i), &best, &found);
+    if (!found)
+        api_error(L, entry, "font \"%s\" is not in rom.lua's fonts", lua_tostring(L, at));
+    api_error(L, entry, "font \"%s\" is not in rom.lua's fonts (did you mean \"%s\"?)", lua_tostring(L, at), found);
+}
+
 /* There are few: an error names them all. */
 static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
@@ -220,7 +237,7 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                                                                                                     "fan",   "arc",
                                                                                                     "stack", "line" };
 
-static const struct words {
+static const struct word_list {
     const char *const *words;
     int n;
 } WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS }, [A_EASE] = { eases, 4 },
@@ -231,7 +248,7 @@ static const struct words {
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    const struct words *w = &WORDS[p->type];
+    const struct word_list *w = &WORDS[p->type];
     luaL_Buffer list;
 
     for (v->i = 0; v->i < w->n; v->i++)
@@ -348,6 +365,7 @@ static check *const CHECKS[] = {
     [A_ITEM_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
+    [A_FACE] = check_face,
     [A_BUTTON] = check_word,
     [A_PAD] = check_pad,
     [A_EASE] = check_word,

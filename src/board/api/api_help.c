@@ -30,6 +30,7 @@ static const char *type_words(const struct api_param *p)
         [A_SPARK_KIND] = "name of a spark kind",
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
+        [A_FACE] = "name of a font",
         [A_BUTTON] = "up down left right fire bomb focus special start select",
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",

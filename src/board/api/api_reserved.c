@@ -15,7 +15,6 @@ static const struct {
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
-    { "text", '.', "line lang" },
     { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
@@ -27,7 +26,6 @@ static const struct {
     { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
     { "shot.def", '{', "every pierce" },
     { "sprite.put", '{', "follow" },
-    { "text.put", '{', "font" },
 };
 
 static bool has_word(const char *words, const char *word)
@@ -64,6 +62,7 @@ static const struct {
     const char *line;
 } optional[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items), "board = { items = 512 }" },
+    { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)
@@ -106,6 +105,7 @@ void api_reserved_install(lua_State *L)
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         if (reserved[i].how == '.' && reserved[i].of[0])
             explain_missing(L, reserved[i].of);
+    explain_missing(L, "text"); /* its fields that come late */
     for (int i = 0; i < STD_MODULES; i++)
         if (std_adds_to(i))
             explain_missing(L, std_adds_to(i));

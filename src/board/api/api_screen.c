@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../../fb/utf8.h"
 #include "../api.h"
 #include "../lualib.h"
 
@@ -202,12 +203,12 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT };
 
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
+    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "font", A_FACE, OPT, 0, 0, NULL, NULL },
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -224,15 +225,17 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     size_t n;
     int col = (int)v[TEXT_COL].i;
 
+    if (v[TEXT_FONT].given && !b->cart.m.wide)
+        return api_error(L, "text.put", "font: cells have none; rom.lua asks for it: board = { wide = true }");
     if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
         return api_error(L, "text.put", "text: expected a string or a number, got a %s",
                          luaL_typename(L, v[TEXT_TEXT].at));
     if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
         return api_error(L, "text.put", "text: expected a finite number");
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
-    n = n > 1024 ? 1024 : n;
-    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? (int)n / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? (int)n : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i);
+    int cells = (int)utf8_count(s, n, FIX_TEXT, &n);
+    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i, (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
 
@@ -241,6 +244,20 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
     (void)L;
     fix_clear(&b->fix, (int)v[CLEAR_COL].i, (int)v[CLEAR_ROW].i, (int)v[CLEAR_W].i, (int)v[CLEAR_H].i);
     return 0;
+}
+
+static const struct api_param text_lang[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
+
+static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n;
+    const char *text = lua_tolstring(L, v[0].at, &n), *words = words_find(&b->words, text, n);
+
+    if (words)
+        lua_pushstring(L, words);
+    else
+        lua_pushvalue(L, v[0].at);
+    return 1;
 }
 
 /* ---- palette ---- */
@@ -337,6 +354,8 @@ static const struct api_entry entries[] = {
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
       "writes text on the screen's 8x8 cells; stays until overwritten" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
+    { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
+      "what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does" },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, "sets a colour, 0xRRGGBB" },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL, "sets all colours from a palette of rom.lua" },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
 
@@ -196,6 +197,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
         slots_drop(&b->sprites.s, i);
+    EACH_LIVE (i, &b->lines.s)
+        slots_drop(&b->lines.s, i);
     pal_stop(&b->pal);
     for (int i = 0; i < COLOURS; i++, p += 3)
         pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
@@ -317,6 +320,72 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
+
+static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n;
+    const char *s = lua_tolstring(L, v[0].at, &n);
+
+    (void)b;
+    vm_charge(L, n / 8);
+    lua_pushinteger(L, (lua_Integer)utf8_count(s, n, n, NULL));
+    return 1;
+}
+
+enum { WRAP_TEXT, WRAP_WIDTH };
+static const struct api_param sys_wrap[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL },
+                                             { "width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL } };
+
+/* Adds a word, of no more than width characters, to the row on top of the stack, or begins the next with it. */
+static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
+{
+    size_t m;
+    const char *row = lua_tolstring(L, -1, &m);
+    size_t cells = utf8_count(row, m, width + 1, NULL), more = utf8_count(word, n, width, NULL);
+
+    if (m && cells + 1 + more <= width) {
+        lua_pushliteral(L, " ");
+        lua_pushlstring(L, word, n);
+        lua_concat(L, 3);
+        return;
+    }
+    if (m)
+        lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+    else
+        lua_pop(L, 1);
+    lua_pushlstring(L, word, n);
+}
+
+static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char blanks[] = " \t\n\v\f\r";
+    size_t n, bytes, width = (size_t)v[WRAP_WIDTH].i;
+    const char *s = lua_tolstring(L, v[WRAP_TEXT].at, &n), *end = s + n;
+
+    (void)b;
+    vm_charge(L, n);
+    lua_newtable(L);
+    int list = lua_gettop(L);
+    if (utf8_count(s, n, width + 1, NULL) <= width) {
+        lua_pushvalue(L, v[WRAP_TEXT].at);
+        lua_rawseti(L, list, 1);
+        return 1;
+    }
+    lua_pushliteral(L, "");
+    for (; s < end; s++) {
+        size_t word = 0;
+        while (s + word < end && (s[word] == '\0' || strchr(blanks, s[word]) == NULL))
+            word++;
+        for (; word > 0; s += bytes, word -= bytes) {
+            utf8_count(s, word, width, &bytes);
+            wrap_word(L, list, s, bytes, width);
+        }
+    }
+    lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+    return 1;
+}
+
 /* A place may be so far from a thing that is anywhere in the world. */
 static const struct api_param sys_aim[] = { { "x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
                                             { "y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
@@ -361,6 +430,9 @@ static const struct api_entry entries[] = {
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
+    { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
+      "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },

@@ -1,7 +1,8 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
+ *     back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text,
+ *     lines of text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -108,10 +109,10 @@ static void draw_text(struct draw_target *c)
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
 
     fb_clip_all(c->fb);
-    if (!cart->glyphs)
-        return;
     for (uint32_t i = 0; i < f->s.live; i++)
-        if (f->code[i] > 32)
+        if (f->page && fix_code(f, i))
+            video_cell(c, i);
+        else if (f->code[i])
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
                        f->bank[i]);
 }
@@ -135,6 +136,8 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
     draw_text(&c);
+    if (b->lines.s.live)
+        video_lines(&c);
     return c;
 }
 

@@ -275,6 +275,166 @@ const char *script_field(const char *text, size_t n, size_t at, size_t *size)
     return first;
 }
 
+/* ---- a missing end ---- */
+
+enum { MAX_BLOCKS = 256 };
+
+struct block {
+    char word[9]; /* "if", "function"; "": a bracket */
+    int line;
+    int indent; /* blanks before what stands first in that line */
+    bool waits; /* for or while, and its do is still to come */
+};
+
+struct blocks {
+    struct scan s;
+    const char *text;
+    struct block open[MAX_BLOCKS];
+    int n;
+};
+
+/* The blanks that the line of p begins with; *first: is p what comes next? */
+static int indent_of(const char *text, const char *p, bool *first)
+{
+    const char *line = p;
+    int n = 0;
+
+    while (line > text && line[-1] != '\n' && line[-1] != '\r')
+        line--;
+    while (line + n < p && (line[n] == ' ' || line[n] == '\t'))
+        n++;
+    *first = line + n == p;
+    return n;
+}
+
+static bool opens(struct blocks *b, const char *word, int line, int indent)
+{
+    if (b->n == MAX_BLOCKS)
+        return false;
+    struct block *one = &b->open[b->n++];
+    *one = (struct block){ .line = line,
+                           .indent = indent,
+                           .waits = strcmp(word, "for") == 0 || strcmp(word, "while") == 0 };
+    snprintf(one->word, sizeof one->word, "%s", word);
+    return true;
+}
+
+/* Takes the name at the scan's place. False: the search is over; *lacks is then the block it found, if any. */
+static bool block_word(struct blocks *b, const struct block **lacks)
+{
+    const char *at = b->s.at.p;
+    struct block *top = b->n > 0 ? &b->open[b->n - 1] : NULL;
+    char word[9] = "";
+    bool first;
+    int line = b->s.at.line, indent = indent_of(b->text, at, &first);
+
+    name(&b->s);
+    if (b->s.size >= sizeof word)
+        return true;
+    memcpy(word, at, b->s.size);
+    if (strcmp(word, "do") == 0 && top != NULL && top->waits) {
+        top->waits = false;
+        return true;
+    }
+    if (strcmp(word, "end") == 0 || strcmp(word, "until") == 0) {
+        bool outside = top != NULL && top->word[0] != '\0' && first && line > top->line && indent < top->indent;
+        *lacks = outside ? top : NULL;
+        b->n -= top != NULL;
+        return !outside && top != NULL && top->word[0] != '\0';
+    }
+    static const char *const openers[] = { "do", "for", "function", "if", "repeat", "while" };
+    for (size_t i = 0; i < sizeof openers / sizeof *openers; i++)
+        if (strcmp(word, openers[i]) == 0)
+            return opens(b, word, line, indent);
+    return true;
+}
+
+/* The same of anything else; a bracket that closes while a block in it is open tells of that block. */
+static bool block_bracket(struct blocks *b, const struct block **lacks)
+{
+    const char c = *b->s.at.p;
+    bool opening = c == '(' || c == '{' || (c == '[' && cursor_long_level(&b->s.at) < 0);
+
+    if (opening && !opens(b, "", b->s.at.line, 0))
+        return false;
+    if (c == ')' || c == '}' || c == ']') {
+        if (b->n == 0)
+            return false;
+        if (b->open[--b->n].word[0] != '\0') {
+            *lacks = &b->open[b->n];
+            return false;
+        }
+    }
+    token(&b->s);
+    return true;
+}
+
+/* The block whose end stands further to the left than the block itself, so that it is another's; or else what is still
+ * open where it has to end. NULL: there is none. */
+static const struct block *block_lacking(struct blocks *b, const char *text, size_t n)
+{
+    const struct block *lacks = NULL;
+
+    b->s = (struct scan){ .at = { text, text + n, 1 } };
+    b->text = text;
+    b->n = 0;
+    while (b->s.at.p < b->s.at.end)
+        if (!(cursor_letter(*b->s.at.p) ? block_word(b, &lacks) : block_bracket(b, &lacks)))
+            return lacks;
+    return b->n > 0 && b->open[b->n - 1].word[0] != '\0' ? &b->open[b->n - 1] : NULL;
+}
+
+/* Lua's words: 'end' expected (to close 'function' at line 3) near <eof>, without the brackets where that is this line.
+ */
+static void read_expected(const char *at, char word[16], int *line, char near[64])
+{
+    const char *close = strstr(at, "to close '"), *number = strstr(at, "' at line "), *behind = strstr(at, "near ");
+
+    if (close != NULL && number != NULL && number > close) {
+        close += strlen("to close '");
+        snprintf(word, 16, "%.*s", (int)(number - close), close);
+        for (number += strlen("' at line "); cursor_digit(*number); number++)
+            *line = *line * 10 + (*number - '0');
+    }
+    if (behind != NULL)
+        snprintf(near, 64, "%s", strcmp(behind, "near <eof>") == 0 ? "the end of the file" : behind + strlen("near "));
+}
+
+/* Where Lua says that an end is missing: "'end' expected", or that a bracket closes or a comma stands where a statement
+ * could begin. */
+static char *end_missing(char *err)
+{
+    char *at = strstr(err, "'end' expected"), *symbol = strstr(err, "unexpected symbol near '");
+
+    if (at != NULL)
+        return at;
+    return symbol != NULL && strchr(")}],", symbol[strlen("unexpected symbol near '")]) != NULL ? symbol : NULL;
+}
+
+/* Says it in our words, and what the indentation tells: the block Lua names is the outer one as often as not. */
+static void explain_end(const char *text, size_t n, char *err, size_t err_size)
+{
+    char *at = end_missing(err), word[16] = "", hint[80] = "", near[64] = "";
+    struct blocks b;
+    int line = 0;
+
+    if (at == NULL)
+        return;
+    const struct block *lacks = block_lacking(&b, text, n);
+    read_expected(at, word, &line, near);
+    if (line == 0 && lacks != NULL) {
+        snprintf(word, sizeof word, "%s", lacks->word);
+        line = lacks->line;
+    }
+    if (line == 0)
+        return;
+    if (lacks != NULL && lacks->line != line)
+        snprintf(hint, sizeof hint, "; by the indentation it is `%s` at line %d that has none", lacks->word,
+                 lacks->line);
+    snprintf(at, err_size - (size_t)(at - err), "expected `end` to close `%s` at line %d, got %s%s", word, line, near,
+             hint);
+}
+
 static void *allocate(void *heap, void *p, size_t old, size_t size)
 {
     return heap_realloc(heap, p, p == NULL ? 0 : old, size);
@@ -291,8 +451,10 @@ static bool compile(const char *text, size_t n, const char *chunk, void *work, s
         return false;
     }
     good = luaL_loadbufferx(lua, text, n, chunk, "t") == LUA_OK;
-    if (!good)
+    if (!good) {
         snprintf(err, err_size, "%s", lua_tostring(lua, -1));
+        explain_end(text, n, err, err_size);
+    }
     for (char *c = err; !good && *c != '\0'; c++) /* one line, whatever it quotes */
         if ((unsigned char)*c < 32 || *c == 127)
             *c = ' ';

@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../../fb/text.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
 {
@@ -79,6 +80,41 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
             return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
                            CART_BLEND);
         c->blend[i] = l.data;
+    }
+    return true;
+}
+
+static bool open_faces(struct cart *c, char *err, size_t err_size)
+{
+    struct face face;
+    struct lump l;
+    char why[128];
+
+    c->first_face = range(c->rom, "font/", "font0", &c->faces);
+    if (c->faces > CART_MAX_FACES)
+        return err_set(err, err_size, "%d lumps \"font/...\", expected at most %d", c->faces, CART_MAX_FACES);
+    for (int i = 0; i < c->faces; i++) {
+        rom_lump(c->rom, c->first_face + i, &l);
+        if (!face_open(&face, l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
+static bool open_langs(struct cart *c, char *err, size_t err_size)
+{
+    struct words words;
+    struct lump l;
+    char why[128];
+
+    c->first_lang = range(c->rom, "lang/", "lang0", &c->langs);
+    for (int i = 0; i < c->langs; i++) {
+        rom_lump(c->rom, c->first_lang + i, &l);
+        if (!manifest_word_ok(cart_lang_name(c, i)))
+            return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
+                           MAX_WORD - 1);
+        if (!words_open(&words, l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
     }
     return true;
 }
@@ -181,7 +217,8 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_blends(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
+           open_blends(cart, err, err_size) && open_langs(cart, err, err_size) && open_faces(cart, err, err_size) &&
+           open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -226,6 +263,24 @@ const char *cart_blend_name(const struct cart *cart, int i)
     return l.name + strlen("blend/");
 }
 
+const char *cart_lang_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->langs);
+    rom_lump(cart->rom, cart->first_lang + i, &l);
+    return l.name + strlen("lang/");
+}
+
+bool cart_lang(const struct cart *cart, const char *name, struct words *out)
+{
+    struct lump l;
+    char err[128];
+
+    *out = (struct words){ NULL, 0 };
+    return !name[0] || (find_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
+}
+
 int cart_find_blend(const struct cart *cart, const char *name)
 {
     return index_in(cart, "blend/", name, cart->first_blend);
@@ -236,6 +291,42 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name)
     struct lump l;
 
     return find_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+}
+
+const char *cart_face_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->faces);
+    rom_lump(cart->rom, cart->first_face + i, &l);
+    return l.name + strlen("font/");
+}
+
+struct face cart_face(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->faces);
+    rom_lump(cart->rom, cart->first_face + i, &l);
+    return face_of(l.data);
+}
+
+int cart_find_face(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "font/", name, cart->first_face);
+}
+
+bool cart_has_glyph(const struct cart *cart, uint32_t code)
+{
+    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+    struct face_glyph g;
+    bool has = text_blank(code) || text_has(&font, code);
+
+    for (int i = 0; i < cart->faces && !has; i++) {
+        struct face face = cart_face(cart, i);
+        has = face_find(&face, code, &g);
+    }
+    return has;
 }
 
 static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,

@@ -7,10 +7,12 @@
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them
+ *         font/X          a font of its own widths: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
+ *         lang/X          a language: words.h
  *         demo/X          demos
  *         data/X          text files for rom.text
  */
@@ -22,12 +24,15 @@
 #include <stdint.h>
 #include "../../base/rom.h"
 #include "manifest.h"
+#include "face.h"
+#include "words.h"
 
 enum {
     CART_GFX_HEADER = 24,
     CART_PALETTE = 768, /* bytes */
     CART_BLEND = 65536, /* bytes */
     CART_MAX_BLENDS = 3,
+    CART_MAX_FACES = 8,
     CART_GLYPH = 64, /* bytes */
     CART_FIRST_CHAR = 32,
     CART_MAX_GLYPHS = 224,
@@ -42,9 +47,11 @@ struct cart {
     int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
     int first_palette, palettes;
     int first_blend, blends;
+    int first_lang, langs;
     const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
     const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
+    int first_face, faces;
 };
 
 struct sprite {
@@ -67,8 +74,22 @@ int cart_find_sprite(const struct cart *cart, const char *name);
 const char *cart_blend_name(const struct cart *cart, int i);
 int cart_find_blend(const struct cart *cart, const char *name);
 
+/* Language i, 0 <= i < langs: its name without "lang/". */
+const char *cart_lang_name(const struct cart *cart, int i);
+
+/* The words of a language; "": none, in which nothing is found. False: the game has no such language. */
+bool cart_lang(const struct cart *cart, const char *name, struct words *out);
+
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);
+
+/* Font i of rom.lua's `fonts`, 0 <= i < faces: its name; itself; the index of a name, or -1. */
+const char *cart_face_name(const struct cart *cart, int i);
+struct face cart_face(const struct cart *cart, int i);
+int cart_find_face(const struct cart *cart, const char *name);
+
+/* Can the character be shown by a font of the game? A blank can always. */
+bool cart_has_glyph(const struct cart *cart, uint32_t code);
 
 /* The text of script "stages/one" (or "@std/pattern"), not NUL-terminated; false: none. */
 bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size);

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5212,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5220,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -45,6 +45,8 @@ struct manifest {
     int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
     int32_t meet;               /* 1: bullets may meet bullets */
     int32_t items;              /* a capacity: 0 unless rom.lua asks for them */
+    int32_t lines;              /* the same of lines of text */
+    int32_t wide;               /* 1: a cell has room for any character, and for its font */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -63,6 +65,8 @@ enum {
     MAX_ART_SHEETS = 256,
     MAX_ART_SPRITES = 4096,
     MAX_ART_SIZES = 16, /* of a sprite, beside its own */
+    MAX_ART_FONTS = 8,
+    ART_CHARS = 8192, /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
     ART_FILE = 96
 };
@@ -74,6 +78,15 @@ struct art_palette {
 struct art_blend {
     char name[ART_NAME];
     int32_t mix; /* percent of the upper colour, 1 to 99; 0: the sum */
+};
+
+struct art_font {
+    char name[ART_NAME], file[ART_FILE];
+    int32_t w, h;          /* of a cell; 0: a BDF font */
+    char chars[ART_CHARS]; /* of the cells, in reading order */
+    char also[ART_CHARS];  /* packed even if no text has them */
+    bool fixed;            /* all cells are as wide */
+    bool shadow;
 };
 
 struct art_sheet {
@@ -95,9 +108,10 @@ struct art {
     char palette[ART_FILE], font[ART_FILE]; /* "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
+    struct art_font fonts[MAX_ART_FONTS];
     struct art_sheet sheets[MAX_ART_SHEETS];
     struct art_sprite sprites[MAX_ART_SPRITES];
-    int n_palettes, n_blends, n_sheets, n_sprites; /* each ascending by name */
+    int n_palettes, n_blends, n_fonts, n_sheets, n_sprites; /* each ascending by name */
 };
 
 /* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they
@@ -108,7 +122,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 26 };
+enum { MANIFEST_NUMBERS = 28 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

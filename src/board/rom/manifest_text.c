@@ -527,6 +527,66 @@ static void read_blends(const struct at *root, struct art *art)
     lua_pop(a.lua, 1);
 }
 
+static bool get_flag(const struct at *a, const char *key)
+{
+    char path[MAX_PATH];
+    bool v;
+
+    path_of(a, key, path);
+    if (!get(a, key))
+        return false;
+    if (!lua_isboolean(a->lua, -1))
+        bad(a->lua, path, "expected true or false, got %s", got(a->lua));
+    v = lua_toboolean(a->lua, -1);
+    lua_pop(a->lua, 1);
+    return v;
+}
+
+/* cell = { w, h }, and what stands in the cells. */
+static void read_cells(const struct at *a, struct art_font *f)
+{
+    struct at cell;
+    char path[MAX_PATH];
+
+    if (!get_table(a, "cell", &cell)) {
+        if (get_text(a, "chars", "characters", f->chars, sizeof f->chars))
+            bad(a->lua, a->path, "`chars` goes with `cell = { w, h }`");
+        return;
+    }
+    if (list(&cell, 2) != 2)
+        bad(a->lua, cell.path, "expected { w, h }");
+    item(&cell, 1, path);
+    f->w = (int32_t)to_whole(a->lua, path, 1, 64);
+    item(&cell, 2, path);
+    f->h = (int32_t)to_whole(a->lua, path, 1, 64);
+    lua_pop(a->lua, 1);
+    if (!get_text(a, "chars", "characters", f->chars, sizeof f->chars))
+        bad(a->lua, a->path, "expected `chars`, the characters of the cells in reading order");
+}
+
+static void read_fonts(const struct at *root, struct art *art)
+{
+    static const char *const names[] = { "file", "cell", "chars", "also", "fixed", "shadow", NULL };
+    struct at a, one;
+
+    if (!get_table(root, "fonts", &a))
+        return;
+    art->n_fonts = keys(&a, art->fonts, MAX_ART_FONTS, sizeof art->fonts[0], ART_NAME);
+    for (int i = 0; i < art->n_fonts; i++) {
+        struct art_font *f = &art->fonts[i];
+        get_table(&a, f->name, &one);
+        only(&one, names);
+        if (!get_file(&one, "file", f->file))
+            bad(a.lua, one.path, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
+        read_cells(&one, f);
+        get_text(&one, "also", "characters", f->also, sizeof f->also);
+        f->fixed = get_flag(&one, "fixed");
+        f->shadow = get_flag(&one, "shadow");
+        lua_pop(a.lua, 1);
+    }
+    lua_pop(a.lua, 1);
+}
+
 static void read_sheets(const struct at *root, struct art *art)
 {
     static const char *const names[] = { "file", "bank", NULL };
@@ -658,10 +718,10 @@ static void read_sprites(const struct at *root, struct art *art)
 
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
-    static const char *const names[] = { "id",      "title",   "author",       "version",    "entry",
-                                         "screen",  "field",   "board",        "palette",    "palettes",
-                                         "blends",  "font",    "sheets",       "sprites",    "dip",
-                                         "players", "extends", "difficulties", "difficulty", NULL };
+    static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
+                                         "field",        "board",      "palette", "palettes", "blends",  "font",
+                                         "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
+                                         "difficulties", "difficulty", NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -671,6 +731,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_dips(root, m);
     read_palettes(root, art);
     read_blends(root, art);
+    read_fonts(root, art);
     read_sheets(root, art);
     read_sprites(root, art);
 }

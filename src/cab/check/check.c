@@ -186,6 +186,7 @@ static enum result check_all(struct check *c)
     check_scripts(c);
     check_lua(c);
     check_art(c);
+    check_langs(c);
     check_unused(c);
     if (!c->broken)
         check_run(c);

@@ -95,6 +95,17 @@ static void check_font(struct check *c, const uint8_t *rgb)
     free(picture.rgba);
 }
 
+/* The colours of a font's picture; what else is wrong with a font the packer says. */
+static void check_cells(struct check *c, const struct art_font *font, const uint8_t *rgb)
+{
+    struct art_picture picture;
+
+    if (font->w == 0 || !load_picture(c, font->file, CHECK_LINE(c, "fonts", font->name, "file"), &picture))
+        return;
+    note_strays(c, font->file, 0, art_find_strays(&picture, NULL, 0, rgb));
+    free(picture.rgba);
+}
+
 /* Marks the pixels of a sprite; false: it is not inside the sheet. */
 static bool mark(const struct art_picture *sheet, const struct art_sprite *s, uint8_t *marked)
 {
@@ -155,6 +166,8 @@ void check_art(struct check *c)
     bool colours = load_palettes(c, rgb);
     if (colours)
         check_font(c, rgb);
+    for (int i = 0; colours && i < c->art.n_fonts; i++)
+        check_cells(c, &c->art.fonts[i], rgb);
     for (int i = 0; i < c->art.n_sheets; i++)
         check_sheet(c, i, colours ? rgb : NULL);
 }

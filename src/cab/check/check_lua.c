@@ -391,6 +391,11 @@ static struct names blends(const struct check *c)
     return (struct names){ "blend", c->art.blends[0].name, sizeof c->art.blends[0], c->art.n_blends };
 }
 
+static struct names fonts(const struct check *c)
+{
+    return (struct names){ "font", c->art.fonts[0].name, sizeof c->art.fonts[0], c->art.n_fonts };
+}
+
 static struct names palettes(const struct check *c)
 {
     return (struct names){ "palette", c->art.palettes[0].name, sizeof c->art.palettes[0], c->art.n_palettes };
@@ -422,6 +427,8 @@ static void judge_key(struct check *c, const struct check_script *s, const struc
         judge_name(c, s, k->line, sprites(c), k->value);
     else if (type == A_BLEND)
         judge_name(c, s, k->line, blends(c), k->value);
+    else if (type == A_FACE)
+        judge_name(c, s, k->line, fonts(c), k->value);
     else if (same(t->space, "palette") && same(t->name, "fade") && same(k->name, "to"))
         judge_palette(c, s, k->line, k->value);
     else if (same(t->space, "boot") && same(t->name, "run") && same(k->name, "demo"))

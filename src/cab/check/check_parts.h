@@ -66,7 +66,12 @@ bool check_mentioned(const struct check *c, const char *name);
 void check_scripts(struct check *c);
 void check_lua(struct check *c);
 void check_art(struct check *c);
+void check_langs(struct check *c);
 void check_unused(struct check *c);
 void check_run(struct check *c);
+
+/* Characters without a glyph; cart: the game, packed. Part of check_run. */
+struct cart;
+void check_text(struct check *c, const struct cart *cart);
 
 #endif

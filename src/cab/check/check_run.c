@@ -370,6 +370,7 @@ void check_run(struct check *c)
         check_rom_sentence(c, err);
         c->broken = true;
     } else {
+        check_text(c, &r->cart);
         run_all(r);
     }
     rom_image_free(&r->image);

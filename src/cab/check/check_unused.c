@@ -6,6 +6,7 @@
  * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
  */
 #include "check_parts.h"
+#include "../pack/pack.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -205,6 +206,8 @@ static bool picture_used(const struct check *c, const char *path)
 
     for (int i = 0; i < c->art.n_palettes; i++)
         used = used || strcmp(path, c->art.palettes[i].file) == 0;
+    for (int i = 0; i < c->art.n_fonts; i++)
+        used = used || strcmp(path, c->art.fonts[i].file) == 0;
     for (int i = 0; i < c->art.n_sheets; i++)
         used = used || strcmp(path, c->art.sheets[i].file) == 0;
     return used;
@@ -216,7 +219,7 @@ static void unused_files(struct check *c, bool texts)
         const char *path = c->files.name[i];
         if (ends_with(path, ".png") && !picture_used(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
-        if (texts && ends_with(path, ".txt") && !in_scripts(c, path))
+        if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
             diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
     }
 }

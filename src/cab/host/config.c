@@ -2,6 +2,7 @@
  * config.c - see config.h. One table is the parser, the ranges and the help.
  */
 #include "config.h"
+#include "../../board/rom/manifest.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,6 +31,7 @@ static int *value_of(struct config *c, const struct setting *s)
 void config_defaults(struct config *c)
 {
     keys_defaults(&c->keys);
+    memset(c->lang, 0, sizeof c->lang);
     for (int i = 0; i < SETTINGS; i++)
         *value_of(c, &settings[i]) = settings[i].standard;
 }
@@ -50,6 +52,16 @@ static bool yes_no(const char *s, int *v)
     return *v || strcmp(s, "no") == 0;
 }
 
+static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
+{
+    if (value[0] && !manifest_word_ok(value)) {
+        snprintf(err, err_size, "lang: expected a language's name of letters, digits, _ and -, got \"%s\"", value);
+        return false;
+    }
+    snprintf(c->lang, sizeof c->lang, "%s", value);
+    return true;
+}
+
 static bool set(struct config *c, const char *name, const char *value, char *err, size_t err_size)
 {
     for (int i = 0; i < SETTINGS; i++) {
@@ -64,6 +76,8 @@ static bool set(struct config *c, const char *name, const char *value, char *err
             snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", name, s->lo, s->hi, value);
         return false;
     }
+    if (strcmp(name, "lang") == 0)
+        return set_lang(c, value, err, err_size);
     if (keys_known(name))
         return keys_bind(&c->keys, name, value, err, err_size);
     snprintf(err, err_size, "no setting is called \"%s\"", name);
@@ -147,4 +161,6 @@ void config_help(void (*line)(const char *))
         snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
         line(text);
     }
+    snprintf(text, sizeof text, "  %-11s %-30s %s", "lang", "(none)", "language, of the games that have it");
+    line(text);
 }

@@ -7,6 +7,7 @@
  *     volume = 80
  *     mute = no
  *     fullscreen = yes
+ *     lang = de
  *     p1.fire = z space pad.south
  *
  * A line is `name = value`; # starts a comment, blank lines are skipped. A name is one of the table in config.c or an
@@ -29,6 +30,7 @@ struct config {
     int volume;     /* percent */
     int mute;       /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
+    char lang[16];  /* of games that have it; "": none */
 };
 
 void config_defaults(struct config *c);

@@ -92,6 +92,12 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
     return -1;
 }
 
+int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+              size_t err_size)
+{
+    return shade_of(p, x, y, bank, rgb, nearest, err, err_size);
+}
+
 bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size)
 {

@@ -21,6 +21,9 @@
 #include "../../board/std.h"
 #include "art.h"
 #include "blend.h"
+#include "bdf.h"
+#include "faces.h"
+#include "lang.h"
 #include "../host/files.h"
 #include "tree.h"
 #include "png.h"
@@ -65,7 +68,9 @@ struct packer {
     struct manifest m;
     struct art art;
     uint8_t palette[CART_PALETTE];
-    uint64_t std; /* modules that the scripts so far name (std.h) */
+    struct faces_set shown; /* characters of the game's texts */
+    char *rom_text;         /* of rom.lua, malloc, with a 0 behind it */
+    uint64_t std;           /* modules that the scripts so far name (std.h) */
     char *err;
     size_t err_size;
 };
@@ -132,7 +137,12 @@ static bool read_manifest(struct packer *p)
                                              p->err_size)
                              : err_set(p->err, p->err_size, "out of memory");
     free(block);
-    free(text);
+    p->rom_text = realloc(text, size + 1);
+    if (p->rom_text == NULL) {
+        free(text);
+        return err_set(p->err, p->err_size, "out of memory");
+    }
+    p->rom_text[size] = '\0';
     return good;
 }
 
@@ -144,6 +154,36 @@ static bool add_manifest(struct packer *p)
     return add_copy(p, "", "manifest", bytes, sizeof bytes);
 }
 
+/* Does p stand behind -- in its line? */
+static bool in_comment(const char *text, const char *p)
+{
+    for (; p > text && p[-1] != '\n'; p--)
+        if (p[0] == '-' && p[-1] == '-')
+            return true;
+    return false;
+}
+
+/* The line of rom.lua that spells the file's name; 0: none does. */
+static int line_of(const char *text, const char *file)
+{
+    size_t n = strlen(file);
+    int line = 1;
+
+    for (const char *p = text; *p != '\0'; line += *p++ == '\n')
+        if ((*p == '"' || *p == '\'') && strncmp(p + 1, file, n) == 0 && p[n + 1] == *p && !in_comment(text, p))
+            return line;
+    return 0;
+}
+
+static bool refuse_missing(struct packer *p, const char *file)
+{
+    int line = line_of(p->rom_text, file);
+
+    if (line > 0)
+        return err_set(p->err, p->err_size, "rom.lua:%d: there is no %s", line, file);
+    return err_set(p->err, p->err_size, "rom.lua: there is no %s", file);
+}
+
 /* A picture of the folder into *out (free rgba). */
 static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
 {
@@ -153,6 +193,8 @@ static bool load_picture(struct packer *p, const char *file, struct art_picture 
 
     if (!tree_portable(file))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+    if (!tree_has(&p->files, file))
+        return refuse_missing(p, file);
     if (!load_in(p, file, TREE_FILE, &data, &size))
         return false;
     bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
@@ -220,6 +262,70 @@ static bool add_font(struct packer *p)
     return good ? add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
+static bool read_bdf(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+{
+    char why[256];
+    uint8_t *text;
+    size_t size;
+
+    if (!tree_has(&p->files, font->file))
+        return refuse_missing(p, font->file);
+    if (!load_in(p, font->file, BDF_FILE, &text, &size))
+        return false;
+    bool good = bdf_read(f, (const char *)text, size, wanted, why, sizeof why);
+    free(text);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
+}
+
+static bool read_cells(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+{
+    struct art_picture picture;
+    char why[256];
+    uint32_t code;
+
+    if (!load_picture(p, font->file, &picture))
+        return false;
+    bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
+    if (good && !faces_sort(f, &code)) {
+        snprintf(why, sizeof why, "`chars` has U+%04X twice", (unsigned)code);
+        good = false;
+    }
+    free(picture.rgba);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
+}
+
+/* Of a font only what the game's texts need comes into the ROM; of ASCII all, for numbers are made as it runs. */
+static bool add_face(struct packer *p, const struct art_font *font)
+{
+    struct faces_set *wanted = malloc(sizeof *wanted);
+    struct faces f = { 0 };
+    uint8_t *data;
+    size_t size = 0;
+
+    if (wanted == NULL)
+        return err_set(p->err, p->err_size, "out of memory");
+    *wanted = p->shown;
+    for (uint32_t c = 32; c < 127; c++)
+        faces_add(wanted, c);
+    faces_add_text(wanted, font->also, strlen(font->also));
+    bool good = font->w == 0 ? read_bdf(p, font, wanted, &f) : read_cells(p, font, wanted, &f);
+    free(wanted);
+    if (good && (!font->shadow || faces_shadow(&f)))
+        size = faces_make(&f, &data);
+    faces_close(&f);
+    if (!good)
+        return false;
+    return size > 0 ? add(p, "font/", font->name, data, size) : err_set(p->err, p->err_size, "out of memory");
+}
+
+static bool add_faces(struct packer *p)
+{
+    for (int i = 0; i < p->art.n_fonts; i++)
+        if (!add_face(p, &p->art.fonts[i]))
+            return false;
+    return true;
+}
+
 /* The sprites of one sheet. */
 static bool add_sheet(struct packer *p, int sheet)
 {
@@ -249,12 +355,17 @@ static bool add_sheet(struct packer *p, int sheet)
 
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_blends(p) || !add_font(p))
+    if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))
             return false;
     return true;
+}
+
+bool pack_is_lang(const char *path)
+{
+    return starts_with(path, "lang/") && ends_with(path + strlen("lang/"), ".txt");
 }
 
 bool pack_is_std(const char *path)
@@ -289,6 +400,8 @@ static bool add_script(struct packer *p, const char *path)
         return false;
     }
     p->std |= std_named((const char *)text, size);
+    if (p->art.n_fonts > 0)
+        faces_add_script(&p->shown, (const char *)text, size);
     return std ? add(p, "script/@std/", path + 4, text, size) : add(p, "script/", path, text, size);
 }
 
@@ -321,6 +434,32 @@ static bool add_text(struct packer *p, const char *path)
     return add(p, "data/", path, data, size);
 }
 
+/* lang/NAME.txt is the lump lang/NAME. */
+static bool add_lang(struct packer *p, const char *path)
+{
+    char name[PATH];
+    uint8_t *text, *data;
+    struct lang lang;
+    size_t size;
+
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("lang/") - strlen(".txt")), path + strlen("lang/"));
+    if (!manifest_word_ok(name))
+        return err_set(p->err, p->err_size, "%s: expected a language's name of 1 to %d letters, digits, _ and -", path,
+                       MAX_WORD - 1);
+    if (!load_in(p, path, LANG_FILE, &text, &size))
+        return false;
+    tree_drop_bom(text, &size);
+    bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
+    for (int i = 0; good && i < lang.n; i++)
+        faces_add_text(&p->shown, lang.list[i].words, strlen(lang.list[i].words));
+    size = good ? lang_make(&lang, &data) : 0;
+    lang_close(&lang);
+    free(text);
+    if (!good)
+        return false;
+    return size > 0 ? add(p, "lang/", name, data, size) : err_set(p->err, p->err_size, "out of memory");
+}
+
 static bool add_file(struct packer *p, const char *path)
 {
     bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
@@ -331,7 +470,10 @@ static bool add_file(struct packer *p, const char *path)
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
-    return lua ? add_script(p, path) : demo ? add_demo(p, path) : add_text(p, path);
+    return lua                  ? add_script(p, path)
+           : demo               ? add_demo(p, path)
+           : pack_is_lang(path) ? add_lang(p, path)
+                                : add_text(p, path);
 }
 
 static bool add_files(struct packer *p)
@@ -454,6 +596,7 @@ bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, c
     bool good = gather(p) && write_image(p, image, size);
     tree_close(&p->files);
     lumps_close(&p->lumps);
+    free(p->rom_text);
     free(p);
     return good;
 }

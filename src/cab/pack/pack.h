@@ -27,6 +27,9 @@ extern const int std_script_count;
 /* Is std/NAME.lua (path) the name of a library script? */
 bool pack_is_std(const char *path);
 
+/* Is it a language's file, lang/NAME.txt? */
+bool pack_is_lang(const char *path);
+
 /* A ROM in memory, checked by rom_open and cart_open. */
 struct rom_image {
     uint8_t *bytes; /* malloc; NULL: nothing is loaded */

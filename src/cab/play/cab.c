@@ -232,6 +232,15 @@ static void want_window(void)
                                    .rate = SPEAKER_RATE };
 }
 
+/* The settings' language, if the game has it. */
+static void take_lang(void)
+{
+    struct words words;
+
+    if (cart_lang(cab.options.cart, cab.config.lang, &words))
+        snprintf(cab.start.lang, sizeof cab.start.lang, "%s", cab.config.lang);
+}
+
 enum result cab_play(const struct cab_options *options)
 {
     char err[512];
@@ -244,6 +253,8 @@ enum result cab_play(const struct cab_options *options)
         return RESULT_REFUSED;
     }
     cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
+    if (!cab.start.lang[0] && !options->demo)
+        take_lang();
     if (!options->seeded && !options->demo)
         cab.start.seed = cab_seed_from_clock();
     cab.nvram = cab_load_nvram(&cab.start);

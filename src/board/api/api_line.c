@@ -1,0 +1,219 @@
+/*
+ * api_line.c - text.line: lines of text at any pixel.
+ */
+#include <math.h>
+#include "../../../fb/utf8.h"
+#include "../api.h"
+#include "../lualib.h"
+
+enum {
+    L_PLACE,
+    L_TEXT = L_PLACE + PLACE_PARAMS,
+    L_FOLLOW,
+    L_FONT,
+    L_WIDTH,
+    L_ALIGN,
+    L_BANK,
+    L_SCREEN,
+    L_LETTER,
+    L_BOX,
+    L_HIDDEN,
+    L_STAY
+};
+
+static const struct api_param line_put[] = {
+    PLACE,
+    { "text", A_ANY, REQ, 0, 0, NULL, NULL },
+    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "font", A_FACE, OPT, 0, 0, NULL, NULL },
+    { "width", A_INT, OPT, 8, 1024, "px", NULL },
+    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "letter", A_INT, OPT, 0, 600, "frames", "0" },
+    { "box", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+};
+
+/* The text at `at`, a string or a number; raises. */
+static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
+{
+    if (lua_type(L, at) != LUA_TSTRING && lua_type(L, at) != LUA_TNUMBER)
+        api_error(L, entry, "text: expected a string or a number, got a %s", luaL_typename(L, at));
+    if (lua_type(L, at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, at)))
+        api_error(L, entry, "text: expected a finite number");
+    const char *s = lualib_tolstring(L, at, n);
+    size_t count = utf8_count(s, *n, MAX_TEXT, NULL);
+
+    if (count > LINE_TEXT)
+        api_error(L, entry, "text: expected at most %d characters, got %d", LINE_TEXT, (int)count);
+    vm_charge(L, LINE_TEXT / 8);
+    return s;
+}
+
+_Static_assert((int)ALIGN_CENTER == LINE_CENTER && (int)ALIGN_RIGHT == LINE_RIGHT, "words of align are a line's");
+
+static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, fx y)
+{
+    const bool follows = v[L_FOLLOW].given;
+
+    l->x[i] = follows ? 0 : x;
+    l->y[i] = follows ? 0 : y;
+    l->dx[i] = follows ? v[L_PLACE + 3].f : 0;
+    l->dy[i] = follows ? v[L_PLACE + 4].f : 0;
+    l->follow[i] = follows ? v[L_FOLLOW].i : 0;
+    l->font[i] = (uint8_t)v[L_FONT].i;
+    l->width[i] = (uint16_t)(v[L_WIDTH].given ? v[L_WIDTH].i : 0);
+    l->align[i] = (uint8_t)v[L_ALIGN].i;
+    l->bank[i] = (uint8_t)v[L_BANK].i;
+    l->letter[i] = (uint16_t)v[L_LETTER].i;
+    l->flags[i] =
+        (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) | (v[L_BOX].i ? LINE_BOX : 0));
+}
+
+/* False: the thing it is placed by, or follows, is dead. */
+static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
+{
+    *x = *y = 0;
+    if (!v[L_FOLLOW].given)
+        return api_place(L, b, "text.line", v + L_PLACE, x, y);
+    if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
+        api_error(L, "text.line", "follow stands in the stead of x, y and from");
+    if (v[L_SCREEN].i)
+        api_error(L, "text.line", "screen: what follows a thing is in the field");
+    return board_alive(b, v[L_FOLLOW].i);
+}
+
+static int text_line(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct lines *l = &b->lines;
+    size_t n;
+    const char *s = text_at(L, "text.line", v[L_TEXT].at, &n);
+    int64_t owner;
+    fx x, y;
+    bool comes = place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[L_STAY].i, &owner);
+    int32_t i = comes ? slots_take(&l->s) : NO_SLOT;
+
+    if (i == NO_SLOT && comes)
+        board_full(b, &l->s);
+    else if (i != NO_SLOT) {
+        fill(l, (uint32_t)i, v, x, y);
+        l->owner[i] = owner;
+        lines_say(l, (uint32_t)i, s, n, b->core.clock);
+    }
+    lua_pushinteger(L, board_handle(b, H_LINE, i));
+    return 1;
+}
+
+enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
+
+static const struct api_prop props[PROPS] = {
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands; following: where its thing is" },
+    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands; following: where its thing is" },
+    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "drawn so far to the right of there" },
+    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "drawn so far below" },
+    { { "text", A_STR, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "what it says; a write begins its letters anew" },
+    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
+    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
+    { { "done", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "have all letters come?" },
+};
+
+static void push_text(lua_State *L, const struct lines *l, uint32_t i)
+{
+    char text[LINE_TEXT * UTF8_BYTES];
+    size_t n = 0;
+
+    for (uint32_t k = 0; k < l->length[i]; k++)
+        n += utf8_put(text + n, l->code[(size_t)i * LINE_TEXT + k]);
+    lua_pushlstring(L, text, n);
+}
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct lines *l = &b->lines;
+    fx x = l->x[i], y = l->y[i];
+
+    if (p <= P_Y && l->follow[i])
+        board_where(b, l->follow[i], &x, &y);
+    switch (p) {
+    case P_X:
+        lua_pushnumber(L, fx_to_double(x));
+        break;
+    case P_Y:
+        lua_pushnumber(L, fx_to_double(y));
+        break;
+    case P_DX:
+        lua_pushnumber(L, fx_to_double(l->dx[i]));
+        break;
+    case P_DY:
+        lua_pushnumber(L, fx_to_double(l->dy[i]));
+        break;
+    case P_TEXT:
+        push_text(L, l, i);
+        break;
+    case P_BANK:
+        lua_pushinteger(L, l->bank[i]);
+        break;
+    case P_HIDDEN:
+        lua_pushboolean(L, l->flags[i] & LINE_HIDDEN);
+        break;
+    default:
+        lua_pushboolean(L, lines_seen(l, i, b->core.clock) == l->length[i]);
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct lines *l = &b->lines;
+    size_t n;
+
+    switch (p) {
+    case P_X:
+        l->x[i] = l->follow[i] ? l->x[i] : v->f;
+        break;
+    case P_Y:
+        l->y[i] = l->follow[i] ? l->y[i] : v->f;
+        break;
+    case P_DX:
+        l->dx[i] = v->f;
+        break;
+    case P_DY:
+        l->dy[i] = v->f;
+        break;
+    case P_TEXT: {
+        const char *s = text_at(L, "line.text", v->at, &n);
+        lines_say(l, i, s, n, b->core.clock);
+        break;
+    }
+    case P_BANK:
+        l->bank[i] = (uint8_t)v->i;
+        break;
+    default:
+        l->flags[i] = (uint8_t)(v->i ? l->flags[i] | LINE_HIDDEN : l->flags[i] & ~LINE_HIDDEN);
+    }
+}
+
+const struct api_thing api_line_thing = { "line", props, PROPS, get, set };
+
+enum { ARG_SELF };
+
+static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL } };
+
+static int line_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (!board_alive(b, v[ARG_SELF].i))
+        return 0;
+    slots_drop(&b->lines.s, handle_slot(v[ARG_SELF].i));
+    slots_trim(&b->lines.s);
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
+      "writes a line at any pixel, in a font of rom.lua's `fonts` or the cells' own; broken at width, a letter every "
+      "so many frames, in a box; with follow it goes where that thing goes, and with it" },
+    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
+};
+const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

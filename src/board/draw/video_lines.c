@@ -1,0 +1,225 @@
+/*
+ * video_lines.c - lines of text, over all else: broken into rows, aligned, letter by letter, in boxes.
+ *
+ * Rows are broken as for the whole text, so that no word jumps while its letters come. A row may end at a blank, and
+ * between characters of scripts that have none (from U+2E80 on), but not before a sign that closes.
+ */
+#include "../../../fb/blit.h"
+#include "../../../fb/text.h"
+#include "../video.h"
+
+enum { MARGIN = 4, CELL_GAP = 1, UNSPACED = 0x2e80 };
+
+struct page {
+    const struct cart *cart;
+    struct face face; /* data NULL: the cells' font */
+    struct font font;
+    const uint32_t *code;
+    uint32_t n;
+    int width, height; /* of a row: px it may have, 0: any; px to the next */
+};
+
+struct row {
+    uint32_t first, end, next; /* it shows [first, end); the next begins at `next` */
+    int px;
+};
+
+/* A glyph of the cells' font as one of a face. */
+static bool cell_picture(const struct font *font, uint32_t code, struct face_glyph *g, int y)
+{
+    *g = (struct face_glyph){ font->glyphs + (size_t)(code - (uint32_t)font->first) * CART_GLYPH,
+                              TEXT_SIDE,
+                              TEXT_SIDE,
+                              TEXT_SIDE,
+                              0,
+                              y,
+                              TEXT_SIDE };
+    return true;
+}
+
+/* The glyph of a code: the font's own, or else, but of a blank, that of the first of `fonts` that has it, or of the
+ * cells' font, at the bottom of the row. */
+static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
+{
+    const int side = p->face.data ? p->face.height : TEXT_SIDE;
+
+    if (p->face.data && face_find(&p->face, code, g))
+        return true;
+    if (text_blank(code))
+        return false;
+    if (!p->face.data && text_has(&p->font, code))
+        return cell_picture(&p->font, code, g, 0);
+    for (int i = 0; i < p->cart->faces; i++) {
+        struct face face = cart_face(p->cart, i);
+        if (!face_find(&face, code, g))
+            continue;
+        g->y += side - face.height;
+        return true;
+    }
+    return text_has(&p->font, code) && cell_picture(&p->font, code, g, side - TEXT_SIDE);
+}
+
+static int advance(const struct page *p, uint32_t code)
+{
+    const int side = p->face.data ? p->face.height : TEXT_SIDE;
+    struct face_glyph g;
+
+    if (!p->face.data && text_blank(code))
+        return TEXT_SIDE;
+    if (find(p, code, &g))
+        return g.advance;
+    return text_blank(code) ? side / (code == 0x3000 ? 1 : 3) : side / 2 + 1;
+}
+
+/* Signs that never begin a row. */
+static bool closes(uint32_t code)
+{
+    static const uint32_t signs[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
+                                      0xff0e, 0xff1f, 0x2026, '!',    '?',    ',',    '.',    ')' };
+
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if (signs[i] == code)
+            return true;
+    return false;
+}
+
+/* Signs that never end one. */
+static bool opens(uint32_t code)
+{
+    return code == 0x300c || code == 0x300e || code == 0x3010 || code == 0xff08 || code == '(';
+}
+
+/* The row that begins at `first`. */
+static struct row row_at(const struct page *p, uint32_t first)
+{
+    struct row row = { first, first, first, 0 }, fit = row;
+    bool may_break = false;
+
+    for (uint32_t k = first; k < p->n; k++) {
+        const uint32_t code = p->code[k];
+        if (code == '\n') {
+            row.next = k + 1;
+            return row;
+        }
+        if (code == ' ') {
+            fit = (struct row){ first, row.end, k + 1, row.px };
+            may_break = true;
+        } else if (k > first && code >= UNSPACED && !closes(code) && !opens(p->code[k - 1])) {
+            fit = (struct row){ first, k, k, row.px };
+            may_break = true;
+        }
+        row.px += advance(p, code);
+        if (p->width && row.px > p->width && k > first && code != ' ')
+            return may_break ? fit : (struct row){ first, k, k, row.px - advance(p, code) };
+        row.end = row.next = k + 1;
+    }
+    return row;
+}
+
+static void draw_code(struct draw_target *c, const struct page *p, uint32_t code, int x, int y, uint8_t bank)
+{
+    const int side = p->face.data ? p->face.height : TEXT_SIDE;
+    struct face_glyph g;
+
+    if (find(p, code, &g)) {
+        struct image image = { g.pix, g.w, g.h, g.pitch };
+        blit_sprite(c->fb, &image, x + g.x, y + g.y, bank, 0);
+    } else if (!text_blank(code)) {
+        text_box(c->fb, x, y, advance(p, code), side, bank);
+    }
+}
+
+/* Rows of the whole text, and the px of the widest. */
+static int measure(const struct page *p, int *widest)
+{
+    int rows = 0;
+
+    *widest = 0;
+    for (uint32_t k = 0; k < p->n; rows++) {
+        struct row row = row_at(p, k);
+        *widest = row.px > *widest ? row.px : *widest;
+        k = row.next;
+    }
+    return rows;
+}
+
+static int aligned(int align, int px)
+{
+    return align == LINE_CENTER ? px / 2 : align == LINE_RIGHT ? px : 0;
+}
+
+static void draw_box(struct draw_target *c, const struct page *p, const struct lines *l, uint32_t i, int x, int y)
+{
+    int widest, rows = measure(p, &widest);
+    const uint8_t bank = (uint8_t)(l->bank[i] * 16);
+
+    if (p->width)
+        widest = p->width;
+    x -= aligned(l->align[i], widest) + MARGIN;
+    fb_rect(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 1));
+    fb_frame(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 8));
+}
+
+static struct page page_of(const struct draw_target *c, int font)
+{
+    const struct cart *cart = &c->b->cart;
+    struct page p = { .cart = cart,
+                      .font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs },
+                      .height = TEXT_SIDE + CELL_GAP };
+
+    if (font > 0 && font <= cart->faces) {
+        p.face = cart_face(cart, font - 1);
+        p.height = p.face.height + p.face.height / 8;
+    }
+    return p;
+}
+
+static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
+{
+    const struct lines *l = &c->b->lines;
+    const uint32_t seen = lines_seen(l, i, c->b->core.clock);
+    struct page p = page_of(c, l->font[i]);
+
+    p.code = l->code + (size_t)i * LINE_TEXT;
+    p.n = l->length[i];
+    p.width = l->width[i];
+    if (l->flags[i] & LINE_BOX)
+        draw_box(c, &p, l, i, x, y);
+    for (uint32_t k = 0; k < seen; y += p.height) {
+        struct row row = row_at(&p, k);
+        int at = x - aligned(l->align[i], row.px);
+        for (; k < row.end && k < seen; k++) {
+            draw_code(c, &p, p.code[k], at, y, l->bank[i]);
+            at += advance(&p, p.code[k]);
+        }
+        k = row.next;
+    }
+}
+
+void video_cell(struct draw_target *c, uint32_t i)
+{
+    const struct fix *f = &c->b->fix;
+    struct page p = page_of(c, f->font[i]);
+
+    draw_code(c, &p, fix_code(f, i), (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->bank[i]);
+}
+
+void video_lines(struct draw_target *c)
+{
+    const struct lines *l = &c->b->lines;
+
+    EACH_LIVE (i, &l->s) {
+        fx x = l->x[i], y = l->y[i];
+        const bool screen = l->flags[i] & LINE_SCREEN;
+        if (l->flags[i] & LINE_HIDDEN || (l->follow[i] && !board_where(c->b, l->follow[i], &x, &y)))
+            continue;
+        if (screen)
+            fb_clip_all(c->fb);
+        else
+            fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
+        draw_line(c, i, (screen ? 0 : c->x) + fx_floor(x) + fx_floor(l->dx[i]),
+                  (screen ? 0 : c->y) + fx_floor(y) + fx_floor(l->dy[i]));
+        c->drawn++;
+    }
+    fb_clip_all(c->fb);
+}

@@ -1,0 +1,225 @@
+/*
+ * test_faces.c - fonts on their way into a ROM: which characters a script shows, BDF files and each way in which one is
+ * refused, pictures with a grid of cells, shadows, and the lump.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/board/rom/face.h"
+#include "../../src/cab/pack/bdf.h"
+
+static struct faces_set set;
+static struct faces f;
+static char err[512];
+
+static int count(void)
+{
+    int n = 0;
+
+    for (uint32_t c = 0; c <= UTF8_MAX; c++)
+        n += faces_has(&set, c);
+    return n;
+}
+
+static void test_set(void **state)
+{
+    static const char script[] =
+        "local a = 'x\xc3\xa9' -- \xc3\xa4 is not shown\n--[[ nor\n\xc3\xb6 ]] local b = \"\\\"--\\u{5f3e}\\\\\"\n"
+        "--[==[ ]] \xc3\xbc ]==] c = [[\xe5\xb9\x95]] d = '\\'\xc3\x9f";
+
+    (void)state;
+    memset(&set, 0, sizeof set);
+    faces_add_script(&set, script, sizeof script - 1);
+    assert_true(faces_has(&set, 0xe9) && faces_has(&set, 0x5f3e) && faces_has(&set, 0x5e55) && faces_has(&set, 0xdf));
+    assert_false(faces_has(&set, 0xe4) || faces_has(&set, 0xf6) || faces_has(&set, 0xfc));
+    assert_false(faces_has(&set, UTF8_MAX + 1) || faces_has(&set, UINT32_MAX));
+    for (size_t n = 0; n < sizeof script; n++) { /* nothing is read beyond the end */
+        char *cut = malloc(n + (n == 0));
+        memcpy(cut, script, n);
+        faces_add_script(&set, cut, n);
+        free(cut);
+    }
+    memset(&set, 0, sizeof set);
+    faces_add_text(&set, "a\xf4\x8f\xbf\xbf\xff", 6);
+    assert_true(faces_has(&set, 'a') && faces_has(&set, UTF8_MAX) && faces_has(&set, 0xff) && count() == 3);
+    faces_add_script(&set, "'\\u{110000}\\u{ffffffffff}'", 26);
+    assert_int_equal(count(), 3 + 5); /* {10f} */
+}
+
+#define HEAD                                                                                                           \
+    "STARTFONT 2.1\nFONT -x\nFONTBOUNDINGBOX 8 9 0 -2\nSTARTPROPERTIES 2\nFONT_ASCENT 7\nFONT_DESCENT 2\n"             \
+    "CHARSET_REGISTRY \"ISO10646\"\nENDPROPERTIES\nCHARS 3\n"
+#define LETTER_A "STARTCHAR A\nENCODING 65\nSWIDTH 1 0\nDWIDTH 5 0\nBBX 4 3 -1 0\nBITMAP\n90\n60\nF0\nENDCHAR\n"
+
+static void test_bdf(void **state)
+{
+    static const char text[] =
+        HEAD "STARTCHAR dan\r\nENCODING 24382\r\nDWIDTH 9 0\r\nBBX 9 1 0 -2\r\nBITMAP\r\n8080\r\nENDCHAR\r\n" LETTER_A
+             "STARTCHAR no\nENCODING -1 7\nDWIDTH 5 0\nBBX 1 1 0 0\nBITMAP\n80\nENDCHAR\n"
+             "STARTCHAR B\nENCODING 66\nDWIDTH 5 0\nBBX 1 1 0 0\nBITMAP\n80\nENDCHAR\n"
+             "STARTCHAR space\nENCODING 32\nDWIDTH 3 0\nBBX 0 0 0 0\nBITMAP\nENDCHAR\nENDFONT\n";
+
+    (void)state;
+    memset(&set, 0, sizeof set);
+    faces_add_text(&set, " A\xe5\xbc\xbe\xe5\xb9\x95", 8);
+    if (!bdf_read(&f, text, sizeof text - 1, &set, err, sizeof err))
+        fail_msg("%s", err);
+    assert_int_equal(f.n, 3);
+    assert_int_equal(f.height, 9);
+    const struct faces_glyph *a = &f.list[1], *dan = &f.list[2];
+    assert_true(a->code == 65 && a->w == 4 && a->h == 3 && a->x == -1 && a->y == 4 && a->advance == 5);
+    assert_memory_equal(a->pix, "\17\0\0\17\0\17\17\0\17\17\17\17", 12);
+    assert_true(dan->code == 0x5f3e && dan->w == 9 && dan->y == 8 && dan->pix[0] == 15 && dan->pix[8] == 15);
+    assert_true(f.list[0].code == 32 && f.list[0].w == 0 && f.list[0].advance == 3);
+
+    uint8_t *lump;
+    struct face face;
+    struct face_glyph g;
+    size_t size = faces_make(&f, &lump);
+    assert_int_equal(size, 8 + 3 * 16 + 3 * 8 + 16);
+    assert_true(face_open(&face, lump, size, err, sizeof err) && face.height == 9 && face.n == 3);
+    assert_true(face_find(&face, 65, &g) && g.w == 4 && g.h == 3 && g.pitch == 8 && g.x == -1 && g.y == 4);
+    assert_true(g.advance == 5 && g.pix[8 + 1] == 15 && g.pix[8 + 4] == 0);
+    assert_true(face_find(&face, 0x5f3e, &g) && g.pitch == 16 && face_find(&face, 32, &g) && g.advance == 3);
+    assert_false(face_find(&face, 66, &g) || face_find(&face, 0, &g) || face_find(&face, UINT32_MAX, &g));
+    free(lump);
+
+    assert_true(faces_shadow(&f));
+    assert_true(f.list[1].w == 5 && f.list[1].h == 4 && f.list[0].w == 0);
+    assert_memory_equal(f.list[1].pix, "\17\1\0\17\1\1\17\17\1\1\17\17\17\17\1\1\1\1\1\1", 20);
+    faces_close(&f);
+}
+
+static void refused(const char *text, const char *want)
+{
+    char *copy = malloc(strlen(text) + 1); /* of exactly this size */
+
+    memcpy(copy, text, strlen(text));
+    assert_false(bdf_read(&f, copy, strlen(text), &set, err, sizeof err));
+    assert_string_equal(err, want);
+    faces_close(&f);
+    free(copy);
+}
+
+static void test_bdf_refused(void **state)
+{
+    (void)state;
+    memset(&set, 0xff, sizeof set);
+    refused("", "line 0: expected STARTFONT, so it is no BDF");
+    refused("\x89PNG", "line 1: expected STARTFONT, so it is no BDF");
+    refused(HEAD, "line 9: the file ends without ENDFONT");
+    refused(HEAD "ENDFONT", "line 10: no characters");
+    refused("STARTFONT 2.1\nCHARSET_REGISTRY \"JISX0208.1983\"\n",
+            "line 2: expected a font by Unicode, \"ISO10646\", got \"JISX0208.1983\"");
+    refused("STARTFONT 2.1\nFONT_ASCENT many\n",
+            "line 2: expected 1 numbers from -128 to 128, got \"FONT_ASCENT many\"");
+    refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
+            "line 4: a line of 0 px (ascent 0, descent 0); expected 1 to 128");
+    refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends within a character");
+    refused(HEAD "STARTCHAR A\nENCODING 1114112\n",
+            "line 11: expected 1 numbers from -1 to 1114111, got \"ENCODING 1114112\"");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: a BITMAP without ENCODING and BBX before it");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 65 1 0 0\n",
+            "line 12: a character of 65x1 px; expected at most 64 each way");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 -1 0 0\n",
+            "line 12: a character of 8x-1 px; expected at most 64 each way");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 1 0 500\nBITMAP\n00\n", "line 13: U+0041 lies too far from the line");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 9 1 0 0\nBITMAP\n00\n",
+            "line 14: expected a row of 4 hexadecimal digits, got \"00\"");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 2 0 0\nBITMAP\n00\n", "line 14: the file ends within a BITMAP");
+    refused(HEAD LETTER_A LETTER_A "ENDFONT", "U+0041 is there twice");
+}
+
+/* A picture of two cells of 4 x 3 px, in bank 0 of the standard palette. */
+static void test_cells(void **state)
+{
+    static const char *const dots[] = { ".#..#...", ".##.#...", "........" };
+    static uint8_t rgb[CART_PALETTE], rgba[8 * 3 * 4];
+    static struct art_font font = { .w = 4, .h = 3, .chars = "\xc3\xa9i " };
+    struct art_picture picture = { rgba, 8, 3 };
+
+    (void)state;
+    memset(&set, 0xff, sizeof set);
+    art_default_palette(rgb);
+    for (int i = 0; i < 24; i++)
+        if (dots[i / 8][i % 8] == '#') {
+            memcpy(rgba + 4 * i, rgb + 3 * 15, 3);
+            rgba[4 * i + 3] = 255;
+        }
+    f = (struct faces){ 0 };
+    assert_false(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_string_equal(err, "8x3 pixels have room for 2 cells of 4x3; `chars` has 3 characters");
+    font.chars[3] = '\0';
+    assert_true(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_true(f.n == 2 && f.height == 3 && f.list[0].code == 0xe9 && f.list[0].w == 2 && f.list[0].advance == 3);
+    assert_memory_equal(f.list[0].pix, "\17\0\17\17\0\0", 6);
+    assert_true(f.list[1].code == 'i' && f.list[1].w == 1 && f.list[1].advance == 2);
+    faces_close(&f);
+    font.fixed = true;
+    set.bits[0xe9 / 8] = 0;
+    assert_true(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_true(f.n == 1 && f.list[0].code == 'i' && f.list[0].w == 4 && f.list[0].advance == 4);
+    faces_close(&f);
+    rgba[16] ^= 0x55;
+    assert_false(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_non_null(strstr(err, "pixel 4,0: colour #"));
+    assert_true(faces_cut(&f, &picture, &font, &set, rgb, true, err, sizeof err));
+    faces_close(&f);
+}
+
+static void spoilt(size_t at, uint8_t v, const char *want)
+{
+    static const char text[] = HEAD LETTER_A "STARTCHAR B\nENCODING 66\nDWIDTH 5 0\nBBX 1 1 0 0\nBITMAP\n80\nENDCHAR\n"
+                                             "ENDFONT";
+    struct face face;
+    uint8_t *lump;
+
+    memset(&set, 0xff, sizeof set);
+    assert_true(bdf_read(&f, text, sizeof text - 1, &set, err, sizeof err));
+    size_t size = faces_make(&f, &lump);
+    assert_true(face_open(&face, lump, size, err, sizeof err));
+    lump[at] = v;
+    assert_false(face_open(&face, lump, size, err, sizeof err));
+    assert_string_equal(err, want);
+    faces_close(&f);
+    free(lump);
+}
+
+static void test_lump(void **state)
+{
+    struct face face;
+
+    (void)state;
+    assert_false(face_open(&face, (const uint8_t *)"1234567", 7, err, sizeof err));
+    spoilt(0, 0, "its header is out of range");
+    spoilt(1, 1, "its header is out of range");
+    spoilt(2, 1, "its header is out of range");
+    spoilt(4, 9, "its header is out of range");
+    spoilt(7, 9, "its header is out of range");
+    spoilt(8, 66, "glyph 1 is not in the order of codes");
+    spoilt(12, 39, "glyph 0 is out of range");
+    spoilt(12, 72, "glyph 0 is out of range");
+    spoilt(15, 1, "glyph 0 is out of range");
+    spoilt(16, 65, "glyph 0 is out of range");
+    spoilt(17, 65, "glyph 0 is out of range");
+    spoilt(20, 129, "glyph 0 is out of range");
+    spoilt(21, 1, "glyph 0 is out of range");
+    spoilt(23, 1, "glyph 0 is out of range");
+    spoilt(40, 16, "glyph 0 is out of range");
+    spoilt(44, 1, "glyph 0 is out of range"); /* beyond its width */
+    spoilt(64, 255, "glyph 1 is out of range");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_set),   cmocka_unit_test(test_bdf),  cmocka_unit_test(test_bdf_refused),
+        cmocka_unit_test(test_cells), cmocka_unit_test(test_lump),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

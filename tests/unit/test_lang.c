@@ -1,0 +1,162 @@
+/*
+ * test_lang.c - language files: what is read of them, each way in which one is refused, and the lump that is made.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/board/rom/words.h"
+#include "../../src/cab/pack/lang.h"
+
+static struct lang l;
+static char err[512];
+
+static void good(const char *text, const char *const *pairs, int n)
+{
+    uint8_t *lump;
+    struct words w;
+
+    if (!lang_read(&l, text, strlen(text), "lang/de.txt", err, sizeof err))
+        fail_msg("%s", err);
+    assert_int_equal(l.n, n);
+    size_t size = lang_make(&l, &lump);
+    assert_true(size > 0 && words_open(&w, lump, size, err, sizeof err));
+    for (int i = 0; i < n; i++) {
+        const char *words = words_find(&w, pairs[2 * i], strlen(pairs[2 * i]));
+        assert_non_null(words);
+        assert_string_equal(words, pairs[2 * i + 1]);
+    }
+    assert_null(words_find(&w, "none", 4));
+    assert_null(words_find(&w, "", 0));
+    for (int i = 0; i < n; i++) { /* neither a part of a text, nor one with more behind it */
+        char more[64];
+        size_t m = strlen(pairs[2 * i]);
+        snprintf(more, sizeof more, "%s!", pairs[2 * i]);
+        assert_null(words_find(&w, more, m + 1));
+        assert_null(words_find(&w, pairs[2 * i], m - 1));
+    }
+    free(lump);
+    lang_close(&l);
+}
+
+static void refused(const char *text, size_t n, const char *want)
+{
+    assert_false(lang_read(&l, text, n, "lang/de.txt", err, sizeof err));
+    assert_string_equal(err, want);
+    lang_close(&l);
+}
+
+#define REFUSED(text, want) refused(text, sizeof(text) - 1, want)
+
+static void test_read(void **state)
+{
+    static const char *const some[] = {
+        "Hello",       "Gr\xc3\xbc\xc3\x9f Gott", "a=b", "c=d", "#1", "no. 1", "two", " words ", "x", "a\nb\\", "Z",
+        "\xe5\xbc\xbe"
+    };
+
+    (void)state;
+    good("", NULL, 0);
+    good("# nothing = here\n\n \t \r\n  # nor here", NULL, 0);
+    good("two = \\ words\\ \nHello = Gr\xc3\xbc\xc3\x9f Gott\r\n# comment\n\ta\\=b\t=c=d\n\\#1=no. 1\nx=a\\nb\\\\\n"
+         "Z= \xe5\xbc\xbe ",
+         some, 6);
+}
+
+static void test_refused(void **state)
+{
+    static char text[WORDS_TEXT + 64];
+
+    (void)state;
+    REFUSED("a = b\nHello", "lang/de.txt:2: expected text = words, got \"Hello\"");
+    REFUSED("a\\= b", "lang/de.txt:1: expected text = words, got \"a\\= b\"");
+    REFUSED("a =", "lang/de.txt:1: expected words behind the =");
+    REFUSED("\n= a", "lang/de.txt:2: expected a text before the =");
+    REFUSED("a = \\q", "lang/de.txt:1: \\q is no escape (there are \\n \\= \\# \\\\ and \\ before a blank)");
+    REFUSED("a = b\\", "lang/de.txt:1: \\ is no escape (there are \\n \\= \\# \\\\ and \\ before a blank)");
+    REFUSED("a = b\xff", "lang/de.txt:1: expected UTF-8, got the byte 255");
+    REFUSED("a = \xed\xa0\x80", "lang/de.txt:1: expected UTF-8, got the byte 237");
+    REFUSED("a = b\0c", "lang/de.txt:1: the control character U+0000");
+    REFUSED("a = \xc2\x85", "lang/de.txt:1: the control character U+0085");
+    REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: \"b\" stands in line 1 already");
+    memset(text, 'x', sizeof text);
+    memcpy(text, "a = ", 4);
+    refused(text, 4 + WORDS_TEXT, "lang/de.txt:1: a text of 1024 bytes; one has 1023 at most");
+    assert_true(lang_read(&l, text, 3 + WORDS_TEXT, "lang/de.txt", err, sizeof err));
+    lang_close(&l);
+}
+
+static void test_many(void **state)
+{
+    char *text = calloc(WORDS_MAX + 1, 16);
+    size_t n = 0;
+
+    (void)state;
+    for (int i = 0; i <= WORDS_MAX; i++)
+        n += (size_t)sprintf(text + n, "%d=%d\n", i, i);
+    refused(text, n, "lang/de.txt:16385: more than 16384 texts");
+    n = (size_t)(strstr(text, "16384=") - text);
+    assert_true(lang_read(&l, text, n, "lang/de.txt", err, sizeof err));
+    assert_int_equal(l.n, WORDS_MAX);
+    lang_close(&l);
+    free(text);
+    text = calloc(1, LANG_FILE + 1);
+    memset(text, ' ', LANG_FILE + 1);
+    refused(text, LANG_FILE + 1, "lang/de.txt: longer than 1048576 bytes");
+    assert_true(lang_read(&l, text, LANG_FILE, "lang/de.txt", err, sizeof err));
+    lang_close(&l);
+    free(text);
+}
+
+static void lump_refused(const uint8_t *data, size_t size, const char *want)
+{
+    struct words w;
+
+    assert_false(words_open(&w, data, size, err, sizeof err));
+    assert_string_equal(err, want);
+}
+
+static void test_lump(void **state)
+{
+    static const char text[] = "a = bb\nc = d\n";
+    uint8_t *lump, *bad;
+    size_t size;
+
+    (void)state;
+    assert_true(lang_read(&l, text, sizeof text - 1, "x", err, sizeof err));
+    size = lang_make(&l, &lump);
+    bad = malloc(size);
+    assert_int_equal(size, 4 + 16 + 2 + 3 + 2 + 2);
+    lump_refused(lump, 3, "3 bytes are not 0 texts");
+    lump_refused(lump, 19, "19 bytes are not 2 texts");
+    lump_refused(lump, size - 1, "28 bytes are not 2 texts");
+    for (uint32_t k = 0; k < 4; k++) {
+        memcpy(bad, lump, size);
+        bytes_put32(bad + 4 + 4 * k, (uint32_t)size);
+        lump_refused(bad, size, k < 2 ? "text 0 is not in it" : "text 1 is not in it");
+        bytes_put32(bad + 4 + 4 * k, 19);
+        lump_refused(bad, size, k < 2 ? "text 0 is not in it" : "text 1 is not in it");
+    }
+    memcpy(bad, lump, size);
+    bytes_put32(bad + 12, bytes_get32(bad + 4));
+    lump_refused(bad, size, "text 1 is not in byte order");
+    free(bad);
+    free(lump);
+    lang_close(&l);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_read),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_many),
+        cmocka_unit_test(test_lump),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
