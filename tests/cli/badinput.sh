@@ -326,7 +326,8 @@ bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected ea
     --difficulty insane
 bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
 bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lists all names)' help lua nothing
-bad 'help of a Lua name, near one' 'help lua: there is no "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
+bad 'help of a Lua name, near one' \
+    'help lua: there is no "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }
 check 'help of a step' where home 'in each step of motion.def:'
 check 'help of a property' where frozen 'property of an enemy: '

@@ -134,10 +134,12 @@ both 'reverse of much' 'local s = ("x"):rep(4000) while true do s:reverse() end'
 
 both '__gc' 'setmetatable({}, { ["__" .. "gc"] = print })' 'setmetatable: a metatable may not have __gc'
 both '__mode' 'setmetatable({}, { ["__" .. "mode"] = "k" })' 'setmetatable: a metatable may not have __mode'
-both 'xpcall' 'xpcall(print, print)' 'undeclared global "xpcall"'
-both 'coroutine' 'coroutine.wrap(print)()' 'undeclared global "coroutine"'
-both 'collectgarbage' 'collectgarbage()' 'undeclared global "collectgarbage"'
-both 'debug' 'debug.sethook()' 'undeclared global "debug"'
+both 'xpcall' 'xpcall(print, print)' 'undeclared global "xpcall" (not available: pcall catches what error raises)'
+both 'coroutine' 'coroutine.wrap(print)()' \
+    'undeclared global "coroutine" (not available: task.go starts a task, wait(n) lets frames pass)'
+both 'collectgarbage' 'collectgarbage()' \
+    'undeclared global "collectgarbage" (not available: the board collects between frames)'
+both 'debug' 'debug.sethook()' 'undeclared global "debug" (not available: print and board.note tell what happens)'
 bomb '__gc into a metatable in use' 'a metatable in use may not have __gc' <<'LUA'
 local m = {}
 local t = setmetatable({}, m)

@@ -166,7 +166,8 @@ static bool help_thing(int kind, void (*line)(const char *))
     return true;
 }
 
-/* Where a word lives that no name begins with: "home" in the steps of motion.def, "frozen" in things, "ring" in pattern. */
+/* Where a word lives that no name begins with: "home" in the steps of motion.def, "frozen" in things, "ring" in
+ * pattern. */
 static bool help_word(const char *word, void (*line)(const char *))
 {
     char text[400];
