@@ -36,13 +36,13 @@ static const struct home homes[] = {
     HOME("steps", "chips/motion.h", steps),
     HOME("sprites", "chips/sprites.h", sprites),
     HOME("fix", "chips/fix.h", fix),
-    HOME("lines", "chips/lines.h", lines),
     HOME("pal", "chips/pal.h", pal),
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
     HOME("spark_kinds", "chips/sparks.h", spark_kinds),
     HOME("items", "chips/items.h", items),
     HOME("item_kinds", "chips/items.h", item_kinds),
+    HOME("lines", "chips/lines.h", lines),
 };
 
 /* A file without its comments. */
