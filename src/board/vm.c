@@ -164,10 +164,14 @@ static void report_shortage(const struct board *b, struct board_fault *f)
 /* The last name in a message that ends in "(field 'NAME')" and is about nil; false: it does not. */
 static bool nil_field(const char *message, char *name, size_t size)
 {
-    const char *field = strstr(message, "a nil value (field '");
-    size_t n = field ? strcspn(field += strlen("a nil value (field '"), "'") : 0;
+    const char *field = strstr(message, "a nil value (field '"), *end;
 
-    if (!n || n >= size || strcmp(field + n, "')") != 0)
+    if (!field)
+        return false;
+    field += strlen("a nil value (field '");
+    end = strchr(field, '\'');
+    size_t n = end ? (size_t)(end - field) : 0;
+    if (!n || n >= size || strcmp(end, "')") != 0)
         return false;
     snprintf(name, size, "%.*s", (int)n, field);
     return true;
