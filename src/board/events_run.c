@@ -2,10 +2,10 @@
  * events_run.c - see events_run.h.
  *
  * Handlers are in the Lua registry: a list of functions for each event that has any, and a table of functions by enemy
- * kind ("on_hit 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), by item kind ("item's on_take 3"), or by enemy (slot + 1;
- * every spawn sets it, so that none is left of the slot's last tenant); and there are lists of drops ("drops 3",
- * "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they are applied in the same frame,
- * after those raised before.
+ * kind ("on_hit 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), by item kind ("item's
+ * on_take 3"), or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant); and there
+ * are lists of drops ("drops 3", "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they
+ * are applied in the same frame, after those raised before.
  */
 #include "events_run.h"
 #include <string.h>

@@ -823,7 +823,11 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 1000 : entry->count > 16 ? 1500 : entry->count > 8 ? 600 : entry->count > 4 ? 260 : 240);
+        int n = trials(entry->flags & API_FIRE ? 1000
+                       : entry->count > 16     ? 1500
+                       : entry->count > 8      ? 600
+                       : entry->count > 4      ? 260
+                                               : 240);
         for (int k = 0; k < n; k++)
             try_once(entry->name, entry->flags & API_LOAD, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight"); /* too long */
