@@ -77,7 +77,10 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
+    PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
+    PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
+    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -184,6 +187,7 @@ static void set_up(struct board *b)
     const uint8_t *rgb = cart_palette(&b->cart, "main");
     for (int i = 0; i < COLOURS; i++, rgb += 3)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
+    bg_clear(&b->bg, &b->bg_lines);
     tasks_empty(&b->tasks);
 }
 
@@ -430,8 +434,10 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     fine = fine && vm_call(b, events_run);
     phase_done(b, PHASE_EVENTS);
     if (fine) {
-        if (!b->core.frozen)
+        if (!b->core.frozen) {
+            bg_step(&b->bg);
             pal_step(&b->pal);
+        }
         b->core.frame++;
         if (!b->core.frozen)
             next_frame(b);

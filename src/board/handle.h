@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-/* The last three are groups: of bullets, of shots, of enemies. Their slot is a tag, 0: all. */
+/* H_GROUP, H_SHOTS and H_ENEMIES are groups: of bullets, of shots, of enemies. Their slot is a tag, 0: all. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,
@@ -22,6 +22,8 @@ enum handle_kind {
     H_GROUP,
     H_SHOTS,
     H_ENEMIES,
+    H_LAYER, /* of the background; its slot is that of struct bg */
+    H_PLANE,
     HANDLES
 };
 

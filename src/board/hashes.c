@@ -14,8 +14,17 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
+/* A part that a game has no room for and that is not there always: its hash is 0, and in no other hash. So a new chip
+ * is another game for those games alone that ask for it. */
+static bool is_absent(const struct board *b, int i)
+{
+    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap;
+}
+
 uint64_t board_part_hash(const struct board *b, int i)
 {
+    if (is_absent(b, i))
+        return 0;
     return slots_hash(machine_parts[i].chip, chip_at(b, i));
 }
 
@@ -30,7 +39,7 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
-        if (!machine_parts[i].chip->unhashed)
+        if (!machine_parts[i].chip->unhashed && !(i >= PARTS_ALWAYS && !hashes[i]))
             h = hash_fold(h, hashes[i]);
     return h;
 }
@@ -71,6 +80,8 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
                                                        : N_ENEMY_VALUE;
     struct renamed r = { b, names, visit, context };
 
+    if (is_absent(b, i))
+        return;
     if (chip == &bullets_chip || chip == &shots_chip || chip == &enemies_chip)
         slots_values(chip, chip_at(b, i), visit_renamed, &r);
     else
@@ -119,7 +130,9 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
-        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
+        if (is_absent(b, i))
+            hashes[i] = 0;
+        else if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

@@ -14,6 +14,7 @@
 #define BOARD_MACHINE_H
 
 #include "../base/rng.h"
+#include "../chips/bg.h"
 #include "../chips/bullets.h"
 #include "../chips/enemies.h"
 #include "../chips/events.h"
@@ -111,6 +112,9 @@ struct board {
     struct nvram nvram;
     struct sparks sparks;
     struct spark_kinds spark_kinds;
+    struct bg bg;
+    struct bg_lines bg_lines;
+    struct bg_shades bg_shades;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -118,7 +122,10 @@ struct part {
     const struct chip *chip;
     size_t at, size; /* of the struct, in struct board */
 };
-enum { PARTS = 20 };
+enum {
+    PARTS = 23,
+    PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
+};
 extern const struct part machine_parts[PARTS];
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */

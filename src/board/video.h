@@ -34,6 +34,12 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
+/* The background: what lies behind everything, or what is in front of all sprites. */
+void video_bg(struct draw_target *c, bool front);
+
+/* Does the background cover the whole field? Then nobody needs to clear it. */
+bool video_bg_covers(const struct board *b);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);
 

@@ -25,6 +25,7 @@ static const char world[] =
     "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, spots = { { "
     "1, "
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
+    "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
     "}\n"
     "stage.def('s', function() wait(forever) end)\n"
@@ -58,7 +59,8 @@ static const char world[] =
     "  t[#t + 1] = motion.def { { wait = i } }\n"
     "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
     "end\n"
-    "t[#t + 1] = task.scope()\n"
+    "t[#t + 1] = task.scope() t[#t + 1] = bg.layer(3) t[#t + 1] = bg.plane()\n"
+    "bg.def('deep', function() bg.layer(1).map = 'sea' wait(5) bg.plane().map = 'reef' end)\n"
     "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
     "t[#t]:remove()\n"
     "stage.play('s')\n";
@@ -311,7 +313,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
                *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
                *const fires[] = { "bullet", "shot" }, *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" };
+               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
+               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -434,6 +437,12 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MEET:
         push_from(L, meets, 4);
+        break;
+    case A_MAP:
+        push_from(L, maps, 2);
+        break;
+    case A_DEPTH:
+        push_from(L, depths, 2);
         break;
     case A_FIRE:
         push_from(L, fires, 2);
@@ -1038,9 +1047,10 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = 1;
+    m.frozen = m.meet = m.bg = 1;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
+    rig_maps(&g);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

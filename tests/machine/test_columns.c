@@ -40,6 +40,9 @@ static const struct home homes[] = {
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
     HOME("spark_kinds", "chips/sparks.h", spark_kinds),
+    HOME("bg", "chips/bg.h", bg),
+    HOME("bg_lines", "chips/bg.h", bg_lines),
+    HOME("bg_shades", "chips/bg.h", bg_shades),
 };
 
 /* A file without its comments. */
@@ -326,30 +329,36 @@ static bool has_room(struct board *b)
 }
 
 /* A scene in which every part has live slots, and pools have dead ones between. */
-static const char scene[] =
-    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
-    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
-    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 } })\n"
-    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
-    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
-    "stage.def('s', function()\n"
-    "  for i = 1, 20 do\n"
-    "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"
-    "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"
-    "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"
-    "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"
-    "    e:move { x = 100, y = 100, over = 100 }\n"
-    "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"
-    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "
-    "end)\n"
-    "  end\n"
-    "  text.put { col = 1, row = 1, text = 'words' }\n"
-    "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"
-    "  save.set('key', 1)\n"
-    "  wait(forever)\n"
-    "end)\n"
-    "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+#define SCENE(scenery) "local scenery = " scenery "\n" SCENE_TEXT
+#define SCENE_TEXT                                                                                                     \
+    "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"                                                    \
+    "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"                                 \
+    "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"                                       \
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 } })\n"                     \
+    "spark.def('glow', { sprite = 'dot', life = 500 })\n"                                                              \
+    "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"              \
+    "stage.def('s', function()\n"                                                                                      \
+    "  for i = 1, 20 do\n"                                                                                             \
+    "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"          \
+    "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"                                    \
+    "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"                                             \
+    "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"                                                     \
+    "    e:move { x = 100, y = 100, over = 100 }\n"                                                                    \
+    "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"                                        \
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "  \
+    "end)\n"                                                                                                           \
+    "  end\n"                                                                                                          \
+    "  text.put { col = 1, row = 1, text = 'words' }\n"                                                                \
+    "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"                          \
+    "  save.set('key', 1)\n"                                                                                           \
+    "  if scenery then\n"                                                                                              \
+    "    bg.lines(2, { 1, 2, 3 })\n"                                                                                   \
+    "    bg.plane().fog = { to = 0, far = 9 }\n"                                                                       \
+    "  end\n"                                                                                                          \
+    "  wait(forever)\n"                                                                                                \
+    "end)\n"                                                                                                           \
+    "boot.run { stages = { 's' }, players = { 'ship' } }\n"
+static const char scene[] = SCENE("false"), with_scenery[] = SCENE("true");
 
 static void test_flips(void **state)
 {
@@ -364,8 +373,8 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.around = m.frozen = m.meet = 1;
-    rig_script(&g, &m, scene);
+    m.hp = m.around = m.frozen = m.meet = m.bg = 1;
+    rig_script(&g, &m, with_scenery);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
     assert_true(has_room(r.b));

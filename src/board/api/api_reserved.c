@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser item option bomb game talk say choose bg screen sound music unlock test" },
+    { "", '.', "laser item option bomb game talk say choose screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start take bomb continue" },
@@ -20,7 +20,7 @@ static const struct {
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
-    { "boss.def phase", '{', "armour bg bonus_to clear cut_in down drops last music safe talk" },
+    { "boss.def phase", '{', "armour bonus_to clear cut_in down drops last music safe talk" },
     { "bullet.clear", '{', "items lasers" },
     { "bullet.def", '{', "drops" },
     { "enemy.def", '{', "parts rate" },
@@ -65,6 +65,7 @@ static const struct {
     const char *line;
 } optional[] = {
     { "item items", offsetof(struct manifest, items), "board = { items = 512 }" },
+    { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)

@@ -101,7 +101,10 @@ static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL 
                                           { "spell", A_STR, OPT, 0, 127, NULL, NULL },
                                           { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
                                           { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                          { "rest", A_INT, OPT, 0, 65535, "frames", "60" } };
+                                          { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
+                                          { "bg", A_STR, OPT, 0, 0, NULL, NULL } };
+static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
+                                            { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
 static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
@@ -159,19 +162,24 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL, "declares a boss: phases = { { id, hp, time, run, ... }, ... }"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL, "one phase of boss.def"),
     LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
+    LUA("bg.def", stage_def, 2, API_LOAD, NULL,
+        "declares a background: a task that sets up layers and plane, which are all off when it begins"),
+    LUA("bg.show", bg_show, 1, 0, NULL,
+        "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_player, api_screen, api_rng, api_query,
-    api_save, api_board, api_sys;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,
-                                                 &api_save,   &api_board,  &api_sys,   &api_std };
+    api_save, api_board, api_bg, api_sys;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
+                                                 &api_bg,     &api_sys,    &api_std };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
-    api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing;
+    api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_layer_thing,
+    api_plane_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -182,4 +190,6 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_motion_thing,
                                                       &api_group_thing,
                                                       &api_shots_thing,
-                                                      &api_enemies_thing };
+                                                      &api_enemies_thing,
+                                                      &api_layer_thing,
+                                                      &api_plane_thing };

@@ -20,6 +20,7 @@ static const struct {
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
     { "boss", " boss ", NULL, NULL },
+    { "bg", " bg ", " def show ", "bg" },
     { "hud", " hud ", NULL, NULL },
     { "menu", " menu ", NULL, NULL },
     { "boot", " boot ", NULL, NULL },

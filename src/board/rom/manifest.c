@@ -57,6 +57,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
     FLAG("board.meet", meet),
     NUMBER("board.items", items, 0, 1 << 16),
+    FLAG("board.bg", bg),
 };
 
 void manifest_default(struct manifest *m)

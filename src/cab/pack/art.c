@@ -75,7 +75,7 @@ static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off
     return best;
 }
 
-/* The shade of pixel (x, y), 0 for a transparent one; -1 with a sentence. */
+/* art_shade, which every pixel of every sprite goes through. */
 static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
                     size_t err_size)
 {
@@ -90,6 +90,12 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
     err_set(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
             colour[0], colour[1], colour[2], bank);
     return -1;
+}
+
+int art_shade(const struct art_picture *picture, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+              size_t err_size)
+{
+    return shade_of(picture, x, y, bank, rgb, nearest, err, err_size);
 }
 
 bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,

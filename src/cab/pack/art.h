@@ -25,6 +25,10 @@ void art_default_palette(uint8_t rgb[CART_PALETTE]);
 /* A 16x16 picture, a row a bank, a column a shade. */
 bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size);
 
+/* The shade of pixel (x, y) in the bank, 0 for a transparent one; -1 with a sentence. */
+int art_shade(const struct art_picture *picture, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+              size_t err_size);
+
 /* The font lump of a picture 128 px wide: 8x8 cells, 16 a row, in the colours of bank 0. *out is malloc. */
 bool art_make_font(const struct art_picture *picture, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size);
