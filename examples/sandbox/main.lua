@@ -3,6 +3,7 @@ require "kinds"
 require "glow"
 require "looks"
 require "moves"
+require "scenes"
 local try = require "try"
 
 stage.def("try", function()

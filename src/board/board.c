@@ -716,6 +716,8 @@ bool board_alive(const struct board *b, int64_t h)
         return slot < PADS && b->player.in[slot] && b->player.gen[slot] == gen;
     if (kind == H_TASK)
         return tasks_alive(b, slot, gen);
+    if (kind == H_LAYER || kind == H_PLANE)
+        return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
     if (kind == H_ENEMY && slots_has(s, slot, gen))
         return !(b->enemies.flags[slot] & ENEMY_GONE);
     return s ? slots_has(s, slot, gen) : gen != 0;

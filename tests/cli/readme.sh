@@ -5,7 +5,7 @@
 
 blocks README.md
 for art in examples/*/art/*.png; do
-    [ "$art" != examples/sandbox/art/glow.png ] || continue # its own: tests/house/art.sh
+    case $art in examples/sandbox/art/glow.png | examples/sandbox/art/tiles.png) continue ;; esac # tests/house/art.sh
     check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
 done
 files() { ls "$scratch/blocks" | grep -c '\.file$'; }

@@ -15,9 +15,13 @@ compare() { # WHAT ROM MODE
     same "$2 has no picture that $1 does not draw" "$(ls "$repo/roms/$2/art")" "$(ls "$dir")"
 }
 
-glow() { # WHAT
-    mkdir -p "$1-glow" && "./$1" "$1-glow" glow &&
-        python3 "$repo/tests/golden/png.py" "$repo/examples/sandbox/art/glow.png" "$1-glow/glow.png" difference.png
+own() { # WHAT
+    local picture
+    mkdir -p "$1-own" && "./$1" "$1-own" glow || return
+    for picture in glow tiles; do
+        python3 "$repo/tests/golden/png.py" "$repo/examples/sandbox/art/$picture.png" "$1-own/$picture.png" \
+            difference.png || return
+    done
 }
 
 icons() { # WHAT
@@ -36,7 +40,7 @@ for cc in gcc clang; do
     compare art-$cc glasstide
     compare art-$cc testcard card
     compare art-$cc bench bench
-    check "the sandbox's glow is what art-$cc draws" glow art-$cc
+    check "the sandbox's own pictures are what art-$cc draws" own art-$cc
     check "the icons are what art-$cc draws" icons art-$cc
 done
 finish

@@ -89,6 +89,7 @@ struct sheet art_font(void);
 struct sheet art_card(void);
 struct sheet art_bench(void);
 struct sheet art_glow(void);
+struct sheet art_tiles(void);
 /* The program's icon, size x size pixels, 48 or 64. */
 struct sheet art_icon(int size);
 
