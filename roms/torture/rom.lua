@@ -6,6 +6,11 @@ return {
   board = { bullets = 200, shots = 40, enemies = 24, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
             meet = true },
+  blends = { mist = { mix = 40 } },
+  maps = {
+    tiled = { tiles = "art/card.png", rows = { { 1, 2, 0 }, { 3, 4, 1 } } },
+    whole = { tiles = "art/card.png", size = 8, rows = { { 9, 10 } } },
+  },
   palette = "art/palette.png", font = "art/font.png",
   sheets = { card = { file = "art/card.png", bank = 0 } },
   sprites = {

@@ -368,8 +368,8 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-/* Runs module i, @std/NAME, if the ROM has it and what it adds to is on, with sys and binds what it returns: prelude's entries one by one, the others under
- * their name. */
+/* Runs module i, @std/NAME, if the ROM has it and what it adds to is on, with sys and binds what it returns: prelude's
+ * entries one by one, the others under their name. */
 static void load_std(lua_State *L, int i, int sys)
 {
     const char *name = std_module(i);

@@ -80,8 +80,8 @@ void bg_step(struct bg *b);
 /* Gives layer i a list of n px offsets, n at most the room there is a layer; 0: none. */
 void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *px, uint32_t n);
 
-/* How far line y of the field is moved aside in layer i: the list's entry, which starts over at its end, and the wave's.
- */
+/* How far line y of the field is moved aside in layer i: the list's entry, which starts over at its end, plus the
+ * wave's. */
 fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y);
 
 /* Fills BG_SHADES tables of 256: of the colours of rgb (256 x R G B), in table k that nearest to what is (k + 1) /

@@ -1,6 +1,6 @@
 /*
- * fuzz_map.c - libFuzzer: any bytes as a map. The first byte chooses the reader: a .tmx, one with a layer's name, or CSV
- * whose tiles count from 0 or 1. What is read is made into a lump with a small sheet.
+ * fuzz_map.c - libFuzzer: any bytes as a map. The first byte chooses the reader: a .tmx, one with a layer's name, or
+ * CSV whose tiles count from 0 or 1. What is read is made into a lump with a small sheet.
  */
 #include <stdlib.h>
 #include <string.h>

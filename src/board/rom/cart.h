@@ -11,9 +11,10 @@
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
- *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero bytes): columns
- *                         * rows tile numbers, u16, row by row; a byte a tile, 1 if none of its pixels is transparent;
- *                         then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all tiles in it are solid
+ *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
+ *                         bytes); columns * rows tile numbers, u16, row by row; a byte a tile, 1 if none of its pixels
+ *                         is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all
+ *                         tiles in it are solid
  *         demo/X          demos
  *         data/X          text files for rom.text
  */

@@ -1,6 +1,6 @@
 /*
- * map_tmx.c - reads Tiled's maps, https://doc.mapeditor.org/en/stable/reference/tmx-map-format/: the tags that matter of
- * an XML file, one after the other. What a map can have that is not read is refused by name, where it would be seen.
+ * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/): the tags that matter
+ * of an XML file, one after the other. What a map can have that is not read is refused by name, where it would be seen.
  */
 #include "map.h"
 
