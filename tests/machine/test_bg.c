@@ -480,6 +480,64 @@ static void test_off(void **state)
     rig_game_free(&g);
 }
 
+/* A map that is wrong is refused when the ROM is opened: byte `at` of map/reef, counted from its end if negative. */
+static void test_lumps(void **state)
+{
+    static const struct {
+        int at, value;
+        const char *said;
+    } bad[] = {
+        { 0, 0, "its header is out of range" },
+        { 4, 9, "its header is out of range" },
+        { 8, 16, "its header is out of range" },
+        { 12, 1, "its header is out of range" },
+        { 10, 1, "it says wrongly whether it has holes" },
+        { 10, 2, "its header is out of range" },
+        { 2, 5, "bytes long, its header says" },
+        { 16, 4, "cell 0 is tile 4 of 4" },
+        { 17, 1, "cell 0 is tile 256 of 4" },
+        { 57, 1, "tile 1 is not what the map says of it" },
+        { 58, 0, "tile 2 is not what the map says of it" },
+        { 60, 49, "tile 0 is not what the map says of it" },
+        { -1, 17, "tile 3 is not what the map says of it" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct manifest m = rig_manifest();
+        struct rig_game g;
+        struct lump lumps[64];
+        struct cart cart;
+        char err[256] = "";
+        m.bg = 1;
+        rig_script(&g, &m, "local a = 1");
+        rig_maps(&g);
+        struct rig_game had = g;
+        const int n = (int)had.image.rom.count;
+        uint8_t *copy = NULL;
+        for (int k = 0; k < n; k++) {
+            rom_lump(&had.image.rom, k, &lumps[k]);
+            if (strcmp(lumps[k].name, "map/reef"))
+                continue;
+            copy = malloc(lumps[k].size);
+            memcpy(copy, lumps[k].data, lumps[k].size);
+            copy[bad[i].at < 0 ? (int)lumps[k].size + bad[i].at : bad[i].at] = (uint8_t)bad[i].value;
+            lumps[k].data = copy;
+        }
+        const size_t size = rom_write_size(lumps, n);
+        uint8_t *image = malloc(size);
+        struct rom rom;
+        rom_write(image, lumps, n);
+        assert_true(rom_open(&rom, image, size, err, sizeof err));
+        assert_false(cart_open(&cart, &rom, err, sizeof err));
+        if (!strstr(err, "lump \"map/reef\": ") || !strstr(err, bad[i].said))
+            fail_msg("%zu: %s", i, err);
+        free(image);
+        free(copy);
+        rig_game_free(&g);
+    }
+}
+
 static void test_said(void **state)
 {
     static const char *const said[][2] = {
@@ -520,7 +578,7 @@ int main(void)
         cmocka_unit_test(test_plain),  cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
         cmocka_unit_test(test_shades), cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
         cmocka_unit_test(test_show),   cmocka_unit_test(test_phase),  cmocka_unit_test(test_off),
-        cmocka_unit_test(test_said),
+        cmocka_unit_test(test_said),   cmocka_unit_test(test_lumps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
