@@ -6,7 +6,7 @@ curtain=${1:-build/curtain-null}
 at=$(mktemp -d)
 trap 'rm -rf "$at"' EXIT
 mkdir -p docs/images
-"$curtain" render roms/glasstide --demo roms/glasstide/demos/run.demo --frames 2600,8000,12800 -o "$at/play"
+"$curtain" render roms/glasstide --demo roms/glasstide/demos/run.demo --frames 3360,9690,13200 -o "$at/play"
 python3 tools/pictures.py 2 docs/images/glasstide.png "$at"/play/*.png
 "$curtain" render roms/testcard --frames 120 -o "$at/card"
 python3 tools/pictures.py 2 docs/images/testcard.png "$at"/card/*.png
@@ -23,8 +23,8 @@ look() { # NAME: standard input are the keys; the last picture before quitting
     (cd "$at" && XDG_DATA_HOME="$at" KEYS_PPM=$(wc -l <keys) ./player play "$OLDPWD/roms/glasstide" \
         --demo "$OLDPWD/roms/glasstide/demos/run.demo" <keys >/dev/null 2>&1 && mv picture.ppm "$1.ppm")
 }
-frame=2600 h=11 g=10 n=17 backquote=53 enter=40
-{ keys $frame ""; keys 1 $h; keys 5 "~${mouse:-91,118}"; } | look 1
+frame=2620 h=11 g=10 n=17 backquote=53 enter=40
+{ keys $frame ""; keys 1 $h; keys 5 "~${mouse:-76,120}"; } | look 1
 { keys $frame ""; keys 1 $g; keys 1 ""; keys 1 $n; keys 3 ""; } | look 2
 { keys $((frame + 3)) ""; keys 1 $backquote; keys 1 ""
   for line in "board.live 'bullets', player.get(1).x" "bullet.fire { kind = 'ryce', x = 1, y = 2, speed = 1 }" \

@@ -38,6 +38,10 @@ local motions = {
   orbit = motion.def { { orbit = 4, at = { 128, 8 }, spin = 1, over = forever } },
   wave = motion.def { { wave = 4, every = 60, over = forever } },
   bounce = motion.def { { bounce = forever } },
+  await = motion.def { { wait_for = { near = 0 } } },
+  signal = motion.def { { wait_for = { tag = "all" } } },
+  path = ever { path = path.def { { x = 0, y = 0 }, { x = 1, y = 1, over = 60 }, { x = 0, y = 0, over = 60 } } },
+  emit = ever({ emit = { pattern = "ring", n = 63, kind = "d8", speed = 0.001, motion = gone } }, { wait = 1 }),
 }
 if price == "around" then motions.around = motion.def { { orbit = 4, spin = 1, over = forever } } end
 if price == "named" then motions.named = ever { turn = "curl", over = 60 } end
@@ -146,7 +150,7 @@ local function each_frame(n)
   local one = fires[price]
   if one then return function() for i = 1, n do one(i) end end end
   if figures[price] then return draw(n) end
-  fire_all(n)
+  fire_all(price == "emit" and n // 64 or n) -- what those fire is gone in the next frame
   local p = player.get(1)
   return shapes[price] and function() p.x, p.y = 160, 120 end or verbs[price]
 end

@@ -129,6 +129,9 @@ extern const int api_module_count;
 /* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 
+/* The entry whose name is nearest to that; NULL: none is near. */
+const char *api_help_near(const char *name);
+
 /* The number of entries, and the i-th one. */
 int api_count(void);
 const struct api_entry *api_entry(int i);
@@ -157,5 +160,13 @@ const char *api_reserved_row(int i, const char **of, char *how);
 /* The names scripts see of a library of Lua's ("math"; "": the globals), with blanks between; NULL: there is no such
  * library. */
 const char *api_library_names(const char *library);
+
+/* What to use in place of a name that Lua has elsewhere and this board has not: the field of a library, or a global
+ * (space NULL); NULL: it is none. And of a field of that name, of whichever library: *space is that. */
+const char *api_instead(const char *space, const char *name);
+const char *api_instead_field(const char *name, const char **space);
+
+/* Is it a property of a thing that can be gone? */
+bool api_dies(const char *name);
 
 #endif

@@ -398,7 +398,7 @@ static int move_and_hit(lua_State *L)
     vm_charge(L, b->bullets.ran + b->shots.ran);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
-    vm_charge(L, emit_run(b));
+    vm_charge(L, WORK_FIRE * emit_run(b));
     return 0;
 }
 

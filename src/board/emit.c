@@ -26,7 +26,7 @@ static void grow(const struct board *b, struct emissions *q)
         room = (uint32_t)(lua_rawlen(L, -1) / sizeof *q->list);
     else {
         lua_pop(L, 1);
-        void *list = lua_newuserdatauv(L, room * sizeof *q->list, 0);
+        void *list = memset(lua_newuserdatauv(L, room * sizeof *q->list, 0), 0, room * sizeof *q->list);
         if (q->n)
             memcpy(list, q->list, q->n * sizeof *q->list);
         lua_pushvalue(L, -1);
@@ -73,7 +73,8 @@ static void emit_of(const struct board *b, const struct emission *m, struct moti
         e->bank = (uint8_t)(v >> 16 & 15);
     if (named(e, m, EMIT_NUMBER_DELAY, &v))
         e->delay = (uint32_t)whole(v);
-    e->dir = number(e, m, EMIT_NUMBER_DIR, e->dir, 32767);
+    if (named(e, m, EMIT_NUMBER_DIR, &v))
+        e->dir = fx_to_double(v);
     e->speed = number(e, m, EMIT_NUMBER_SPEED, e->speed, MAX_SPEED);
     e->size = number(e, m, EMIT_NUMBER_SIZE, e->size,
                      e->pattern == EMIT_STACK  ? MAX_SPEED
@@ -192,7 +193,7 @@ static void load(struct board *b, const struct emission *m, struct volley *v)
                                       .tag = e->tag,
                                       .motion = e->motion,
                                       .fine = e->motion && b->motions.fine[e->motion - 1],
-                                      .player = m->player,
+                                      .player = (uint8_t)m->player,
                                       .delay = e->delay,
                                       .around = e->around,
                                       .by = m->by };

@@ -25,10 +25,10 @@ struct emission {
     ang dir;
     uint32_t step; /* the emit in the list of steps */
     uint32_t by;
-    uint8_t player;
-    bool shot;            /* a shot fires it */
-    fx value[MAX_VALUES]; /* of what fires it */
+    uint16_t player, shot; /* shot: 1: a shot fires it */
+    fx value[MAX_VALUES];  /* of what fires it */
 };
+_Static_assert(sizeof(struct emission) == 48, "snapshots of Lua's heap have these bytes: none is left unset");
 
 struct emissions {
     struct emission *list; /* NULL: nothing was queued in this frame */

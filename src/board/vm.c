@@ -161,10 +161,37 @@ static void report_shortage(const struct board *b, struct board_fault *f)
              b->output->shortage, b->cart.m.lua_kib, b->output->deep ? ", deep in calls: an endless recursion?" : "");
 }
 
+/* The last name in a message that ends in "(field 'NAME')" and is about nil; false: it does not. */
+static bool nil_field(const char *message, char *name, size_t size)
+{
+    const char *field = strstr(message, "a nil value (field '");
+    size_t n = field ? strcspn(field += strlen("a nil value (field '"), "'") : 0;
+
+    if (!n || n >= size || strcmp(field + n, "')") != 0)
+        return false;
+    snprintf(name, size, "%.*s", (int)n, field);
+    return true;
+}
+
+/* What to say behind Lua's own message: why a field may be nil here. */
+static void hint(const char *message, char *out, size_t size)
+{
+    char name[32];
+    const char *space, *instead;
+
+    out[0] = 0;
+    if (!nil_field(message, name, sizeof name))
+        return;
+    if ((instead = api_instead_field(name, &space)) != NULL)
+        snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
+    else if (!strstr(message, "to call") && api_dies(name))
+        snprintf(out, size, " (a thing that is gone gives nil for %s; ask its alive first)", name);
+}
+
 /* Any other error value. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
-    char place[VM_PLACE] = "", other[48];
+    char place[VM_PLACE] = "", other[48], why[160] = "";
     bool raised = lualib_raised(from, -1);
 
     if (raised)
@@ -176,8 +203,10 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
     else
         snprintf(other, sizeof other, "error: the value raised is a %s, not text", lua_typename(from, type));
     missing_place(from, message, place, sizeof place);
+    if (!raised && b->vm.kind == FAULT_NONE)
+        hint(message, why, sizeof why);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
-    snprintf(f->message, sizeof f->message, "%s%s%s", place, message,
+    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why,
              f->kind == FAULT_STACK ? " (calls nested too deeply: an endless recursion?)" : "");
 }
 
@@ -346,6 +375,8 @@ static int undeclared(lua_State *L)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     if (line)
         return vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, name, line);
+    if (api_instead(NULL, name))
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (not available: %s)", name, api_instead(NULL, name));
     if (std_of(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);

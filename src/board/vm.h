@@ -25,6 +25,7 @@ struct board;
 enum {
     WORK_STEP = 1000, /* instructions between two looks when counting, on average */
     WORK_CALL = 100,  /* what a call of an API function is worth */
+    WORK_FIRE = 20,   /* what a bullet that a motion program fires is worth */
     VM_PLACE = 80     /* bytes of "FILE:LINE: " */
 };
 

@@ -106,7 +106,7 @@ static const struct {
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK, "where to write: render: folder; pack: ROM file" },
+    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK, "where to write: render: folder (else the current one); pack: ROM file" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,

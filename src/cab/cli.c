@@ -162,9 +162,12 @@ static void say(const char *line)
 
 static enum result help_lua(const char *name)
 {
-    if (!api_help(name, say))
-        return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
-    return report_stdout(RESULT_DONE);
+    if (api_help(name, say))
+        return report_stdout(RESULT_DONE);
+    if (api_help_near(name))
+        return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (did you mean %s?)", name,
+                           api_help_near(name));
+    return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
 }
 
 static enum result help(const struct args *a)

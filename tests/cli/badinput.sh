@@ -225,6 +225,12 @@ fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)'
 fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
 fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' \
     <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
+fault 'a name that is gone' \
+    "main.lua:1: attempt to call a nil value (field 'random') (math.random is not available: rng.int, rng.number, \
+rng.pick or rng.chance)" <<<'print(math.random())'
+fault 'a library that is gone' \
+    'main.lua:1: undeclared global "os" (not available: board.frame() tells the time, save.set keeps things)' \
+    <<<'print(os.time())'
 fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' \
     <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
 
@@ -319,6 +325,11 @@ bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected ea
     --difficulty insane
 bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
 bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lists all names)' help lua nothing
+bad 'help of a Lua name, near one' 'help lua: there is no "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
+where() { "$curtain" help lua "$1" | grep -qF "$2"; }
+check 'help of a step' where home 'in each step of motion.def:'
+check 'help of a property' where frozen 'property of an enemy: '
+check 'help of a last word' where ring 'pattern.ring{...}'
 
 # ---- stages ----
 

@@ -57,7 +57,7 @@ check "shots hit the nearest enemy, every sprite is drawn, and steps back find t
     "$bench" battle pictures rewind
 refuse "a section it does not have" "sections: machine crowd prices" "$bench" nothing
 engine_copy
-sed 's/\.kind = EV_SHOT, \.a = who, \.b = whom }/.kind = EV_SHOT, .a = who, .b = whom ^ 1 }/' \
+sed 's/events_push(&b->events, EV_SHOT, who, whom)/events_push(&b->events, EV_SHOT, who, whom ^ 1)/' \
     src/board/hits/hit_shots.c >"$copy/src/board/hits/hit_shots.c"
 another() {
     ! cmp -s src/board/hits/hit_shots.c "$copy/src/board/hits/hit_shots.c" || return 2

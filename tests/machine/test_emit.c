@@ -179,7 +179,8 @@ static void test_names(void **state)
         "  local e = fire(3.9, 1.25) is(#e, 3) is(e[1].dir, 1.25) is(e[2].bank, 3) is(e[3].delay, 3)\n"
         "  is(e[1].speed, 1.25) is(e[1].power, 1.25) is(e[1].heat, 0) bullet.group():remove()\n"
         "  is(#fire(-4, 2), 0) bullet.group():remove()\n"
-        "  e = fire(1, -30000) is(e[1].speed, -8191) is(e[1].power, -30000) bullet.group():remove()\n"
+        "  e = fire(1, -32768) is(e[1].dir, 352) bullet.group():remove() e = fire(1, -30000) is(e[1].speed, -8191) "
+        "is(e[1].power, -30000) bullet.group():remove()\n"
         "  for word, of in pairs { spread = 'fan', sweep = 'arc', speed_to = 'stack', width = 'line' } do\n"
         "    dot { x = 50, y = 50, power = 40, motion = { { emit = { pattern = of, n = 3, [word] = 'power', kind = "
         "'dot',\n"
@@ -430,11 +431,14 @@ static void refused(const char *steps, const char *message)
              "y = 1 } } motion.def { %s }",
              steps);
     m.bullet_values = 1;
+    m.around = 1;
     rig_script(&g, &m, text);
     rig_power_any(&rig, &g, NULL);
     if (!rig_fault(&rig))
         fail_msg("%s: no fault", steps);
-    if (!strstr(rig_fault(&rig)->message, message))
+    char said[sizeof rig_fault(&rig)->message + 1]; /* with an end to look for */
+    snprintf(said, sizeof said, "%s\n", rig_fault(&rig)->message);
+    if (!strstr(said, message))
         fail_msg("%s: expected \"%s\", got \"%s\"", steps, message, rig_fault(&rig)->message);
     end();
 }
@@ -478,7 +482,17 @@ static void test_errors(void **state)
     refused("{ wait_for = { x = 1, limit = 0 } }",
             "limit: expected forever or a whole number from 1 to 1000000000 frames");
     refused("{ wait_for = { x = 1 }, bank = 3 }", "bank cannot stand beside wait_for");
-    refused("{ loop = forever, { wait_for = { x = 1 } } }", "never ends");
+    refused("{ loop = forever, { wait_for = { x = 1 } } }",
+            "step 1: loop = forever without a frame of time inside never ends (wait_for takes no time where its place "
+            "is reached: add { wait = 1 })");
+    refused("{ loop = forever, { loop = 3, { orbit = 50, over = 15 }, { turn = 3 } } }",
+            "step 1: loop = forever without a frame of time inside never ends (orbit takes no time once its thing is "
+            "gone: add { wait = 1 })");
+    refused("{ loop = 60000, { loop = 60000, { orbit = 50, over = 15 } } }",
+            "this loop has no frame of time inside and too many steps to run at once (orbit takes no time once its "
+            "thing is gone: add { wait = 1 })");
+    refused("{ orbit = 50, over = 15 }, { loop = forever, { turn = 3 } }",
+            "step 2: loop = forever without a frame of time inside never ends\n");
     refused("{ path = 3 }", "path: expected a route (what path.def returned), got 3");
     refused("{ path = {} }", "step 1: path: expected a route (what path.def returned)");
     refused("{ path = point }", "step 1: path: this route leads nowhere");

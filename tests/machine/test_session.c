@@ -360,8 +360,8 @@ static uint64_t picture(const struct session *s)
     return hash;
 }
 
-static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 }, every = 7, speed = 2 }";
-static const char faster[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 }, every = 7, speed = 3 }";
+static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 } }";
+static const char faster[] = "n = by_difficulty { easy = 1, normal = 3, hard = 4 } }";
 
 static void lands(struct session *s, uint32_t frame, const struct board_start *start)
 {
@@ -429,12 +429,11 @@ static void bad_edits(void **state)
     open_session(&s, false, NULL);
     play_to(&s, 1000);
     edit("stages/habits.lua", habit, "n = = 2");
-    keeps(&s, "stages/habits.lua:11:");
-    edit("stages/habits.lua", "n = = 2",
-         "n = 'two', every = 7, speed = 2 }"); /* found where it is called, in the run */
-    keeps(&s, "stages/habits.lua:11: pattern.aimed: n: expected");
+    keeps(&s, "stages/habits.lua:20:");
+    edit("stages/habits.lua", "n = = 2", "n = 'two' }"); /* found where it is called, in the run */
+    keeps(&s, "stages/habits.lua:19: pattern.aimed: n: expected");
     assert_non_null(strstr(s.err, "of the run)"));
-    edit("stages/habits.lua", "n = 'two', every = 7, speed = 2 }", habit);
+    edit("stages/habits.lua", "n = 'two' }", habit);
     edit("main.lua", "boot.run", "boot.ran");
     keeps(&s, "main.lua:");
     edit("main.lua", "boot.ran", "boot.run");
@@ -454,7 +453,7 @@ static void mends_a_fault(void **state)
     struct cart its;
 
     (void)state;
-    edit("stages/habits.lua", habit, "n = 'two', every = 7, speed = 2 }");
+    edit("stages/habits.lua", habit, "n = 'two' }");
     assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
     while (!board_last(session_board(&s))->fault)
@@ -466,7 +465,7 @@ static void mends_a_fault(void **state)
     assert_null(board_last(session_board(&s))->fault);
     at(&s, frame - 10);
     session_goto(&s, frame);
-    edit("stages/habits.lua", "n = 'two', every = 7, speed = 2 }", habit);
+    edit("stages/habits.lua", "n = 'two' }", habit);
     assert_true(session_reload(&s, dir, false));
     get_there(&s);
     at(&s, frame);

@@ -139,6 +139,15 @@ static void spell(char *to, size_t size, uint64_t v, int width)
         snprintf(to + n, size - (size_t)n, "(%lld)", decimal);
 }
 
+/* The name that a trace has for a column of bullets: of a value, the game's. */
+static const char *column_name(const char *part, const char *column)
+{
+    static const char *const values[] = { "home_x", "home_y", "sway", "rest" }; /* as Glass Tide declares them */
+
+    bool value = !strcmp(part, "bullets") && !strncmp(column, "value", 5);
+    return value ? values[column[5] - '1'] : column;
+}
+
 /* The one difference there may be. */
 static void named(uint32_t frame, const char *part, int64_t slot, const struct column *c, int i, uint64_t was,
                   uint64_t is)
@@ -152,7 +161,7 @@ static void named(uint32_t frame, const char *part, int64_t slot, const struct c
     spell(a, sizeof a, was, c->width);
     spell(b, sizeof b, is, c->width);
     snprintf(want, sizeof want, "frame %u is the first that differs\n  %s%s %s%s: %s in %s, %s in %s\n",
-             (unsigned)frame, part, at, c->name, index, a, file("a"), b, file("b"));
+             (unsigned)frame, part, at, column_name(part, c->name), index, a, file("a"), b, file("b"));
     assert_string_equal(out, want);
 }
 
@@ -197,7 +206,8 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
     assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
     if (slot >= 0 && machine_parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
         char start[64];
-        snprintf(start, sizeof start, "\n  %s %lld %s", board_part(r->b, part), (long long)slot, c->name);
+        const char *name = board_part(r->b, part);
+        snprintf(start, sizeof start, "\n  %s %lld %s", name, (long long)slot, column_name(name, c->name));
         assert_non_null(strstr(out, start));
         return;
     }

@@ -31,6 +31,9 @@ static const struct price MOTION[] = {
     { "around", "runs `orbit` round its `around`", GROUPS },
     { "wave", "runs `wave`", PLAIN },
     { "bounce", "runs `bounce`, and no wall is near", PLAIN },
+    { "path", "runs `path`", PLAIN },
+    { "await", "runs `wait_for` with `near`", PLAIN },
+    { "signal", "runs `wait_for` with `tag`", PLAIN },
     { "named", "runs `turn`, by a declared value", GROUPS },
     { "mixed",
       "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each",
@@ -79,7 +82,7 @@ static const struct price FIRING[] = {
     { "star", "`pattern.star`", PLAIN },       { "ellipse", "`pattern.ellipse`", PLAIN },
     { "rose", "`pattern.rose`", PLAIN },       { "whip", "`pattern.whip`", PLAIN },
     { "scatter", "`pattern.scatter`", PLAIN }, { "points", "`pattern.points`", PLAIN },
-    { "dots", "`pattern.picture`", PLAIN },
+    { "dots", "`pattern.picture`", PLAIN },    { "emit", "the step `emit`, with a ring", PLAIN },
 };
 
 /* A price being measured. */

@@ -12,7 +12,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 export LC_ALL=C
 : "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4)}"
-: "${LIBS:=$(pkg-config --libs lua5.4) -lm}"
+: "${LIBS:=$(pkg-config --libs lua5.4) -lm -pthread}"
 : "${ROUNDS:=9}" "${FRAMES:=1200}" "${COUNT:=valgrind}"
 base=${1:-} game=${2:-roms/glasstide} start=${3-one}
 fail() { echo "compare: $*" >&2; exit 2; }

@@ -53,11 +53,13 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
         slots_layout(places[i].chip, places[i].self, places[i].cap, 0, &next);
     const uint32_t events = 2 * bullets + shots + 16;
     events_layout(&b->events, events, room_for(events_size(events)));
+    b->output = room_for(sizeof *b->output);
     return b;
 }
 
 void engine_free(struct board *b)
 {
+    free(b->output);
     free(b->events.a);
     free(b->ram);
     free(b);

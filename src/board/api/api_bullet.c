@@ -972,6 +972,8 @@ struct reader {
     uint32_t n;
     int bounces; /* open ones */
     bool fine;
+    uint32_t brief;       /* after which row the last step stands that lasts, but may be over at once */
+    const char *brief_is; /* which, and when: "orbit takes no time once its thing is gone"; NULL: there was none */
 };
 
 static const char DEF[] = "motion.def";
@@ -1256,23 +1258,40 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->does |= named ? DOES_NAMED : 0;
 }
 
+/* The error for a loop, whose first row is `open`, that may run on without a frame of time. */
+static void untimed(lua_State *L, const struct reader *r, uint32_t open, const char *what, int step)
+{
+    if (r->brief_is && r->brief > open)
+        api_error(L, DEF, "step %d: %s (%s: add { wait = 1 })", step, what, r->brief_is);
+    step_error(L, step, what);
+}
+
 /* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
-static uint64_t loop_work(lua_State *L, bool timed, uint64_t inside, int64_t count, int step)
+static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, bool timed, uint64_t inside,
+                          int64_t count, int step)
 {
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
-        step_error(L, step, "loop = forever without a frame of time inside never ends");
+        untimed(L, r, open, "loop = forever without a frame of time inside never ends", step);
     if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
-        step_error(L, step, "this loop has no frame of time inside and too many steps to run at once");
+        untimed(L, r, open, "this loop has no frame of time inside and too many steps to run at once", step);
     return inside * rounds;
 }
 
-/* An orbit round a thing may be over at once, as the thing may be gone. */
-static bool takes_time(const struct motion_step *s)
+/* The step that was read last may be over at once; `is` says when. */
+static bool is_brief(struct reader *r, const char *is)
+{
+    r->brief = r->n;
+    r->brief_is = is;
+    return false;
+}
+
+/* Does time pass in the step that was read last? */
+static bool takes_time(struct reader *r, const struct motion_step *s)
 {
     if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
-        return false;
+        return is_brief(r, "orbit takes no time once its thing is gone");
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
@@ -1325,10 +1344,10 @@ static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M
     if (v[M_WAIT_FOR].given) {
         word_alone(L, v, step, M_WAIT_FOR, 0);
         api_step_await(L, step, v[M_WAIT_FOR].at, s);
-        return s->how == HOW_SIGNAL; /* else it may have come already */
+        return s->how == HOW_SIGNAL || is_brief(r, "wait_for takes no time where its place is reached");
     }
     fill_step(L, s, v, named, step, r->fine);
-    return takes_time(s);
+    return takes_time(r, s);
 }
 
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
@@ -1402,7 +1421,7 @@ static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, con
     r->steps[open].jump = (uint16_t)r->n;
     if (bounce)
         r->steps[open + 1].jump = (uint16_t)r->n;
-    return loop_work(L, inner, inside, v[word].i, step);
+    return loop_work(L, r, open, inner, inside, v[word].i, step);
 }
 
 /* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
@@ -1431,14 +1450,18 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
+bool api_step_word(const char *name)
+{
+    for (int k = 0; k < M_KEYS; k++)
+        if (!strcmp(name, step_keys[k].name))
+            return true;
+    return false;
+}
+
 /* The error for a key beside the steps that is neither name nor fine: a step's key, or one of the two misspelt. */
 static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
 {
-    bool step = false;
-
-    for (int k = 0; k < M_KEYS; k++)
-        step |= !strcmp(key, step_keys[k].name);
-    for (int i = 0; i < 2 && !step; i++)
+    for (int i = 0; i < 2 && !api_step_word(key); i++)
         if (edit_distance(key, head[i].name) < 3)
             api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
     api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
@@ -1466,6 +1489,7 @@ static const char *read_head(lua_State *L, struct reader *r)
     }
     r->n = 0;
     r->bounces = 0;
+    r->brief_is = NULL;
     r->fine = v[HEAD_FINE].i;
     return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }

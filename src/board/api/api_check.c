@@ -83,30 +83,35 @@ static void check_number(lua_State *L, const char *entry, const struct api_param
         expected_number(L, entry, p, at, "a number");
 }
 
-static bool check_end(lua_State *L, const struct api_param *p, int at, int i, lua_Integer *out)
+/* An end of a span; `what` words the error. */
+static lua_Integer check_end(lua_State *L, const char *entry, const struct api_param *p, int at, int i,
+                             const char *what)
 {
     int whole = 0;
+    lua_Integer end = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
 
-    *out = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
+    if (!whole || (double)end < p->lo || (double)end > p->hi) {
+        const char *got = push_got(L, lua_gettop(L));
+        api_error(L, entry, "%s: expected %s, got %s as its %s", p->name, what, got, i == 1 ? "first" : "last");
+    }
     lua_pop(L, 1);
-    return whole && (double)*out >= p->lo && (double)*out <= p->hi;
+    return end;
 }
 
 static void check_span(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     char what[160];
-    lua_Integer first, last;
 
     (void)v;
-    if (lua_type(L, at) == LUA_TTABLE && check_end(L, p, at, 1, &first) && check_end(L, p, at, 2, &last)) {
-        if (first <= last && lua_rawlen(L, at) == 2)
-            return;
-        if (first > last)
-            api_error(L, entry, "%s: %d is after %d (did you mean { %d, %d }?)", p->name, (int)first, (int)last,
-                      (int)last, (int)first);
-    }
     snprintf(what, sizeof what, "{ first, last }, whole numbers from %.14g to %.14g", p->lo, p->hi);
-    expected(L, entry, p, at, what);
+    if (lua_type(L, at) != LUA_TTABLE)
+        expected(L, entry, p, at, what);
+    if (lua_rawlen(L, at) > 2)
+        api_error(L, entry, "%s: expected %s, got %d of them", p->name, what, (int)lua_rawlen(L, at));
+    lua_Integer first = check_end(L, entry, p, at, 1, what), last = check_end(L, entry, p, at, 2, what);
+    if (first > last)
+        api_error(L, entry, "%s: %d is after %d (did you mean { %d, %d }?)", p->name, (int)first, (int)last, (int)last,
+                  (int)first);
 }
 
 static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -284,7 +289,9 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
         return;
     }
     if (lua_type(L, at) != LUA_TSTRING)
-        expected(L, entry, p, at, "a motion or a motion's name");
+        expected(L, entry, p, at,
+                 lua_istable(L, at) ? "a motion (write motion.def { ... }) or a motion's name"
+                                    : "a motion or a motion's name");
     check_name(L, entry, p, at, v, N_MOTION, "motion");
     v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
@@ -451,6 +458,10 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
         api_error(L, e->name, "%s %s", name, NOT_YET);
     if (fire == &api_fire[FIRES_BULLETS] && param_named(&api_fire[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
+    if (api_step_word(name) && param_named(e, fire, "motion") >= 0)
+        api_error(L, e->name,
+                  "unknown argument \"%s\" (it is of a motion's steps: motion = motion.def { { %s = ... } })", name,
+                  name);
     for (int i = e->plain; i < api_param_count(e, fire); i++)
         api_suggest_nearer(name, api_param_at(e, fire, i)->name, &best, &found);
     for (int k = 0; k < api_values(b, values); k++)
@@ -501,6 +512,19 @@ static void check_values(lua_State *L, const struct api_entry *e, enum api_names
     }
 }
 
+/* Does a task run the library's function itself, not through one of the game? */
+static bool runs_bare(lua_State *L)
+{
+    lua_Debug ar;
+
+    for (int level = 1; lua_getstack(L, level, &ar); level++) {
+        lua_getinfo(L, "S", &ar);
+        if (strncmp(ar.short_src, "@std/", 5) != 0)
+            return false;
+    }
+    return true;
+}
+
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
     const struct api_entry *fire = *fire_of = fires(L, e, e->plain + 1);
@@ -520,7 +544,8 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
             spread(L, e, fire, at, at + 1);
         else if (!lua_isnil(L, at)) {
             const char *got = push_got(L, at);
-            api_error(L, e->name, "expected a table of named arguments, got %s", got);
+            api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
+                      runs_bare(L) ? " (a task's function gets its owner first: write function(e) ... end)" : "");
         }
     } else if (top < e->plain)
         lua_settop(L, e->plain);

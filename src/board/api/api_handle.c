@@ -50,6 +50,14 @@ static bool may_die(enum handle_kind kind)
     return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
 }
 
+bool api_dies(const char *name)
+{
+    for (int k = 1; k < HANDLES; k++)
+        if (api_things[k] && may_die((enum handle_kind)k) && api_property(api_things[k], name))
+            return true;
+    return false;
+}
+
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../base/edit.h"
 #include "api_parts.h"
 
 static const char *type_words(const struct api_param *p)
@@ -166,6 +167,44 @@ static bool help_thing(int kind, void (*line)(const char *))
     return true;
 }
 
+/* Where a word lives that no name begins with: "home" in the steps of motion.def, "frozen" in things, "ring" in pattern. */
+static bool help_word(const char *word, void (*line)(const char *))
+{
+    char text[400];
+    bool any = false;
+
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        const char *last = strpbrk(e->name, ".:"), *part = strchr(e->name, ' ');
+        if (!(e->flags & API_SYS) && last && !strcmp(last + 1, word))
+            help_entry(e, false, line), any = true;
+        for (int k = 0; part && k < e->count; k++)
+            if (!strcmp(e->params[k].name, word)) {
+                snprintf(text, sizeof text, "in each%s of %.*s:", part, (int)(part - e->name), e->name);
+                line(text), help_param(&e->params[k], line), any = true;
+            }
+    }
+    for (int kind = 1; kind < HANDLES; kind++)
+        for (int i = 0; api_things[kind] && i < api_things[kind]->n; i++)
+            if (!strcmp(api_things[kind]->props[i].value.name, word)) {
+                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind],
+                         api_things[kind]->props[i].help);
+                line(text), any = true;
+            }
+    return any;
+}
+
+const char *api_help_near(const char *name)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    for (int i = 0; i < api_count(); i++)
+        if (!(api_entry(i)->flags & API_SYS))
+            api_suggest_nearer(name, api_entry(i)->name, &best, &found);
+    return found;
+}
+
 bool api_help(const char *name, void (*line)(const char *))
 {
     size_t n = name ? strlen(name) : 0;
@@ -183,5 +222,5 @@ bool api_help(const char *name, void (*line)(const char *))
     for (int k = 1; name && !exact && k < HANDLES; k++)
         if (api_things[k] && !strcmp(api_things[k]->name, name))
             any = help_thing(k, line);
-    return any;
+    return any || (name && help_word(name, line));
 }

@@ -50,6 +50,9 @@ void api_add_space(lua_State *L, const char *name);
  * not there. */
 void api_no_field(lua_State *L, const char *of, const char *name);
 
+/* Is it a word of a motion's step? */
+bool api_step_word(const char *name);
+
 /* Sets the number type's metatable: handles' properties and methods. */
 void api_open_handles(lua_State *L);
 

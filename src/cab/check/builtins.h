@@ -41,9 +41,6 @@ bool builtins_add_library(struct name_set *s, const char *script, const struct s
 /* A global of every game, whatever its scripts say. */
 bool builtins_global(const char *name);
 
-/* What to use in place of a name that stock Lua has and the sandbox lacks (space NULL: a global); NULL: it is none. */
-const char *builtins_instead(const char *space, const char *name);
-
 /* What a call of that function returns, when it is a handle: "bullet", "group" ...; else NULL. */
 const char *builtins_handle(const char *space, const char *name);
 

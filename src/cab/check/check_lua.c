@@ -179,7 +179,7 @@ static void hint(char out[96], const char *word, const char *near, const char *l
 
 static void unknown_global(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = builtins_instead(NULL, g->name);
+    const char *instead = api_instead(NULL, g->name);
     char meant[96];
 
     if (instead != NULL && g->use != USE_WRITE) {
@@ -199,7 +199,7 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
 
 static void unknown_field(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = builtins_instead(g->name, g->field);
+    const char *instead = api_instead(g->name, g->field);
     char meant[96];
 
     hint(meant, g->field, name_set_near(&c->builtins, g->name, g->field), NULL);
