@@ -64,17 +64,27 @@ local function leave(e, beaten)
   e:remove()
 end
 
+-- bg.lua is there if the game declares a background.
+local function backdrop(name)
+  if not rawget(sys, "backdrop") then
+    sys.fail("boss.def", ('phase: bg: background "%s" is not declared (there is none)'):format(name))
+  end
+  return sys.backdrop(name)
+end
+
 -- True if the phase was beaten. The fight's task is older than the phase's, so it gets its turn first and stops the
 -- phase before that runs again.
 local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
   sys.mark("phase", phase.id, b.name, phase.spell)
+  local before = phase.bg and backdrop(phase.bg)
   local scene = sys.scene(e) -- owned by the boss; what the phase makes belongs to it
   task.own(scene, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)
   local won = e.alive and (phase.survive or e.hp <= 0)
   task.stop(scene)
+  if before then sys.backdrop(before) end
   local left = phase.clear or {}
   bullet.clear { all = true, spark = left.spark, items = won and left.items or nil }
   if won and phase.drops and e.alive then sys.drop(phase.drops, e.x, e.y) end

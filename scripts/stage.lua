@@ -97,7 +97,8 @@ function stage.mark(name)
   sys.mark("start", "") -- here the practised part begins
   sys.skip(false)       -- from here on the task waits as usual
   -- Removes what the stage's own code made directly, outside waves and fights, while it was skipped through.
-  sys.wipe()
+  -- Background and palette stay: they are what the stage shows here.
+  sys.wipe(true)
   hud.refresh()
 end
 

@@ -5,6 +5,7 @@ require "looks"
 require "moves"
 require "treasure"
 require "words"
+require "scenes"
 local try = require "try"
 
 stage.def("try", function()

@@ -36,6 +36,12 @@ return {
     jelly = { sheet = "enemies", x = 0,   y = 32,  w = 36, h = 44, frames = 4, every = 9, origin = { 18, 17 } },
     queen = { sheet = "queen",   x = 0,   y = 0,   w = 96, h = 96, frames = 4, every = 10, origin = { 48, 44 } },
   },
+  maps = {
+    sea    = { tiles = "art/tiles.png", bank = 13, rows = { { 1, 2, 3, 4 } } },
+    slabs  = { tiles = "art/tiles.png", bank = 13, rows = { { 5, 6, 7, 6 }, { 7, 8, 5, 6 }, { 6, 5, 8, 7 }, { 8, 7, 6, 5 } } },
+    clouds = { tiles = "art/tiles.png", bank = 13, file = "maps/clouds.csv" },
+    towers = { tiles = "art/tiles.png", bank = 13, file = "maps/towers.tmx" },
+  },
   difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
   dip = { coins = { "free", "one" }, pace = { min = 1, max = 5, default = 3 } },
   players = 2, extends = { 100000, 300000 },

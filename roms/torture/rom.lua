@@ -8,6 +8,11 @@ return {
             meet = true, items = 48,
             lines = 10, wide = true },
   fonts = { grid = { file = "art/font.png", cell = { 8, 8 }, chars = " !\"#$%&'()*+,-./0123456789", also = "é" } },
+  blends = { mist = { mix = 40 } },
+  maps = {
+    tiled = { tiles = "art/card.png", rows = { { 1, 2, 0 }, { 3, 4, 1 } } },
+    whole = { tiles = "art/card.png", size = 8, rows = { { 9, 10 } } },
+  },
   palette = "art/palette.png", font = "art/font.png",
   sheets = { card = { file = "art/card.png", bank = 0 } },
   sprites = {

@@ -25,7 +25,7 @@ boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
       task.go(function() while true do pattern.aimed { from = e, kind = "needle", n = 3, every = 5, speed = 2, lock = true } wait(20) end end)
       pattern.spiral { from = e, kind = "dot", n = forever, arms = 2, step = 13, every = 6, speed = 1.6 }
     end },
-  { id = "two", spell = "Sign of Two", survive = true, time = 150, rest = 20, run = function(e)
+  { id = "two", spell = "Sign of Two", survive = true, time = 150, rest = 20, bg = "still", run = function(e)
       while true do
         e:move { x = rng.int(40, 180), y = rng.number(40, 90), over = 25, ease = rng.pick { "in", "out", "both", "linear" } }
         pattern.arc { from = e, kind = "dot", n = 7, dir = rng.dir(), sweep = 200, speed = 1.2, motion = "spin" }
@@ -189,6 +189,61 @@ local function crowd()
     if n % 13 == 8 then row.tag = "stray" end
     if n % 13 == 9 then enemy.group("stray"):remove() end
     enemy.each("stray", function(e) e:shift(1, 1) end)
+    wait(10)
+  end
+end
+
+bg.def("still", function()
+  bg.layer(1).map, bg.layer(4).map = "whole", "tiled"
+  bg.plane().map, bg.plane().horizon, bg.plane().fog = "tiled", 90, { to = 0x202840, far = 300 }
+end)
+bg.def("storm", function()
+  local front, floor = bg.layer(2), bg.plane()
+  front.map, front.layer, front.blend, front.bank, front.wrap = "tiled", "front", "mist", 3, false
+  for n = 0, forever do
+    local l = bg.layer(1 + n % 4)
+    l.x, l.y, l.vx, l.vy = l.x - 1, l.y + 0.5, n % 3 - 1, n % 5 / 4
+    l.hidden, l.map = n % 9 == 3, n % 7 ~= 2 and l.map or "whole"
+    if n % 10 == 1 then bg.lines(1 + n % 4, { wave = n % 9 - 4, every = 12 + n % 30, speed = 0.5 }) end
+    if n % 10 == 4 then bg.lines(1 + n % 4, { n % 5, -1.5, 3 }) end
+    if n % 10 == 8 then bg.lines(1 + n % 4) end
+    floor.map, floor.horizon, floor.height, floor.dir = "whole", 60 + n % 50, 8 + n % 30, 3 * n
+    floor.ceiling, floor.vx, floor.vy = n % 40 > 20, n % 3 - 1, 1
+    if n % 60 == 20 then floor.fog = { to = n % 255, far = 100 } elseif n % 60 == 50 then floor.fog = nil end
+    wait(2)
+  end
+end)
+
+local function told(t)
+  board.note(t.x + t.y + t.vx + t.vy + t.bank)
+  board.note((t.map or "off") .. t.layer .. (t.blend or "none"))
+  board.note(t.hidden)
+end
+
+local function look()
+  local floor = bg.plane()
+  for n = 0, forever do
+    local l = bg.layer(1 + n % 4)
+    told(l)
+    told(floor)
+    board.note(l.wrap)
+    board.note(floor.horizon + floor.height + floor.dir + (floor.fog and floor.fog.far or 0))
+    board.note(floor.ceiling)
+    floor.x, floor.y = floor.x % 64, floor.y % 64
+    floor.layer, floor.bank, floor.blend = n % 4 == 3 and "front" or "back", n % 16, n % 5 == 2 and "mist" or nil
+    floor.hidden = n % 6 == 5
+    wait(4)
+  end
+end
+
+local function scenery()
+  task.go(look)
+  while true do
+    bg.show("storm", { over = 20 })
+    wait(200)
+    bg.show("still")
+    wait(90)
+    bg.show(nil, { over = 7 })
     wait(10)
   end
 end
@@ -368,7 +423,7 @@ local function items()
   end
 end
 
-local corners = { items, bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures }
+local corners = { items, bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures, scenery }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end

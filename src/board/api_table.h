@@ -39,10 +39,12 @@ enum api_type {
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_FACE,  /* a font of rom.lua, the same way */
+    A_MAP,   /* of rom.lua, as A_BLEND */
     A_BUTTON,
     A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
     A_EASE,
     A_LAYER,
+    A_DEPTH, /* which side of all things a layer of the background is on */
     A_ALIGN,
     A_FIRE, /* what a pattern fires */
     A_MEET, /* which of two bullets that meet goes */

@@ -80,7 +80,10 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
     PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
     PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
-    PART(lines_chip, lines, m->lines, 0)
+    PART(lines_chip, lines, m->lines, 0)                                                                               \
+    PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
+    PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
+    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -188,6 +191,7 @@ static void set_up(struct board *b)
     const uint8_t *rgb = cart_palette(&b->cart, "main");
     for (int i = 0; i < COLOURS; i++, rgb += 3)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
+    bg_clear(&b->bg, &b->bg_lines);
     tasks_empty(&b->tasks);
 }
 
@@ -466,8 +470,10 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     if (fine) {
         if (b->lines.s.live)
             drop_lines(b);
-        if (!b->core.frozen)
+        if (!b->core.frozen) {
+            bg_step(&b->bg);
             pal_step(&b->pal);
+        }
         b->core.frame++;
         if (!b->core.frozen)
             next_frame(b);
@@ -750,6 +756,8 @@ bool board_alive(const struct board *b, int64_t h)
         return slot < PADS && b->player.in[slot] && b->player.gen[slot] == gen;
     if (kind == H_TASK)
         return tasks_alive(b, slot, gen);
+    if (kind == H_LAYER || kind == H_PLANE)
+        return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
     if (kind == H_ENEMY && slots_has(s, slot, gen))
         return !(b->enemies.flags[slot] & ENEMY_GONE);
     return s ? slots_has(s, slot, gen) : gen != 0;

@@ -26,6 +26,8 @@ enum handle_kind {
     H_ITEM,
     H_ITEMS,
     H_LINE,
+    H_LAYER, /* of the background; its slot is that of struct bg */
+    H_PLANE,
     HANDLES
 };
 

@@ -93,7 +93,7 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return machine_parts[i].chip->list
+    return machine_parts[i].chip->list && !is_absent(b, i)
                ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
                : 0;
 }

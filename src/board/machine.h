@@ -14,6 +14,7 @@
 #define BOARD_MACHINE_H
 
 #include "../base/rng.h"
+#include "../chips/bg.h"
 #include "../chips/bullets.h"
 #include "../chips/enemies.h"
 #include "../chips/events.h"
@@ -117,6 +118,9 @@ struct board {
     struct items items;
     struct item_kinds item_kinds;
     struct lines lines;
+    struct bg bg;
+    struct bg_lines bg_lines;
+    struct bg_shades bg_shades;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -125,7 +129,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 23,
+    PARTS = 26,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];

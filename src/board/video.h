@@ -38,6 +38,12 @@ void video_bullets(struct draw_target *c, const struct bullets *s, const struct 
 void video_lines(struct draw_target *c);
 void video_cell(struct draw_target *c, uint32_t i);
 
+/* The background: what lies behind everything, or what is in front of all sprites. */
+void video_bg(struct draw_target *c, bool front);
+
+/* Does the background cover the whole field? Then nobody needs to clear it. */
+bool video_bg_covers(const struct board *b);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);
 

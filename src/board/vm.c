@@ -403,16 +403,19 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-/* Runs @std/NAME, if the ROM has it, with sys and binds what it returns: prelude's entries one by one, the others under
- * their name. */
-static void load_std(lua_State *L, const char *name, int sys)
+/* Runs module i, @std/NAME, if the ROM has it and what it adds to is on, with sys and binds what it returns: prelude's
+ * entries one by one, the others under their name. */
+static void load_std(lua_State *L, int i, int sys)
 {
+    const char *name = std_module(i);
     char path[64];
     const char *text;
     size_t size;
 
     snprintf(path, sizeof path, "@std/%s", name);
     if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        return;
+    if (std_adds_to(i) && api_off(&vm_board(L)->cart.m, std_adds_to(i)))
         return;
     vm_load(L, path);
     lua_pushvalue(L, sys);
@@ -476,7 +479,7 @@ int vm_boot(lua_State *L)
     api_open(L); /* leaves the sys table */
     int sys = lua_gettop(L);
     for (int i = 0; i < STD_MODULES; i++)
-        load_std(L, std_module(i), sys);
+        load_std(L, i, sys);
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);

@@ -18,7 +18,7 @@ compare() { # WHAT ROM MODE
 own() { # WHAT
     local picture
     mkdir -p "$1-own" && "./$1" "$1-own" glow || return
-    for picture in glow items; do
+    for picture in glow items tiles; do
         python3 "$repo/tests/golden/png.py" "$repo/examples/sandbox/art/$picture.png" "$1-own/$picture.png" \
             difference.png || return
     done

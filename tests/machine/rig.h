@@ -200,6 +200,46 @@ static inline void rig_blends(struct rig_game *g)
     free(had.image.bytes);
 }
 
+/* Two maps: "sea" of 3 x 2 solid tiles of 8 px, and "reef" of 5 x 4 tiles of 16 px with holes. */
+static inline void rig_maps(struct rig_game *g)
+{
+    enum { MOST = 64, TILES = 4 };
+    static uint8_t sea[CART_MAP_HEADER + 2 * 6 + TILES * (1 + 64)], reef[CART_MAP_HEADER + 2 * 20 + TILES * (1 + 256)];
+    struct {
+        uint8_t *at;
+        int cols, rows, side, bank;
+    } maps[] = { { sea, 3, 2, 8, 2 }, { reef, 5, 4, 16, 3 } };
+    struct rig_game had = *g;
+    struct lump lumps[MOST];
+    int n = (int)had.image.rom.count;
+
+    for (int k = 0; k < 2; k++) {
+        uint8_t *p = maps[k].at, *solid = p + CART_MAP_HEADER + 2 * maps[k].cols * maps[k].rows;
+        const int tile = maps[k].side * maps[k].side, cells = maps[k].cols * maps[k].rows;
+        bytes_put16(p, (uint16_t)maps[k].cols);
+        bytes_put16(p + 2, (uint16_t)maps[k].rows);
+        bytes_put16(p + 4, (uint16_t)maps[k].side);
+        bytes_put16(p + 6, TILES);
+        bytes_put16(p + 8, (uint16_t)maps[k].bank);
+        bytes_put16(p + 10, k == 0);
+        for (int i = 0; i < cells; i++)
+            bytes_put16(p + CART_MAP_HEADER + 2 * i, (uint16_t)(k == 0 ? 1 + i % 3 : i * 7 % TILES));
+        for (int t = 1; t < TILES; t++) {
+            solid[t] = k == 0 || t == 2;
+            for (int i = 0; i < tile; i++)
+                solid[TILES + t * tile + i] =
+                    (uint8_t)(!solid[t] && i % 3 == 0 ? 0
+                                                      : maps[k].bank * 16 + 1 + (i * 7 + i / maps[k].side + t) % 15);
+        }
+    }
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    lumps[n++] = (struct lump){ "map/reef", reef, sizeof reef };
+    lumps[n++] = (struct lump){ "map/sea", sea, sizeof sea };
+    rig_write(g, lumps, n);
+    free(had.image.bytes);
+}
+
 /* Packs roms/NAME. */
 static inline void rig_folder(struct rig_game *g, const char *name)
 {

@@ -30,6 +30,7 @@ static const char world[] =
     "1, "
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
+    "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
     "}\n"
     "stage.def('s', function() wait(forever) end)\n"
@@ -68,7 +69,8 @@ static const char world[] =
     "  t[#t + 1] = query.near { what = 'item', x = 30 * i, y = 100, radius = 1 }[1]\n"
     "  t[#t + 1] = item.group(i == 1 and 't' or nil)\n"
     "end\n"
-    "t[#t + 1] = task.scope()\n"
+    "t[#t + 1] = task.scope() t[#t + 1] = bg.layer(3) t[#t + 1] = bg.plane()\n"
+    "bg.def('deep', function() bg.layer(1).map = 'sea' wait(5) bg.plane().map = 'reef' end)\n"
     "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
     "t[#t]:remove()\n"
     "stage.play('s')\n";
@@ -321,7 +323,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
                *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
                *const fires[] = { "bullet", "shot" }, *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" };
+               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
+               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -450,6 +453,12 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MEET:
         push_from(L, meets, 4);
+        break;
+    case A_MAP:
+        push_from(L, maps, 2);
+        break;
+    case A_DEPTH:
+        push_from(L, depths, 2);
         break;
     case A_FIRE:
         push_from(L, fires, 2);
@@ -1059,10 +1068,11 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = 1;
+    m.frozen = m.meet = m.bg = 1;
     m.items = 40;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);
+    rig_maps(&g);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

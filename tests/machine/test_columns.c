@@ -43,6 +43,9 @@ static const struct home homes[] = {
     HOME("items", "chips/items.h", items),
     HOME("item_kinds", "chips/items.h", item_kinds),
     HOME("lines", "chips/lines.h", lines),
+    HOME("bg", "chips/bg.h", bg),
+    HOME("bg_lines", "chips/bg.h", bg_lines),
+    HOME("bg_shades", "chips/bg.h", bg_shades),
 };
 
 /* A file without its comments. */
@@ -375,7 +378,7 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.around = m.frozen = m.meet = m.wide = 1;
+    m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = 1;
     m.items = m.lines = 128;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);

@@ -227,13 +227,16 @@ static int64_t some_slot(const struct slots *s, struct rng *rng)
     return i;
 }
 
-/* Plants a bit in every register and column of a part, in slots by chance; returns how many. */
+/* Plants a bit in every register and column of a part, in slots by chance; returns how many. A part
+ * without room has none. */
 static int plant_part(struct rig *r, int part, struct rng *rng)
 {
     uint8_t *self = (uint8_t *)r->b + machine_parts[part].at;
     const struct chip *chip = machine_parts[part].chip;
     int planted = 0;
 
+    if (!board_part_hash(r->b, part))
+        return 0;
     print_trace("a", "w", r->b, 1u << part);
     assert_int_equal(bisect("a", "a"), RESULT_DONE);
     for (int k = 0; k < chip->count; k++) {

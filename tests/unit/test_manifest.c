@@ -488,8 +488,8 @@ static void test_pack(void **state)
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
 static void test_unpack_old(void **state)
 {
-    struct result *r =
-        read_good("return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9 } }");
+    struct result *r = read_good(
+        "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
@@ -504,7 +504,8 @@ static void test_unpack_old(void **state)
     assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
     assert_int_equal(r->m.items, 9);
     assert_int_equal(r->m.meet, 1);
-    r->m.items = r->m.meet = 0;
+    assert_int_equal(r->m.bg, 1);
+    r->m.items = r->m.meet = r->m.bg = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
@@ -513,6 +514,57 @@ static void test_unpack_old(void **state)
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     free(r);
+}
+
+/* Maps switch backgrounds on; their rows stand one after the other. */
+static void test_maps(void **state)
+{
+    static const char *const bad[][2] = {
+        { "sea = {}", "rom.lua: maps.sea: expected tiles=\"art/NAME.png\"" },
+        { "sea = { tiles = 'a.png' }",
+          "rom.lua: maps.sea: expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }" },
+        { "sea = { tiles = 'a.png', file = 'b.csv', rows = { { 1 } } }",
+          "rom.lua: maps.sea: expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }" },
+        { "sea = { tiles = 'a.png', file = 'b.txt' }",
+          "rom.lua: maps.sea: file: expected a .csv or a .tmx, got \"b.txt\"" },
+        { "sea = { tiles = 'a.png', file = 'b.csv', layer = 'x' }",
+          "rom.lua: maps.sea: layer: only a .tmx has layers" },
+        { "sea = { tiles = 'a.png', size = 12, rows = { { 1 } } }",
+          "rom.lua: maps.sea.size: expected 8, 16 or 32, got 12" },
+        { "sea = { tiles = 'a.png', row = { { 1 } } }",
+          "rom.lua: maps.sea.row: unknown name (did you mean \"rows\"?)" },
+        { "sea = { tiles = 'a.png', rows = {} }", "rom.lua: maps.sea.rows: expected at least one row" },
+        { "sea = { tiles = 'a.png', rows = { { 1, 2 }, { 3 } } }",
+          "rom.lua: maps.sea.rows[2]: expected 2 tiles as in the first row, got 1" },
+        { "sea = { tiles = 'a.png', rows = { { 1, -1 } } }",
+          "rom.lua: maps.sea.rows[1][2]: expected a whole number from 0 to 65534, got -1" },
+        { "sea = { tiles = 'a.png', rows = { 5 } }", "rom.lua: maps.sea.rows[1]: expected a list of tiles, got 5" },
+    };
+    char text[256];
+
+    (void)state;
+    struct result *r =
+        read_good("return { maps = { b = { tiles = 't.png', size = 8, first = 0, rows = { { -1, 0, 5 } } },"
+                  " a = { tiles = 't.png', bank = 3, rows = { { 7 }, { 0 } } },"
+                  " c = { tiles = 't.png', file = 'm.tmx', layer = 'x' } } }");
+    assert_int_equal(r->m.bg, 1);
+    assert_int_equal(r->art.n_maps, 3);
+    const struct art_map *a = &r->art.maps[0], *b = &r->art.maps[1], *c = &r->art.maps[2];
+    assert_int_equal(a->cols * 10 + a->rows, 12);
+    assert_int_equal(a->size * 100 + a->bank, 1603);
+    assert_int_equal(r->art.cells[a->cells], 7);
+    assert_int_equal(r->art.cells[a->cells + 1], 0);
+    assert_int_equal(b->cols * 10 + b->rows, 31);
+    assert_int_equal(r->art.cells[b->cells], 0);
+    assert_int_equal(r->art.cells[b->cells + 1], 1);
+    assert_int_equal(r->art.cells[b->cells + 2], 6);
+    assert_int_equal(c->size, 0);
+    assert_string_equal(c->layer, "x");
+    free(r);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        snprintf(text, sizeof text, "return { maps = { %s } }", bad[i][0]);
+        refused(text, bad[i][1]);
+    }
 }
 
 static void test_unpack_refuses(void **state)
@@ -525,7 +577,7 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5219 bytes long, expected 5220");
+    assert_string_equal(err, "5223 bytes long, expected 5224");
     for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
         assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);
@@ -673,17 +725,29 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),   cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),       cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),    cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),      cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors), cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),      cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),       cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old), cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),      cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),
+        cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),
+        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors),
+        cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_maps),
+        cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),
+        cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,7 +31,9 @@ static const struct picture GAME[] = {
 static const struct picture BENCH[] = { { "discs", art_bench }, { "font", art_font }, { NULL, NULL } };
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
 
-static const struct picture LIGHT[] = { { "glow", art_glow }, { "items", art_items }, { NULL, NULL } };
+static const struct picture LIGHT[] = {
+    { "glow", art_glow }, { "items", art_items }, { "tiles", art_tiles }, { NULL, NULL }
+};
 
 static bool write_png(const char *dir, const char *name, const uint8_t *rgba, int w, int h)
 {

@@ -90,6 +90,7 @@ struct sheet art_card(void);
 struct sheet art_bench(void);
 struct sheet art_glow(void);
 struct sheet art_items(void);
+struct sheet art_tiles(void);
 /* The program's icon, size x size pixels, 48 or 64. */
 struct sheet art_icon(int size);
 

@@ -23,6 +23,9 @@ void section_replay(void);
 void section_memory(void);
 void section_guards(void);
 
+/* The end of section "pictures": backgrounds. */
+void scenery_prices(void);
+
 /* ---- times ---- */
 
 /* Nanoseconds of a clock that never goes back. */

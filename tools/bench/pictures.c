@@ -124,4 +124,5 @@ void section_pictures(void)
         for (int i = 0; i < SIZES; i++)
             samples_free(&ns[i][w]);
     }
+    scenery_prices();
 }

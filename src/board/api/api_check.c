@@ -12,7 +12,8 @@
 
 const char *const api_thing_names[HANDLES] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
-    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text"
+    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text",
+    "a layer",  "a plane"
 };
 
 /* Pushes how a value looks in an error. */
@@ -230,8 +231,25 @@ static void check_blend(lua_State *L, const char *entry, const struct api_param 
     api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), lua_tostring(L, -1));
 }
 
+static void check_map(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    check_type(L, entry, p, at, LUA_TSTRING, "a map's name");
+    v->i = cart_find_map(cart, lua_tostring(L, at)) + 1;
+    if (v->i > 0)
+        return;
+    for (int i = 0; i < cart->maps; i++)
+        api_suggest_nearer(lua_tostring(L, at), cart_map_name(cart, i), &best, &found);
+    if (!found)
+        api_error(L, entry, "map \"%s\" is not in rom.lua", lua_tostring(L, at));
+    api_error(L, entry, "map \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
+}
+
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                         *const layers[] = { "back", "middle", "front" },
+                         *const layers[] = { "back", "middle", "front" }, *const depths[] = { "back", "front" },
                          *const aligns[] = { "left", "center", "right" }, *const what_fires[] = { "bullet", "shot" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
@@ -240,9 +258,13 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
 static const struct word_list {
     const char *const *words;
     int n;
-} WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS }, [A_EASE] = { eases, 4 },
-              [A_LAYER] = { layers, LAYERS },        [A_ALIGN] = { aligns, 3 },
-              [A_FIRE] = { what_fires, 2 },          [A_MEET] = { meets, 4 },
+} WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
+              [A_EASE] = { eases, 4 },
+              [A_LAYER] = { layers, LAYERS },
+              [A_DEPTH] = { depths, 2 },
+              [A_ALIGN] = { aligns, 3 },
+              [A_FIRE] = { what_fires, 2 },
+              [A_MEET] = { meets, 4 },
               [A_EMIT] = { emits, EMIT_PATTERNS } };
 
 /* One word of the type's list. */
@@ -366,10 +388,12 @@ static check *const CHECKS[] = {
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
     [A_FACE] = check_face,
+    [A_MAP] = check_map,
     [A_BUTTON] = check_word,
     [A_PAD] = check_pad,
     [A_EASE] = check_word,
     [A_LAYER] = check_word,
+    [A_DEPTH] = check_word,
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
     [A_MEET] = check_word,

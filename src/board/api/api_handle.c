@@ -47,7 +47,7 @@ bool api_property(const struct api_thing *t, const char *name)
 /* Groups and motions are always alive. */
 static bool may_die(enum handle_kind kind)
 {
-    return !handle_kind_group(kind) && kind != H_MOTION;
+    return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
 }
 
 bool api_dies(const char *name)

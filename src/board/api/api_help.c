@@ -31,10 +31,12 @@ static const char *type_words(const struct api_param *p)
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
         [A_FACE] = "name of a font",
+        [A_MAP] = "name of a map",
         [A_BUTTON] = "up down left right fire bomb focus special start select",
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle or front",
+        [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
         [A_FIRE] = "bullet or shot",
         [A_MEET] = "none, first, second or both",
@@ -155,7 +157,7 @@ static bool help_thing(int kind, void (*line)(const char *))
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
-    if (!handle_kind_group((enum handle_kind)kind) && kind != H_MOTION)
+    if (!handle_kind_group((enum handle_kind)kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE)
         line("    alive      read  is it there?");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];

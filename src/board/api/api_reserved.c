@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser option bomb game talk say choose bg screen sound music unlock test" },
+    { "", '.', "laser option bomb game talk say choose screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
@@ -19,7 +19,7 @@ static const struct {
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
-    { "boss.def phase", '{', "armour bg bonus_to cut_in down last music safe talk" },
+    { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
     { "bullet.clear", '{', "lasers" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
@@ -63,6 +63,7 @@ static const struct {
 } optional[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items), "board = { items = 512 }" },
     { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
+    { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)

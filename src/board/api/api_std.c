@@ -103,9 +103,12 @@ static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL 
                                           { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                          { "drops", A_TABLE, OPT, 0, 0, NULL, NULL } };
+                                          { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                          { "bg", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
+static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
+                                            { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
 static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
@@ -166,20 +169,24 @@ static const struct api_entry entries[] = {
     LUA("boss.def clear", phase_clear, 0, API_SYS, NULL,
         "what the bullets leave that are there at a phase's end; items if it is beaten"),
     LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
+    LUA("bg.def", stage_def, 2, API_LOAD, NULL,
+        "declares a background: a task that sets up layers and plane, which are all off when it begins"),
+    LUA("bg.show", bg_show, 1, 0, NULL,
+        "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line;
+    api_query, api_save, api_board, api_sys, api_line, api_bg;
 const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
                                                  &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
-                                                 &api_sys,    &api_std,    &api_item,  &api_line };
+                                                 &api_sys,    &api_std,    &api_item,  &api_line,  &api_bg };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
-    api_items_thing, api_line_thing;
+    api_items_thing, api_line_thing, api_layer_thing, api_plane_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -193,4 +200,6 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_enemies_thing,
                                                       &api_item_thing,
                                                       &api_items_thing,
-                                                      &api_line_thing };
+                                                      &api_line_thing,
+                                                      &api_layer_thing,
+                                                      &api_plane_thing };

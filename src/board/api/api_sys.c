@@ -34,6 +34,7 @@ static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL 
 static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
 static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param wipe[] = { { "keep", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
 
@@ -178,11 +179,21 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
+/* No background, and the colours of rom.lua. */
+static void wipe_scenery(struct board *b)
 {
     const uint8_t *p = cart_palette(&b->cart, "main");
 
-    (void)L, (void)v;
+    bg_clear(&b->bg, &b->bg_lines);
+    bg_fade(&b->bg, 0);
+    pal_stop(&b->pal);
+    for (int i = 0; i < COLOURS; i++, p += 3)
+        pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+}
+
+static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
     EACH_LIVE (i, &b->bullets.s)
         bullets_drop(&b->bullets, i);
     EACH_LIVE (i, &b->shots.s)
@@ -199,9 +210,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         slots_drop(&b->sprites.s, i);
     EACH_LIVE (i, &b->lines.s)
         slots_drop(&b->lines.s, i);
-    pal_stop(&b->pal);
-    for (int i = 0; i < COLOURS; i++, p += 3)
-        pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+    if (!v[ARG_ON].i)
+        wipe_scenery(b);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
     return 0;
 }
@@ -415,7 +425,8 @@ static const struct api_entry entries[] = {
     { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table", "lives and registers of a kind of player" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
-    { "sys.wipe", sys_wipe, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "an empty field and screen" },
+    { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
+      "an empty field and screen; keep: background and palette stay" },
     { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
     { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
     { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",

@@ -1,8 +1,8 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text,
- *     lines of text
+ *     background, back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front
+ *     sprites, the background's layers in front, text, lines of text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -117,6 +117,18 @@ static void draw_text(struct draw_target *c)
                        f->bank[i]);
 }
 
+/* What is beside the field. */
+static void clear_sides(struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+    const int right = m->field_x + m->field_w, bottom = m->field_y + m->field_h;
+
+    fb_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
+    fb_rect(c->fb, 0, m->field_y, m->field_x, m->field_h, 0);
+    fb_rect(c->fb, right, m->field_y, m->screen_w - right, m->field_h, 0);
+    fb_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
+}
+
 struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
 {
     const struct manifest *m = &b->cart.m;
@@ -124,8 +136,12 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     fb_clip_all(fb);
-    fb_fill(fb, 0);
+    if (video_bg_covers(b))
+        clear_sides(&c);
+    else
+        fb_fill(fb, 0);
     fb_clip(fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    video_bg(&c, false);
     draw_sprites(&c, LAYER_BACK);
     draw_items(&c);
     draw_enemies(&c);
@@ -135,6 +151,7 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
+    video_bg(&c, true);
     draw_text(&c);
     if (b->lines.s.live)
         video_lines(&c);

@@ -20,6 +20,7 @@ static const struct {
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
     { "boss", " boss ", NULL, NULL },
+    { "bg", " bg ", " def show ", "bg" },
     { "hud", " hud ", NULL, NULL },
     { "menu", " menu ", NULL, NULL },
     { "boot", " boot ", NULL, NULL },
@@ -35,9 +36,15 @@ const char *std_module(int i)
 /* Is the word one of the list, each with blanks around it? */
 static int in_list(const char *list, const char *word, size_t n)
 {
-    for (const char *p = list; (p = strchr(p, ' ')) != NULL && *++p != '\0';)
-        if (strncmp(p, word, n) == 0 && p[n] == ' ')
+    for (const char *p = list + 1; *p != '\0'; p++) {
+        size_t same = 0;
+        while (same < n && p[same] == word[same])
+            same++;
+        if (same == n && p[n] == ' ')
             return 1;
+        for (p += same; *p != ' ';)
+            p++;
+    }
     return 0;
 }
 

@@ -213,12 +213,93 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+static void read_map(const struct lump *l, struct map *m)
+{
+    const uint8_t *p = l->data;
+
+    m->cols = bytes_get16(p);
+    m->rows = bytes_get16(p + 2);
+    m->side = bytes_get16(p + 4);
+    m->tiles = bytes_get16(p + 6);
+    m->bank = bytes_get16(p + 8);
+    m->whole = bytes_get16(p + 10) != 0;
+    m->cells = p + CART_MAP_HEADER;
+    m->solid = m->cells + 2 * (size_t)m->cols * (size_t)m->rows;
+    m->pix = m->solid + m->tiles;
+}
+
+static bool map_header_ok(const struct map *m)
+{
+    return (m->side == 8 || m->side == 16 || m->side == 32) && in(m->cols, 1, CART_MAP_SIDE / m->side) &&
+           in(m->rows, 1, CART_MAP_SIDE / m->side) && m->cols * m->rows <= CART_MAP_CELLS && m->tiles >= 1 &&
+           m->bank <= 15;
+}
+
+/* Tile 0 is empty; `solid` is 1 where no pixel is 0. */
+static bool tile_ok(const struct map *m, int tile)
+{
+    const int n = m->side * m->side;
+    const uint8_t *p = m->pix + (size_t)tile * (size_t)n;
+    bool solid = true;
+
+    for (int i = 0; i < n; i++) {
+        if (p[i] != 0 && (tile == 0 || p[i] >> 4 != m->bank || p[i] % 16 == 0))
+            return false;
+        solid = solid && p[i] != 0;
+    }
+    return m->solid[tile] == solid;
+}
+
+static bool check_map(const struct lump *l, char *err, size_t err_size)
+{
+    struct map m;
+
+    if (l->size < CART_MAP_HEADER)
+        return err_set(err, err_size, "lump \"%s\": too short for a map (%" PRIu32 " bytes)", l->name, l->size);
+    read_map(l, &m);
+    if (!map_header_ok(&m) || bytes_get16(l->data + 10) > 1 || bytes_get32(l->data + 12) != 0)
+        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
+    uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
+    uint64_t size = CART_MAP_HEADER + 2 * cells + (uint64_t)m.tiles * (1 + (uint64_t)m.side * (uint64_t)m.side);
+    if (l->size != size)
+        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+                       size);
+    bool whole = true;
+    for (uint64_t i = 0; i < cells; i++) {
+        if (bytes_get16(m.cells + 2 * i) >= m.tiles)
+            return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " is tile %d of %d", l->name, i,
+                           bytes_get16(m.cells + 2 * i), m.tiles);
+        whole = whole && m.solid[bytes_get16(m.cells + 2 * i)];
+    }
+    if (whole != m.whole)
+        return err_set(err, err_size, "lump \"%s\": it says wrongly whether it has holes", l->name);
+    for (int i = 0; i < m.tiles; i++)
+        if (!tile_ok(&m, i))
+            return err_set(err, err_size, "lump \"%s\": tile %d is not what the map says of it", l->name, i);
+    return true;
+}
+
+static bool open_maps(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_map = range(c->rom, "map/", "map0", &c->maps);
+    if (c->maps > CART_MAX_MAPS)
+        return err_set(err, err_size, "%d lumps \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
+    for (int i = 0; i < c->maps; i++) {
+        rom_lump(c->rom, c->first_map + i, &l);
+        if (!check_map(&l, err, err_size))
+            return false;
+    }
+    return true;
+}
+
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
            open_blends(cart, err, err_size) && open_langs(cart, err, err_size) && open_faces(cart, err, err_size) &&
-           open_font(cart, err, err_size) && open_sprites(cart, err, err_size);
+           open_font(cart, err, err_size) && open_sprites(cart, err, err_size) && open_maps(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -284,6 +365,29 @@ bool cart_lang(const struct cart *cart, const char *name, struct words *out)
 int cart_find_blend(const struct cart *cart, const char *name)
 {
     return index_in(cart, "blend/", name, cart->first_blend);
+}
+
+void cart_map(const struct cart *cart, int i, struct map *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->maps);
+    rom_lump(cart->rom, cart->first_map + i, &l);
+    read_map(&l, out);
+}
+
+const char *cart_map_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->maps);
+    rom_lump(cart->rom, cart->first_map + i, &l);
+    return l.name + strlen("map/");
+}
+
+int cart_find_map(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "map/", name, cart->first_map);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)

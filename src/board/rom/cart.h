@@ -13,6 +13,10 @@
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
  *         lang/X          a language: words.h
+ *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
+ *                         bytes); columns * rows tile numbers, u16, row by row; a byte a tile, 1 if none of its pixels
+ *                         is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all
+ *                         tiles in it are solid
  *         demo/X          demos
  *         data/X          text files for rom.text
  */
@@ -38,7 +42,11 @@ enum {
     CART_MAX_GLYPHS = 224,
     CART_MAX_SIDE = 1024, /* px of a sprite's picture */
     CART_MAX_FRAMES = 256,
-    CART_MAX_ROTATIONS = 256
+    CART_MAX_ROTATIONS = 256,
+    CART_MAP_HEADER = 16,
+    CART_MAX_MAPS = 1024,
+    CART_MAP_SIDE = 16384, /* px of a map */
+    CART_MAP_CELLS = 1 << 20
 };
 
 struct cart {
@@ -48,6 +56,7 @@ struct cart {
     int first_palette, palettes;
     int first_blend, blends;
     int first_lang, langs;
+    int first_map, maps;
     const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
     const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
@@ -59,6 +68,16 @@ struct sprite {
     int16_t ox, oy;                    /* the anchor, px from the picture's top left corner */
     uint16_t frames, every, rotations; /* every: frames of time a picture stands; rotation r shows turn r / rotations */
     uint16_t bank;                     /* pixels are 0 or bank * 16 + 1..15 */
+    const uint8_t *pix;
+};
+
+struct map {
+    int cols, rows;       /* tiles */
+    int side;             /* px of a tile: 8, 16 or 32 */
+    int tiles, bank;      /* pixels are 0 or bank * 16 + 1..15 */
+    bool whole;           /* every cell's tile is solid */
+    const uint8_t *cells; /* cols * rows numbers below tiles, u16 */
+    const uint8_t *solid; /* a byte a tile */
     const uint8_t *pix;
 };
 
@@ -79,6 +98,11 @@ const char *cart_lang_name(const struct cart *cart, int i);
 
 /* The words of a language; "": none, in which nothing is found. False: the game has no such language. */
 bool cart_lang(const struct cart *cart, const char *name, struct words *out);
+
+/* Map i, 0 <= i < maps; its name without "map/"; the index of a name, or -1. */
+void cart_map(const struct cart *cart, int i, struct map *out);
+const char *cart_map_name(const struct cart *cart, int i);
+int cart_find_map(const struct cart *cart, const char *name);
 
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);

@@ -59,6 +59,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.items", items, 0, 1 << 16),
     NUMBER("board.lines", lines, 0, 4096),
     FLAG("board.wide", wide),
+    FLAG("board.bg", bg),
 };
 
 void manifest_default(struct manifest *m)

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5220,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5224,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -47,6 +47,7 @@ struct manifest {
     int32_t items;              /* a capacity: 0 unless rom.lua asks for them */
     int32_t lines;              /* the same of lines of text */
     int32_t wide;               /* 1: a cell has room for any character, and for its font */
+    int32_t bg;                 /* 1: there are backgrounds, which need maps */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -64,7 +65,9 @@ enum {
     MAX_ART_BLENDS = 3,
     MAX_ART_SHEETS = 256,
     MAX_ART_SPRITES = 4096,
-    MAX_ART_SIZES = 16, /* of a sprite, beside its own */
+    MAX_ART_MAPS = 256,
+    MAX_ART_CELLS = 1 << 16, /* of all maps whose rows stand in rom.lua */
+    MAX_ART_SIZES = 16,      /* of a sprite, beside its own */
     MAX_ART_FONTS = 8,
     ART_CHARS = 8192, /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
@@ -104,6 +107,13 @@ struct art_sprite {
     bool origin;     /* ox, oy were given; else the middle */
 };
 
+/* A map of tiles: its cells stand in a file, or in art.cells from `cells` on. */
+struct art_map {
+    char name[ART_NAME], tiles[ART_FILE], file[ART_FILE], layer[ART_NAME]; /* file "": rows; layer: of a .tmx */
+    int32_t size, bank, first; /* size: px of a tile, 0 if the file says it */
+    int32_t cells, cols, rows;
+};
+
 struct art {
     char palette[ART_FILE], font[ART_FILE]; /* "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
@@ -111,7 +121,10 @@ struct art {
     struct art_font fonts[MAX_ART_FONTS];
     struct art_sheet sheets[MAX_ART_SHEETS];
     struct art_sprite sprites[MAX_ART_SPRITES];
-    int n_palettes, n_blends, n_fonts, n_sheets, n_sprites; /* each ascending by name */
+    struct art_map maps[MAX_ART_MAPS];
+    uint16_t cells[MAX_ART_CELLS];                                  /* 0: empty, else a tile's number from 1 on */
+    int n_palettes, n_blends, n_fonts, n_sheets, n_sprites, n_maps; /* each ascending by name */
+    int n_cells;
 };
 
 /* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they
@@ -122,7 +135,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 28 };
+enum { MANIFEST_NUMBERS = 29 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

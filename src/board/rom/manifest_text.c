@@ -716,12 +716,103 @@ static void read_sprites(const struct at *root, struct art *art)
     lua_pop(a.lua, 1);
 }
 
+/* One row of a map's numbers. */
+static void read_row(const struct at *rows, int i, int first, struct art *art, struct art_map *map)
+{
+    struct at row = { rows->lua, 0, "" };
+    char path[MAX_PATH];
+
+    item(rows, i, row.path);
+    if (!lua_istable(rows->lua, -1))
+        bad(rows->lua, row.path, "expected a list of tiles, got %s", got(rows->lua));
+    row.index = lua_gettop(rows->lua);
+    const int n = list(&row, MAX_ART_CELLS);
+    if (i == 1)
+        map->cols = n;
+    if (n != map->cols || n == 0)
+        bad(rows->lua, row.path, "expected %d tiles as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
+    if (n > MAX_ART_CELLS - art->n_cells)
+        bad(rows->lua, row.path, "more than %d tiles in rom.lua: write them into a file", MAX_ART_CELLS);
+    for (int k = 1; k <= n; k++) {
+        item(&row, k, path);
+        art->cells[art->n_cells++] = (uint16_t)(to_whole(rows->lua, path, first - 1, 65534) - first + 1);
+    }
+    lua_pop(rows->lua, 1);
+}
+
+static void read_rows(const struct at *a, struct art *art, struct art_map *map)
+{
+    struct at rows;
+
+    if (!get_table(a, "rows", &rows))
+        return;
+    map->cells = art->n_cells;
+    map->rows = list(&rows, MAX_ART_CELLS);
+    for (int i = 1; i <= map->rows; i++)
+        read_row(&rows, i, map->first, art, map);
+    if (map->rows == 0)
+        bad(a->lua, rows.path, "expected at least one row");
+    lua_pop(a->lua, 1);
+}
+
+static bool ends(const char *s, const char *tail)
+{
+    size_t n = strlen(s), m = strlen(tail);
+
+    return n > m && strcmp(s + n - m, tail) == 0;
+}
+
+static void read_map(const struct at *a, struct art *art, struct art_map *map)
+{
+    static const char *const names[] = { "tiles", "file", "rows", "layer", "size", "bank", "first", NULL };
+    char path[MAX_PATH];
+
+    only(a, names);
+    path_of(a, "size", path);
+    map->first = 1;
+    if (!get_file(a, "tiles", map->tiles))
+        bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
+    get_whole(a, "bank", 0, 15, &map->bank);
+    get_whole(a, "size", 8, 32, &map->size);
+    get_whole(a, "first", 0, 1, &map->first);
+    get_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
+    const bool file = get_file(a, "file", map->file), tmx = ends(map->file, ".tmx");
+    if (file && !tmx && !ends(map->file, ".csv"))
+        bad(a->lua, a->path, "file: expected a .csv or a .tmx, got \"%s\"", map->file);
+    if (map->layer[0] != '\0' && !tmx)
+        bad(a->lua, a->path, "layer: only a .tmx has layers");
+    if (map->size == 0 && !tmx)
+        map->size = 16;
+    if (map->size != 0 && map->size != 8 && map->size != 16 && map->size != 32)
+        bad(a->lua, path, "expected 8, 16 or 32, got %d", (int)map->size);
+    read_rows(a, art, map);
+    if (file == (map->rows > 0))
+        bad(a->lua, a->path, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
+}
+
+/* Maps alone switch backgrounds on. */
+static void read_maps(const struct at *root, struct manifest *m, struct art *art)
+{
+    struct at a, one;
+
+    if (!get_table(root, "maps", &a))
+        return;
+    art->n_maps = keys(&a, art->maps, MAX_ART_MAPS, sizeof art->maps[0], ART_NAME);
+    for (int i = 0; i < art->n_maps; i++) {
+        get_table(&a, art->maps[i].name, &one);
+        read_map(&one, art, &art->maps[i]);
+        lua_pop(a.lua, 1);
+    }
+    m->bg = m->bg || art->n_maps > 0;
+    lua_pop(a.lua, 1);
+}
+
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
     static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
                                          "field",        "board",      "palette", "palettes", "blends",  "font",
                                          "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
-                                         "difficulties", "difficulty", NULL };
+                                         "difficulties", "difficulty", "maps",    NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -734,6 +825,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_fonts(root, art);
     read_sheets(root, art);
     read_sprites(root, art);
+    read_maps(root, m, art);
 }
 
 static void too_long(lua_State *lua, lua_Debug *ar)

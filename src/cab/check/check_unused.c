@@ -198,6 +198,10 @@ static void unused_names(struct check *c)
         if (!check_mentioned(c, c->art.palettes[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
                             "palette \"%s\": no script names it", c->art.palettes[i].name);
+    for (int i = 0; i < c->art.n_maps; i++)
+        if (!check_mentioned(c, c->art.maps[i].name))
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "maps", c->art.maps[i].name),
+                            "map \"%s\": no script names it", c->art.maps[i].name);
 }
 
 static bool picture_used(const struct check *c, const char *path)
@@ -210,6 +214,8 @@ static bool picture_used(const struct check *c, const char *path)
         used = used || strcmp(path, c->art.fonts[i].file) == 0;
     for (int i = 0; i < c->art.n_sheets; i++)
         used = used || strcmp(path, c->art.sheets[i].file) == 0;
+    for (int i = 0; i < c->art.n_maps; i++)
+        used = used || strcmp(path, c->art.maps[i].tiles) == 0;
     return used;
 }
 

@@ -75,7 +75,7 @@ static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off
     return best;
 }
 
-/* The shade of pixel (x, y), 0 for a transparent one; -1 with a sentence. */
+/* art_shade, which every pixel of every sprite goes through. */
 static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
                     size_t err_size)
 {

@@ -25,6 +25,7 @@
 #include "faces.h"
 #include "lang.h"
 #include "../host/files.h"
+#include "map.h"
 #include "tree.h"
 #include "png.h"
 
@@ -353,12 +354,74 @@ static bool add_sheet(struct packer *p, int sheet)
     return good;
 }
 
+/* The cells of a map whose rows stand in rom.lua. */
+static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells *out)
+{
+    const size_t n = (size_t)m->cols * (size_t)m->rows;
+
+    *out = (struct map_cells){ m->cols, m->rows, 0, malloc(n * sizeof *out->cell) };
+    for (size_t i = 0; out->cell != NULL && i < n; i++)
+        out->cell[i] = p->art.cells[(size_t)m->cells + i];
+    return out->cell != NULL ? true : err_set(p->err, p->err_size, "out of memory");
+}
+
+static bool load_cells(struct packer *p, const struct art_map *m, struct map_cells *out)
+{
+    uint8_t *text;
+    size_t n;
+
+    if (m->file[0] == '\0')
+        return rows_of(p, m, out);
+    if (!tree_portable(m->file))
+        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", m->file);
+    if (!load_in(p, m->file, TREE_FILE, &text, &n))
+        return false;
+    tree_drop_bom(text, &n);
+    bool good = ends_with(m->file, ".csv")
+                    ? map_read_csv((const char *)text, n, m->file, m->first, out, p->err, p->err_size)
+                    : map_read_tmx((const char *)text, n, m->file, m->layer, out, p->err, p->err_size);
+    free(text);
+    if (!good || !out->side || !m->size || out->side == m->size)
+        return good;
+    free(out->cell);
+    return err_set(p->err, p->err_size, "rom.lua: maps.%s.size: %d px, but tiles of %s are %d px", m->name,
+                   (int)m->size, m->file, out->side);
+}
+
+static bool add_map(struct packer *p, const struct art_map *m)
+{
+    struct art_picture sheet;
+    struct map_cells cells;
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (!load_cells(p, m, &cells))
+        return false;
+    if (!load_picture(p, m->tiles, &sheet)) {
+        free(cells.cell);
+        return false;
+    }
+    bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, p->palette, p->nearest, &data,
+                         &size, why, sizeof why);
+    free(sheet.rgba);
+    free(cells.cell);
+    if (good)
+        return add(p, "map/", m->name, data, size);
+    return starts_with(why, "pixel")
+               ? err_set(p->err, p->err_size, "%s: %s", m->tiles, why)
+               : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
+}
+
 static bool add_art(struct packer *p)
 {
     if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))
+            return false;
+    for (int i = 0; i < p->art.n_maps; i++)
+        if (!add_map(p, &p->art.maps[i]))
             return false;
     return true;
 }

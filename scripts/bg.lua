@@ -1,0 +1,46 @@
+-- bg.lua - bg.def and bg.show: backgrounds by name, and the fade from one to the next. Which one is shown is state of
+-- the board (sys.bg_shown), so a new game begins without any.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local scenes = {} -- number -> function
+local names = {}  -- number -> name
+local numbers = {} -- name -> number
+local task_of     -- the task of what is shown; it may have ended
+local coming      -- the task that waits for the middle of a fade
+
+function bg.def(name, f)
+  local a = sys.check("bg.def", name, f)
+  if numbers[a.name] then sys.fail("bg.def", ('background "%s" is declared twice'):format(a.name)) end
+  local n = #names + 1
+  names[n], scenes[n], numbers[a.name] = a.name, a.f, n
+end
+
+local function change(n, dark)
+  wait(dark)
+  if task_of then task.stop(task_of) end
+  task_of = sys.task()
+  coming = nil
+  sys.bg_clear()
+  sys.bg_shown(n)
+  if n > 0 then scenes[n]() end
+end
+
+local function show(n, over)
+  if coming then task.stop(coming) end
+  coming = task.go(change, n, sys.skipping() and 0 or sys.bg_fade(over))
+end
+
+function bg.show(name, args)
+  local a = sys.check("bg.show", name, args)
+  if a.name and not numbers[a.name] then sys.unknown("bg.show", "background", a.name, names) end
+  show(a.name and numbers[a.name] or 0, a.over)
+end
+
+-- For boss.lua: shows that background, or the one of that number; returns the number of the one before.
+function sys.backdrop(name)
+  local before = sys.bg_shown()
+  if type(name) == "string" then bg.show(name) else show(name, 30) end
+  return before
+end
+
+return bg

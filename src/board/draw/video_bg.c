@@ -1,0 +1,246 @@
+/*
+ * video_bg.c - draws the background (bg.h): from back to front layer 1, the plane, layers 2 to 4; those that are in
+ * front, over all sprites.
+ *
+ * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
+ * which repeats if it wraps. Each row is put together from rows of tiles in a buffer and goes onto the surface in one
+ * piece: copied where all of its tiles are solid. So line scroll costs nothing more, and no tile is clipped.
+ *
+ * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
+ * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
+ * the last, and only where a row begins is rounded.
+ */
+#include "../../../fb/row.h"
+#include "../../base/bytes.h"
+#include "../../base/trig.h"
+#include "../video.h"
+#include <string.h>
+
+enum { ROW = 1024 + 64 /* the widest field, and a tile more on each side */ };
+
+/* How the rows of a layer or of the plane go onto the surface. */
+struct brush {
+    uint8_t bank;
+    const uint8_t *to;    /* what each colour is shown as, or NULL */
+    const uint8_t *table; /* a blend's, or NULL */
+};
+
+static int64_t modulo(int64_t a, int64_t n)
+{
+    int64_t r = a % n;
+
+    return r < 0 ? r + n : r;
+}
+
+/* n pixels from s into row y of the field, from column x on. */
+static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
+{
+    uint8_t *d = c->fb->pix + (c->y + y) * c->fb->pitch + c->x + x;
+
+    if (b->to || b->table)
+        row_mix(d, s, n, b->bank, b->to, b->table);
+    else if (solid)
+        row_copy(d, s, n, b->bank);
+    else
+        row_cover(d, s, n, b->bank);
+}
+
+/* Puts `n` tile rows from cell (col, row) on into `to`, starting over at the map's right edge; are all solid? The side
+ * is a constant where this is called, so that each copy is a few instructions. */
+static inline bool put_tiles(const struct map *m, int col, int row, int in, int n, uint8_t *to, const int side)
+{
+    const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
+    const uint8_t *pix = m->pix + in * side;
+    uint8_t solid = 1;
+
+    for (; n > 0; n--, to += side) {
+        size_t tile = bytes_get16(cells + 2 * col);
+        memcpy(to, pix + tile * (size_t)(side * side), (size_t)side);
+        solid &= m->solid[tile];
+        if (++col == m->cols)
+            col = 0;
+    }
+    return solid;
+}
+
+/* n pixels of the map from (x, y) on, both inside; *solid: none is 0. */
+static const uint8_t *map_row(const struct map *m, int x, int y, int n, uint8_t row[ROW], bool *solid)
+{
+    const int skip = x % m->side, tiles = (skip + n + m->side - 1) / m->side, in = y % m->side;
+    const int c = x / m->side, r = y / m->side;
+
+    if (m->side == 8)
+        *solid = put_tiles(m, c, r, in, tiles, row, 8);
+    else if (m->side == 16)
+        *solid = put_tiles(m, c, r, in, tiles, row, 16);
+    else
+        *solid = put_tiles(m, c, r, in, tiles, row, 32);
+    return row + skip;
+}
+
+static struct brush brush_of(const struct board *b, uint32_t i)
+{
+    const unsigned blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
+    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? b->cart.blend[blend - 1] : NULL };
+
+    if (bg_dark(&b->bg))
+        brush.to = b->bg_shades.to + BG_BLACK_TABLES + (bg_dark(&b->bg) - 1) * 256;
+    return brush;
+}
+
+static void draw_layer(struct draw_target *c, uint32_t i)
+{
+    const struct bg *g = &c->b->bg;
+    const struct brush brush = brush_of(c->b, i);
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h;
+    const bool wraps = g->flags[i] & BG_WRAP;
+    uint8_t row[ROW];
+    struct map m;
+    bool solid;
+
+    cart_map(&c->b->cart, g->map[i] - 1, &m);
+    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = g->y[i] >> 16;
+    for (int y = 0; y < h; y++) {
+        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, y)) >> 16);
+        int64_t from = 0, to = w, my = y - top;
+        if (wraps) {
+            at = modulo(at, mw);
+            my = modulo(my, mh);
+        } else {
+            from = at < 0 ? -at : 0;
+            to = mw - at < w ? mw - at : w;
+            if (my < 0 || my >= mh || from >= to)
+                continue;
+        }
+        const uint8_t *s = map_row(&m, (int)(at + from), (int)my, (int)(to - from), row, &solid);
+        lay(c, &brush, s, (int)from, y, (int)(to - from), solid);
+    }
+    c->drawn++;
+}
+
+/* How a row of the plane is walked: place and step in Q32, both from 0 to the map's size. */
+struct walk {
+    int64_t u, v, du, dv;
+};
+
+/* n pixels of the map along the walk. */
+static bool walk_row(const struct map *m, struct walk a, int n, uint8_t *row)
+{
+    const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    uint8_t solid = 1;
+
+    for (int x = 0; x < n; x++) {
+        int u = (int)(a.u >> 32), v = (int)(a.v >> 32);
+        size_t tile = bytes_get16(m->cells + 2 * (size_t)((v >> shift) * m->cols + (u >> shift)));
+        row[x] = m->pix[(tile << 2 * shift) + (size_t)((v & mask) << shift | (u & mask))];
+        solid &= m->solid[tile];
+        a.u += a.du;
+        a.u -= a.u >= w ? w : 0;
+        a.v += a.dv;
+        a.v -= a.v >= h ? h : 0;
+    }
+    return solid;
+}
+
+/* Where row k halves from the horizon begins; s: its px of plane a pixel, Q16. */
+static struct walk walk_of(const struct bg *g, const struct map *m, int field_w, int64_t s)
+{
+    const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
+    const int64_t ahead_x = s * trig_cos30(g->dir[BG_PLANE]) >> 14, ahead_y = s * trig_sin30(g->dir[BG_PLANE]) >> 14;
+    const int64_t u = modulo(g->x[BG_PLANE], w >> 16) * 65536 + field_w * ahead_x - (1 - field_w) * ahead_y / 2;
+    const int64_t v = modulo(g->y[BG_PLANE], h >> 16) * 65536 + field_w * ahead_y + (1 - field_w) * ahead_x / 2;
+
+    return (struct walk){ modulo(u, w), modulo(v, h), modulo(-ahead_y, w), modulo(ahead_x, h) };
+}
+
+/* Which table of fog a row is shown by: 0 none, or 1 to BG_SHADES. */
+static int fog_at(const struct bg *g, int field_w, int64_t s)
+{
+    if (g->fog[BG_PLANE] == BG_NO_FOG)
+        return 0;
+    int64_t depth = s * field_w * BG_SHADES;
+    return depth / g->far[BG_PLANE] < BG_SHADES ? (int)(depth / g->far[BG_PLANE]) : BG_SHADES;
+}
+
+/* The table that fogs, and then shades: one of the two, or both in one. */
+static const uint8_t *plane_table(const struct board *b, int fog, uint8_t both[256])
+{
+    const uint8_t *first = fog ? b->bg_shades.to + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
+    const uint8_t *then = brush_of(b, BG_PLANE).to;
+
+    if (!first || !then)
+        return first ? first : then;
+    for (int k = 0; k < 256; k++)
+        both[k] = then[first[k]];
+    return both;
+}
+
+static void draw_plane(struct draw_target *c)
+{
+    const struct bg *g = &c->b->bg;
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE];
+    const bool ceiling = g->flags[BG_PLANE] & BG_CEILING;
+    struct brush brush = brush_of(c->b, BG_PLANE);
+    uint8_t row[ROW], both[256];
+    struct map m;
+    int fogged = -1;
+
+    cart_map(&c->b->cart, g->map[BG_PLANE] - 1, &m);
+    for (int y = 0; y < h; y++) {
+        int64_t away = ceiling ? 2 * (horizon - y) - 1 : 2 * (y - horizon) + 1;
+        if (away <= 0)
+            continue;
+        int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
+        int fog = fog_at(g, w, s);
+        if (fog != fogged)
+            brush.to = plane_table(c->b, fogged = fog, both);
+        bool solid = walk_row(&m, walk_of(g, &m, w, s), w, row);
+        lay(c, &brush, row, 0, y, w, solid);
+    }
+    c->drawn++;
+}
+
+static bool shown(const struct bg *g, uint32_t i, bool front)
+{
+    return g->map[i] && !(g->flags[i] & BG_HIDDEN) && !(g->flags[i] & BG_FRONT) == !front;
+}
+
+/* Does layer i hide all that is under it? */
+static bool covers(const struct board *b, uint32_t i)
+{
+    struct map m;
+
+    if (!shown(&b->bg, i, false) || !(b->bg.flags[i] & BG_WRAP) || b->bg.flags[i] & BG_BLEND)
+        return false;
+    cart_map(&b->cart, b->bg.map[i] - 1, &m);
+    return m.whole;
+}
+
+/* The frontmost layer that covers the field, or -1. */
+static int covering(const struct board *b)
+{
+    int i = (int)b->bg.s.live - 2;
+
+    while (i >= 0 && !covers(b, (uint32_t)i))
+        i--;
+    return i;
+}
+
+bool video_bg_covers(const struct board *b)
+{
+    return covering(b) >= 0;
+}
+
+void video_bg(struct draw_target *c, bool front)
+{
+    const struct bg *g = &c->b->bg;
+    const int first = front ? 0 : covering(c->b);
+
+    for (int i = first < 0 ? 0 : first; i + 1 < (int)g->s.live; i++) {
+        if (shown(g, (uint32_t)i, front))
+            draw_layer(c, (uint32_t)i);
+        if (i == 0 && shown(g, BG_PLANE, front))
+            draw_plane(c);
+    }
+}

@@ -1,0 +1,285 @@
+/*
+ * map.c - see map.h: the lump, and CSV. A tile that is turned is another tile of the lump, so nothing that draws has to
+ * know of turns.
+ */
+#include "map.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/err.h"
+
+/* ---- the lump ---- */
+
+/* What map_make works on. */
+struct making {
+    const struct map_cells *cells;
+    const struct art_picture *sheet;
+    int side, bank, across, count; /* tiles in a row of the sheet, and in all */
+    const uint8_t *rgb;
+    bool nearest;
+    uint16_t *number; /* of each tile of the sheet and turn, in the lump; 0: not yet */
+    uint8_t *pix;     /* the lump's tiles */
+    int tiles, room;
+    char *err;
+    size_t err_size;
+};
+
+static size_t tile_bytes(const struct making *m)
+{
+    return (size_t)m->side * (size_t)m->side;
+}
+
+/* Where pixel (x, y) of a turned tile comes from. */
+static void source_of(uint32_t cell, int side, int x, int y, int *from_x, int *from_y)
+{
+    x = cell & MAP_FLIP_X ? side - 1 - x : x;
+    y = cell & MAP_FLIP_Y ? side - 1 - y : y;
+    *from_x = cell & MAP_DIAGONAL ? y : x;
+    *from_y = cell & MAP_DIAGONAL ? x : y;
+}
+
+static bool cut_tile(struct making *m, uint32_t cell, uint8_t *to)
+{
+    const int tile = (int)(cell & MAP_NUMBER) - 1;
+    int sx, sy;
+
+    for (int y = 0; y < m->side; y++)
+        for (int x = 0; x < m->side; x++) {
+            source_of(cell, m->side, x, y, &sx, &sy);
+            int shade = art_shade(m->sheet, tile % m->across * m->side + sx, tile / m->across * m->side + sy, m->bank,
+                                  m->rgb, m->nearest, m->err, m->err_size);
+            if (shade < 0)
+                return false;
+            to[y * m->side + x] = shade == 0 ? 0 : (uint8_t)(m->bank * 16 + shade);
+        }
+    return true;
+}
+
+static bool more_room(struct making *m)
+{
+    int room = m->room * 2;
+    uint8_t *pix = realloc(m->pix, (size_t)room * tile_bytes(m));
+
+    if (pix == NULL)
+        return err_set(m->err, m->err_size, "out of memory");
+    m->pix = pix;
+    m->room = room;
+    return true;
+}
+
+static bool is_empty(const uint8_t *pix, size_t n)
+{
+    while (n > 0 && pix[n - 1] == 0)
+        n--;
+    return n == 0;
+}
+
+/* The lump's number of a cell that is not empty; -1 with a sentence. */
+static int number_of(struct making *m, uint32_t cell)
+{
+    const size_t key = (size_t)(cell & MAP_NUMBER) * 8 + (cell >> 27);
+
+    if (m->number[key])
+        return m->number[key] - 1;
+    if (m->tiles == UINT16_MAX - 1)
+        return err_set(m->err, m->err_size, "more than %d different tiles", UINT16_MAX - 2), -1;
+    if (m->tiles == m->room && !more_room(m))
+        return -1;
+    uint8_t *pix = m->pix + (size_t)m->tiles * tile_bytes(m);
+    if (!cut_tile(m, cell, pix))
+        return -1;
+    m->number[key] = (uint16_t)(is_empty(pix, tile_bytes(m)) ? 1 : ++m->tiles);
+    return m->number[key] - 1;
+}
+
+/* The lump's number of each cell. */
+static bool number_cells(struct making *m, uint8_t *cells)
+{
+    const struct map_cells *c = m->cells;
+
+    for (int i = 0; i < c->cols * c->rows; i++) {
+        int number = 0;
+        if ((int)(c->cell[i] & MAP_NUMBER) > m->count)
+            return err_set(m->err, m->err_size, "column %d of row %d: tile %" PRIu32 ", the sheet has %d of %dx%d px",
+                           i % c->cols + 1, i / c->cols + 1, c->cell[i] & MAP_NUMBER, m->count, m->side, m->side);
+        if (c->cell[i] & MAP_NUMBER && (number = number_of(m, c->cell[i])) < 0)
+            return false;
+        bytes_put16(cells + 2 * i, (uint16_t)number);
+    }
+    return true;
+}
+
+/* The lump of numbered cells. */
+static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, size_t *size)
+{
+    const size_t n = (size_t)m->cells->cols * (size_t)m->cells->rows, tile = tile_bytes(m);
+    bool whole = true;
+
+    *size = CART_MAP_HEADER + 2 * n + (size_t)m->tiles * (1 + tile);
+    uint8_t *p = *out = calloc(1, *size);
+    if (p == NULL)
+        return err_set(m->err, m->err_size, "out of memory");
+    uint8_t *solid = p + CART_MAP_HEADER + 2 * n;
+    for (int i = 0; i < m->tiles; i++)
+        solid[i] = memchr(m->pix + (size_t)i * tile, 0, tile) == NULL;
+    for (size_t i = 0; i < n; i++)
+        whole = whole && solid[bytes_get16(cells + 2 * i)];
+    bytes_put16(p, (uint16_t)m->cells->cols);
+    bytes_put16(p + 2, (uint16_t)m->cells->rows);
+    bytes_put16(p + 4, (uint16_t)m->side);
+    bytes_put16(p + 6, (uint16_t)m->tiles);
+    bytes_put16(p + 8, (uint16_t)m->bank);
+    bytes_put16(p + 10, whole);
+    memcpy(p + CART_MAP_HEADER, cells, 2 * n);
+    memcpy(solid + m->tiles, m->pix, (size_t)m->tiles * tile);
+    return true;
+}
+
+bool map_make(const struct map_cells *cells, int side, const struct art_picture *sheet, int bank,
+              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err, size_t err_size)
+{
+    struct making m = { .cells = cells,
+                        .sheet = sheet,
+                        .side = side,
+                        .bank = bank,
+                        .rgb = rgb,
+                        .nearest = nearest,
+                        .err = err,
+                        .err_size = err_size };
+
+    m.across = sheet->w / side;
+    m.count = m.across * (sheet->h / side);
+    m.tiles = 1;
+    m.room = 16;
+    if (cells->cols > CART_MAP_SIDE / side || cells->rows > CART_MAP_SIDE / side)
+        return err_set(err, err_size, "%dx%d tiles of %d px, expected at most %d px each way", cells->cols, cells->rows,
+                       side, CART_MAP_SIDE);
+    m.number = calloc((size_t)m.count * 8 + 8, sizeof *m.number);
+    m.pix = calloc((size_t)m.room, tile_bytes(&m));
+    uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
+    bool good = m.number != NULL && m.pix != NULL && numbers != NULL ? true : err_set(err, err_size, "out of memory");
+    good = good && number_cells(&m, numbers) && join(&m, numbers, out, size);
+    free(numbers);
+    free(m.number);
+    free(m.pix);
+    return good;
+}
+
+/* ---- CSV ---- */
+
+struct csv {
+    const char *at, *end, *file;
+    int line, first;
+    struct map_cells *out;
+    int n, room;
+    char *err;
+    size_t err_size;
+};
+
+static bool csv_add(struct csv *c, uint32_t cell)
+{
+    if (c->n == CART_MAP_CELLS)
+        return err_set(c->err, c->err_size, "%s:%d: more than %d tiles", c->file, c->line, CART_MAP_CELLS);
+    if (c->n == c->room) {
+        c->room = c->room ? 2 * c->room : 1024;
+        uint32_t *more = realloc(c->out->cell, (size_t)c->room * sizeof *more);
+        if (more == NULL)
+            return err_set(c->err, c->err_size, "out of memory");
+        c->out->cell = more;
+    }
+    c->out->cell[c->n++] = cell;
+    return true;
+}
+
+static bool is_blank(char ch)
+{
+    return ch == ' ' || ch == '\t' || ch == '\r';
+}
+
+static void skip_blanks(struct csv *c)
+{
+    while (c->at < c->end && is_blank(*c->at))
+        c->at++;
+}
+
+static bool csv_number(struct csv *c)
+{
+    bool minus = c->at < c->end && *c->at == '-';
+    int64_t v = 0;
+    int digits = 0;
+
+    c->at += minus;
+    for (; c->at < c->end && *c->at >= '0' && *c->at <= '9' && digits < 10; c->at++, digits++)
+        v = 10 * v + (*c->at - '0');
+    v = minus ? -v : v;
+    if (!digits && c->at < c->end)
+        return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the byte %d", c->file, c->line,
+                       (unsigned char)*c->at);
+    if (!digits)
+        return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the file's end", c->file, c->line);
+    if (v < c->first - 1 || v - c->first + 1 > MAP_NUMBER)
+        return err_set(c->err, c->err_size, "%s:%d: expected %d for empty or a tile from %d on, got %" PRId64 "%s",
+                       c->file, c->line, c->first - 1, c->first, v,
+                       v == -1 ? " (Tiled's CSV counts from 0: write first = 0)" : "");
+    return csv_add(c, (uint32_t)(v - c->first + 1));
+}
+
+/* A line's numbers, up to its end. */
+static bool csv_line(struct csv *c)
+{
+    const int had = c->n;
+
+    for (;;) {
+        if (!csv_number(c))
+            return false;
+        skip_blanks(c);
+        if (c->at < c->end && *c->at == ',')
+            c->at++;
+        else if (c->at < c->end && *c->at != '\n')
+            return err_set(c->err, c->err_size, "%s:%d: expected a comma, got the byte %d", c->file, c->line,
+                           (unsigned char)*c->at);
+        skip_blanks(c);
+        if (c->at == c->end || *c->at == '\n')
+            break;
+    }
+    if (!c->out->cols)
+        c->out->cols = c->n - had;
+    if (c->n - had != c->out->cols)
+        return err_set(c->err, c->err_size, "%s:%d: %d tiles, expected %d as in the first line", c->file, c->line,
+                       c->n - had, c->out->cols);
+    c->out->rows++;
+    return true;
+}
+
+static bool csv_lines(struct csv *c)
+{
+    int empty = 0; /* the first empty line */
+
+    for (c->line = 1; c->at < c->end; c->line++) {
+        skip_blanks(c);
+        if (c->at < c->end && *c->at != '\n') {
+            if (empty)
+                return err_set(c->err, c->err_size, "%s:%d: an empty line amid the others", c->file, empty);
+            if (!csv_line(c))
+                return false;
+        } else if (!empty)
+            empty = c->line;
+        c->at += c->at < c->end;
+    }
+    return c->n > 0 ? true : err_set(c->err, c->err_size, "%s: expected lines of numbers, got none", c->file);
+}
+
+bool map_read_csv(const char *text, size_t n, const char *file, int first, struct map_cells *out, char *err,
+                  size_t err_size)
+{
+    struct csv c = { text, text + n, file, 1, first, out, 0, 0, err, err_size };
+
+    *out = (struct map_cells){ 0 };
+    if (csv_lines(&c))
+        return true;
+    free(out->cell);
+    *out = (struct map_cells){ 0 };
+    return false;
+}

@@ -1,0 +1,61 @@
+/*
+ * fuzz_map.c - libFuzzer: any bytes as a map. The first byte chooses the reader: a .tmx, one with a layer's name, or
+ * CSV whose tiles count from 0 or 1. What is read is made into a lump with a small sheet.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/pack/map.h"
+
+static void check_cells(const struct map_cells *c)
+{
+    uint32_t sum = 0;
+
+    if (c->cols < 1 || c->rows < 1 || (int64_t)c->cols * c->rows > CART_MAP_CELLS || c->cell == NULL)
+        abort();
+    for (int i = 0; i < c->cols * c->rows; i++)
+        sum += c->cell[i] & MAP_NUMBER;
+    if (sum == 1 && c->side == 7)
+        abort();
+}
+
+static void make(const struct map_cells *c)
+{
+    static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE];
+    const struct art_picture sheet = { rgba, 64, 64 };
+    char err[256] = "";
+    uint8_t *lump = NULL;
+    size_t size = 0;
+
+    for (int i = 0; i < (int)sizeof rgba; i++)
+        rgba[i] = (uint8_t)(i % 4 == 3 ? i * 7 : 0);
+    bool good = map_make(c, c->side ? c->side : 8, &sheet, 3, rgb, true, &lump, &size, err, sizeof err);
+    if (good ? size < CART_MAP_HEADER : err[0] == '\0')
+        abort();
+    if (good)
+        free(lump);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    size_t n = size > 0 ? size - 1 : 0;
+    char *text = malloc(n + (n == 0)), err[256] = "";
+    const int how = size > 0 ? data[0] % 4 : 0;
+    struct map_cells c;
+
+    if (text == NULL)
+        return 0;
+    if (n > 0)
+        memcpy(text, data + 1, n);
+    bool good = how < 2 ? map_read_tmx(text, n, "m.tmx", how ? "a" : "", &c, err, sizeof err)
+                        : map_read_csv(text, n, "m.csv", how - 2, &c, err, sizeof err);
+    free(text);
+    if (good) {
+        check_cells(&c);
+        make(&c);
+        free(c.cell);
+    } else if (err[0] == '\0' || c.cell != NULL)
+        abort();
+    return 0;
+}

@@ -1,0 +1,585 @@
+/*
+ * test_bg.c - backgrounds against a plain program that asks for each pixel of the field which pixel of which map is
+ * there; their motion; fades; what a game without them has of them.
+ */
+#include "../../fb/row.h"
+#include "../../src/board/video.h"
+#include "rig.h"
+
+static struct rng rng;
+
+static int64_t within(int64_t lo, int64_t hi)
+{
+    return lo + (int64_t)rng_below(&rng, (uint64_t)(hi - lo + 1));
+}
+
+static int64_t any_of(const int64_t *list, int n)
+{
+    return list[rng_below(&rng, (uint64_t)n)];
+}
+
+/* ---- the plain program ---- */
+
+static int64_t floor_div(int64_t a, int64_t n)
+{
+    int64_t q = a / n;
+
+    return q - (a % n != 0 && (a < 0) != (n < 0));
+}
+
+static int64_t rest_of(int64_t a, int64_t n)
+{
+    return a - floor_div(a, n) * n;
+}
+
+static uint8_t map_pixel(const struct map *m, int64_t x, int64_t y)
+{
+    const int64_t cell = y / m->side * m->cols + x / m->side;
+    const int64_t tile = m->cells[2 * cell] | m->cells[2 * cell + 1] << 8;
+
+    return m->pix[tile * m->side * m->side + y % m->side * m->side + x % m->side];
+}
+
+static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_t pixel, const uint8_t *to)
+{
+    const int blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
+    uint8_t over = (uint8_t)(pixel + 16 * b->bg.bank[i]);
+
+    if (!pixel)
+        return under;
+    over = to ? to[over] : over;
+    return blend ? b->cart.blend[blend - 1][under * 256 + over] : over;
+}
+
+static const uint8_t *black(const struct board *b)
+{
+    return bg_dark(&b->bg) ? b->bg_shades.to + BG_BLACK_TABLES + 256 * (bg_dark(&b->bg) - 1) : NULL;
+}
+
+static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint8_t under)
+{
+    const struct bg *g = &b->bg;
+    struct map m;
+
+    cart_map(&b->cart, g->map[i] - 1, &m);
+    int64_t mx = x - floor_div(g->x[i] + bg_line(g, &b->bg_lines, i, y), 65536);
+    int64_t my = y - floor_div(g->y[i], 65536);
+    if (g->flags[i] & BG_WRAP) {
+        mx = rest_of(mx, m.cols * m.side);
+        my = rest_of(my, m.rows * m.side);
+    } else if (mx < 0 || my < 0 || mx >= m.cols * m.side || my >= m.rows * m.side)
+        return under;
+    return put_over(b, i, under, map_pixel(&m, mx, my), black(b));
+}
+
+/* In Q32, each column from the row's first by a product, not by steps. */
+static uint8_t plane_pixel(const struct board *b, int x, int y, uint8_t under)
+{
+    const struct bg *g = &b->bg;
+    const int64_t w = b->cart.m.field_w;
+    const int64_t away =
+        g->flags[BG_PLANE] & BG_CEILING ? 2 * (g->horizon[BG_PLANE] - y) - 1 : 2 * (y - g->horizon[BG_PLANE]) + 1;
+    uint8_t both[256];
+    const uint8_t *to = black(b);
+    struct map m;
+
+    if (away <= 0)
+        return under;
+    cart_map(&b->cart, g->map[BG_PLANE] - 1, &m);
+    int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
+    int64_t ax = floor_div(s * trig_cos30(g->dir[BG_PLANE]), 1 << 14);
+    int64_t ay = floor_div(s * trig_sin30(g->dir[BG_PLANE]), 1 << 14);
+    int64_t mw = (int64_t)m.cols * m.side, mh = (int64_t)m.rows * m.side;
+    int64_t u = rest_of(g->x[BG_PLANE], mw << 16) * 65536 + w * ax - (1 - w) * ay / 2 - x * ay;
+    int64_t v = rest_of(g->y[BG_PLANE], mh << 16) * 65536 + w * ay + (1 - w) * ax / 2 + x * ax;
+    if (g->fog[BG_PLANE] != BG_NO_FOG) {
+        int64_t k = s * w * BG_SHADES / g->far[BG_PLANE];
+        k = k > BG_SHADES ? BG_SHADES : k;
+        for (int i = 0; i < 256; i++) {
+            uint8_t fogged = k ? b->bg_shades.to[BG_FOG_TABLES + (k - 1) * 256 + i] : (uint8_t)i;
+            both[i] = to ? to[fogged] : fogged;
+        }
+        to = both;
+    }
+    uint8_t pixel = map_pixel(&m, floor_div(rest_of(u, mw << 32), (int64_t)1 << 32),
+                              floor_div(rest_of(v, mh << 32), (int64_t)1 << 32));
+    return put_over(b, BG_PLANE, under, pixel, to);
+}
+
+static bool seen(const struct bg *g, uint32_t i, bool front)
+{
+    return g->map[i] && !(g->flags[i] & BG_HIDDEN) && front == !!(g->flags[i] & BG_FRONT);
+}
+
+static uint8_t plain_pixel(const struct board *b, int x, int y)
+{
+    static const uint32_t order[BG_SLOTS] = { 0, BG_PLANE, 1, 2, 3 };
+    uint8_t c = 0;
+
+    for (int front = 0; front < 2; front++)
+        for (int k = 0; k < BG_SLOTS; k++) {
+            if (!seen(&b->bg, order[k], front))
+                continue;
+            c = order[k] == BG_PLANE ? plane_pixel(b, x, y, c) : layer_pixel(b, order[k], x, y, c);
+        }
+    return c;
+}
+
+/* Draws over rubbish and compares every pixel of the screen. */
+static void compare(struct rig *r, int round)
+{
+    const struct manifest *m = &r->b->cart.m;
+    uint32_t rgb[256];
+
+    memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
+    board_draw(r->b, &r->fb, rgb, r->scratch);
+    for (int y = 0; y < m->screen_h; y++)
+        for (int x = 0; x < m->screen_w; x++) {
+            const int fx_ = x - m->field_x, fy = y - m->field_y;
+            const bool in = fx_ >= 0 && fy >= 0 && fx_ < m->field_w && fy < m->field_h;
+            const uint8_t want = in ? plain_pixel(r->b, fx_, fy) : 0, got = r->fb.pix[y * r->fb.pitch + x];
+            if (got != want)
+                fail_msg("round %d: pixel %d, %d is %d, expected %d", round, x, y, got, want);
+        }
+}
+
+static void power(struct rig_game *g, struct rig *r, const char *text)
+{
+    struct manifest m = rig_manifest();
+
+    m.bg = 1;
+    m.screen_w = 96;
+    m.screen_h = 70;
+    m.field_x = 9;
+    m.field_y = 5;
+    m.field_w = 75;
+    m.field_h = 61;
+    rig_script(g, &m, text);
+    rig_blends(g);
+    rig_maps(g);
+    rig_power(r, g, NULL);
+}
+
+/* ---- drawing ---- */
+
+static void random_layer(struct board *b, uint32_t i)
+{
+    static const int64_t places[] = { 0, -1, 1, INT64_MAX / 2, INT64_MIN / 2, 65535, -65536, 75 * 65536, -80 * 65536 };
+    static const int64_t waves[] = { 0, 0, 65536, 7 * 65536 + 9, -1024 * 65536, 1024 * 65536 };
+    struct bg *g = &b->bg;
+    fx list[61];
+
+    g->map[i] = (uint16_t)within(0, 2);
+    g->flags[i] = (uint8_t)((within(0, 3) ? BG_WRAP : 0) | (within(0, 4) ? 0 : BG_HIDDEN) |
+                            (within(0, 3) ? 0 : BG_FRONT) | (within(0, 2) ? 0 : within(1, 2) * BG_BLEND_ONE));
+    g->bank[i] = (uint8_t)(within(0, 1) ? 0 : within(0, 15));
+    g->x[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
+    g->y[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
+    g->wave[i] = (fx)any_of(waves, 6);
+    g->every[i] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : 65536);
+    g->phase[i] = within(0, 1) ? within(-999999, 999999) : any_of(places, 9);
+    int n = within(0, 2) ? 0 : (int)within(1, 61);
+    for (int k = 0; k < n; k++)
+        list[k] = (fx)(within(0, 3) ? within(-50 * 65536, 50 * 65536) : within(0, 1) ? FX_MAX / 2 : -FX_MAX / 2);
+    bg_set_lines(g, &b->bg_lines, i, list, (uint32_t)n);
+}
+
+static void random_plane(struct board *b)
+{
+    struct bg *g = &b->bg;
+
+    random_layer(b, BG_PLANE - 1); /* for its list: a layer's */
+    g->map[BG_PLANE] = (uint16_t)within(0, 2);
+    g->flags[BG_PLANE] = (uint8_t)(within(0, 1) ? BG_CEILING : 0);
+    g->bank[BG_PLANE] = (uint8_t)within(0, 3);
+    g->x[BG_PLANE] = within(0, 2) ? within(-9999 * 65536, 9999 * 65536) : INT64_MIN / 2;
+    g->y[BG_PLANE] = within(0, 2) ? within(-9999 * 65536, 9999 * 65536) : INT64_MAX / 2;
+    g->horizon[BG_PLANE] = (int16_t)(within(0, 3) ? within(-9, 70) : within(0, 1) ? -1024 : 1024);
+    g->height[BG_PLANE] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : within(0, 1) ? 65536 : 1024 * 65536);
+    g->dir[BG_PLANE] = (ang)(within(0, 2) ? (uint32_t)rng_next(&rng) : (uint32_t)within(0, 3) << 30);
+    g->fog[BG_PLANE] = within(0, 1) ? BG_NO_FOG : 0x123456;
+    g->far[BG_PLANE] = (fx)within(65536, 900 * 65536);
+}
+
+/* Layers, plane, fog and fades at random, and with extremes: the picture is the plain program's. */
+static void test_plain(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    int covered = 0;
+
+    (void)state;
+    power(&g, &r, "bg.plane().fog = { to = 0x123456, far = 9 }");
+    bg_shade(r.b->bg_shades.to + BG_BLACK_TABLES, cart_palette(&r.b->cart, "main"), 0);
+    rng_seed(&rng, 77);
+    for (int round = 0; round < 400; round++) {
+        for (uint32_t i = 0; i < BG_LAYERS; i++)
+            random_layer(r.b, i);
+        random_plane(r.b);
+        r.b->bg.over[0] = (uint16_t)(within(0, 2) ? 0 : within(1, 65535));
+        r.b->bg.at[0] = (uint16_t)(r.b->bg.over[0] ? within(0, r.b->bg.over[0] - 1) : 0);
+        covered += video_bg_covers(r.b);
+        compare(&r, round);
+    }
+    assert_true(covered > 20 && covered < 380);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* A layer of whole tiles covers all that is behind it; with a hole, blended, hidden or without wrap it does not. */
+static void test_covers(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    power(&g, &r, "bg.layer(2).map = 'sea'");
+    assert_true(video_bg_covers(r.b));
+    r.b->bg.flags[1] &= (uint8_t)~BG_WRAP;
+    assert_false(video_bg_covers(r.b));
+    r.b->bg.flags[1] = BG_WRAP | BG_HIDDEN;
+    assert_false(video_bg_covers(r.b));
+    r.b->bg.flags[1] = BG_WRAP | BG_FRONT;
+    assert_false(video_bg_covers(r.b));
+    r.b->bg.flags[1] = BG_WRAP | BG_BLEND_ONE;
+    assert_false(video_bg_covers(r.b));
+    r.b->bg.flags[1] = BG_WRAP;
+    r.b->bg.map[1] = (uint16_t)(cart_find_map(&r.b->cart, "reef") + 1);
+    assert_false(video_bg_covers(r.b));
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void test_rows(void **state)
+{
+    uint8_t s[80], d[80], want[80], to[256], *table = malloc(65536);
+
+    (void)state;
+    rng_seed(&rng, 5);
+    for (int i = 0; i < 65536; i++)
+        table[i] = (uint8_t)rng_next(&rng);
+    memcpy(to, table, 256);
+    for (int round = 0; round < 3000; round++) {
+        const int n = (int)within(0, 70), how = (int)within(0, 4);
+        const uint8_t add = (uint8_t)(within(0, 1) ? 0 : rng_next(&rng));
+        for (int i = 0; i < 80; i++) {
+            s[i] = (uint8_t)(how && within(0, 2) == 0 ? 0 : within(1, 255));
+            d[i] = want[i] = (uint8_t)rng_next(&rng);
+        }
+        for (int i = 0; i < n; i++) {
+            uint8_t over = (uint8_t)(s[i] + add);
+            over = how == 2 || how == 4 ? to[over] : over;
+            if (s[i] || how == 0)
+                want[i] = how >= 3 ? table[d[i] * 256 + over] : over;
+        }
+        if (how == 0)
+            row_copy(d, s, n, add);
+        else if (how == 1)
+            row_cover(d, s, n, add);
+        else
+            row_mix(d, s, n, add, how == 2 || how == 4 ? to : NULL, how >= 3 ? table : NULL);
+        assert_memory_equal(d, want, sizeof d);
+    }
+    free(table);
+}
+
+/* The nearest colour, of equals the lowest; the last table shows one colour alone. */
+static void test_shades(void **state)
+{
+    static uint8_t tables[BG_SHADES * 256], rgb[768];
+
+    (void)state;
+    rng_seed(&rng, 9);
+    for (int i = 0; i < 768; i++)
+        rgb[i] = (uint8_t)rng_next(&rng);
+    memset(rgb + 3 * 40, 0, 3);
+    memset(rgb + 3 * 90, 0, 3);
+    bg_shade(tables, rgb, 0);
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(tables[(BG_SHADES - 1) * 256 + i], 40);
+    for (int k = 0; k < BG_SHADES; k++)
+        for (int i = 0; i < 256; i += 5) {
+            double best = 1e9, got = 0;
+            for (int j = 0; j < 256; j++) {
+                double off = 0;
+                for (int c = 0; c < 3; c++) {
+                    double d = rgb[3 * j + c] - rgb[3 * i + c] * (15 - k) / 16.0;
+                    off += d * d;
+                }
+                best = off < best ? off : best;
+                got = j == tables[k * 256 + i] ? off : got;
+            }
+            assert_true(got == best);
+        }
+}
+
+/* ---- motion ---- */
+
+/* Positions add up exactly, and go on beyond the world; a frozen board does not move them. */
+static void test_motion(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    power(&g, &r,
+          "local a, p = bg.layer(1), bg.plane()\n"
+          "a.map, a.x, a.vx, a.vy = 'sea', 100, 0.3, -8191\n"
+          "p.y, p.vy = -5, 0.5\n"
+          "bg.lines(1, { wave = 8, every = 32, speed = 1.25 })");
+    const int64_t step = r.b->bg.vx[0];
+    assert_int_equal(step, 19661); /* 0.3 in 1/65536 */
+    rig_run(&r, 1000);
+    assert_true(r.b->bg.x[0] == 100 * 65536 + 1000 * step);
+    assert_true(r.b->bg.y[0] == -(int64_t)8191000 * 65536);
+    assert_true(r.b->bg.phase[0] == 1250 * 65536);
+    assert_true(r.b->bg.y[BG_PLANE] == 495 * 65536);
+    compare(&r, 0);
+    r.b->core.frozen = 77;
+    rig_run(&r, 1);
+    assert_true(r.b->bg.x[0] == 100 * 65536 + 1000 * step);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void test_wave(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    const fx list[] = { 65536, -65536, 3 };
+
+    (void)state;
+    power(&g, &r, "bg.lines(2, { wave = 8, every = 32 })");
+    struct bg *b = &r.b->bg;
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 0);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 8), 8 * 65536);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 40), 8 * 65536);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 24), -8 * 65536);
+    b->phase[1] = -8 * 65536;
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 8 * 65536);
+    bg_set_lines(b, &r.b->bg_lines, 1, list, 3);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 1) - bg_line(b, &r.b->bg_lines, 1, 33), list[1] - list[0]);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 3) - list[0], bg_line(b, &r.b->bg_lines, 1, 35) - list[2]);
+    bg_set_lines(b, &r.b->bg_lines, 1, NULL, 0);
+    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 8 * 65536);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- bg.def, bg.show ---- */
+
+static const char shows[] =
+    "bg.def('day', function() bg.layer(1).map = 'sea' for i = 1, forever do bg.layer(1).x = i wait(1) end end)\n"
+    "bg.def('night', function() bg.layer(2).map = 'reef' end)\n"
+    "task.go(function()\n"
+    "  bg.show('day', { over = 0 })\n"
+    "  wait(10)\n"
+    "  bg.show('night', { over = 20 })\n"
+    "  wait(100)\n"
+    "  bg.show(nil, { over = 4 })\n"
+    "end)";
+
+static void test_show(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    power(&g, &r, shows);
+    rig_run(&r, 1);
+    assert_int_equal(r.b->bg.shown[0], 1);
+    assert_int_equal(r.b->bg.map[0], cart_find_map(&r.b->cart, "sea") + 1);
+    rig_run(&r, 10);
+    assert_int_equal(bg_dark(&r.b->bg), 1);
+    rig_run(&r, 9);
+    assert_int_equal(r.b->bg.shown[0], 1);
+    assert_int_equal(bg_dark(&r.b->bg), BG_SHADES);
+    assert_true(r.b->bg.x[0] > 17 * 65536); /* its task went on up to here */
+    rig_run(&r, 1);
+    assert_int_equal(r.b->bg.shown[0], 2);
+    assert_int_equal(r.b->bg.map[0], 0);
+    assert_true(r.b->bg.x[0] == 0 && r.b->bg.map[1] != 0);
+    rig_run(&r, 9);
+    assert_int_equal(bg_dark(&r.b->bg), 0);
+    assert_true(r.b->bg.x[0] == 0); /* the task of the other has ended */
+    rig_run(&r, 90);
+    assert_int_equal(r.b->bg.shown[0], 0);
+    assert_int_equal(r.b->bg.map[1], 0);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* A phase's background, and the one before when it is over; a mark keeps what the stage has set up, a new game does
+ * not. */
+static const char bosses[] =
+    "bg.def('day', function() bg.layer(1).map = 'sea' end)\n"
+    "bg.def('dusk', function() bg.layer(1).map = 'reef' end)\n"
+    "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9 })\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "boss.def('b', { title = 'B', kind = 'foe', x = 30, y = 30, phases = {\n"
+    "  { id = 'one', survive = true, time = 50, bg = 'dusk', run = function() wait(forever) end } } })\n"
+    "stage.def('s', function()\n"
+    "  bg.show('day')\n"
+    "  palette.set(5, 0x102030)\n"
+    "  bg.layer(4).map = 'reef'\n"
+    "  wait(20)\n"
+    "  stage.mark('m')\n"
+    "  boss.fight('b')\n"
+    "  wait(60)\n"
+    "end)\n"
+    "boot.run { stages = { 's' }, players = { 'ship' } }";
+
+static void test_phase(void **state)
+{
+    struct board_start start = { .difficulty = -1, .practice.section = "s:m" };
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    m.bg = 1;
+    rig_script(&g, &m, bosses);
+    rig_maps(&g);
+    rig_power(&r, &g, &start);
+    rig_run(&r, 2);
+    assert_int_equal(r.b->bg.shown[0], 1); /* at once: the stage was skipped to its mark */
+    assert_int_equal(bg_dark(&r.b->bg), 0);
+    assert_int_equal(r.b->pal.rgb[5], 0x102030);
+    rig_run(&r, 60 + 20); /* the boss flies in */
+    assert_int_equal(r.b->bg.shown[0], 2);
+    rig_run(&r, 50);
+    assert_int_equal(r.b->bg.shown[0], 1);
+    for (int f = 0; f < 400 && r.b->bg.shown[0]; f++)
+        rig_run(&r, 1);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- without ---- */
+
+static void test_off(void **state)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_script(&g, NULL, "local a = 1");
+    rig_power(&r, &g, NULL);
+    assert_int_equal(r.b->bg.s.cap + r.b->bg_lines.s.cap + r.b->bg_shades.s.cap, 0);
+    for (int i = 0; i < PARTS; i++)
+        if (machine_parts[i].chip == &bg_chip)
+            assert_true(board_part_hash(r.b, i) == 0 && slots_save(&bg_chip, &r.b->bg, NULL) == 0);
+    rig_free(&r);
+    rig_game_free(&g);
+    rig_script(&g, NULL, "bg.layer(1).x = 3");
+    rig_power_any(&r, &g, &start);
+    assert_string_equal(rig_fault(&r)->message,
+                        "main.lua:1: bg: this game has no room for it; rom.lua asks for it: maps = { ... }");
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* A map that is wrong is refused when the ROM is opened: byte `at` of map/reef, counted from its end if negative. */
+static void test_lumps(void **state)
+{
+    static const struct {
+        int at, value;
+        const char *said;
+    } bad[] = {
+        { 0, 0, "its header is out of range" },
+        { 4, 9, "its header is out of range" },
+        { 8, 16, "its header is out of range" },
+        { 12, 1, "its header is out of range" },
+        { 10, 1, "it says wrongly whether it has holes" },
+        { 10, 2, "its header is out of range" },
+        { 2, 5, "bytes long, its header says" },
+        { 16, 4, "cell 0 is tile 4 of 4" },
+        { 17, 1, "cell 0 is tile 256 of 4" },
+        { 57, 1, "tile 1 is not what the map says of it" },
+        { 58, 0, "tile 2 is not what the map says of it" },
+        { 60, 49, "tile 0 is not what the map says of it" },
+        { -1, 17, "tile 3 is not what the map says of it" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct manifest m = rig_manifest();
+        struct rig_game g;
+        struct lump lumps[64];
+        struct cart cart;
+        char err[256] = "";
+        m.bg = 1;
+        rig_script(&g, &m, "local a = 1");
+        rig_maps(&g);
+        struct rig_game had = g;
+        const int n = (int)had.image.rom.count;
+        uint8_t *copy = NULL;
+        for (int k = 0; k < n; k++) {
+            rom_lump(&had.image.rom, k, &lumps[k]);
+            if (strcmp(lumps[k].name, "map/reef"))
+                continue;
+            copy = malloc(lumps[k].size);
+            memcpy(copy, lumps[k].data, lumps[k].size);
+            copy[bad[i].at < 0 ? (int)lumps[k].size + bad[i].at : bad[i].at] = (uint8_t)bad[i].value;
+            lumps[k].data = copy;
+        }
+        const size_t size = rom_write_size(lumps, n);
+        uint8_t *image = malloc(size);
+        struct rom rom;
+        rom_write(image, lumps, n);
+        assert_true(rom_open(&rom, image, size, err, sizeof err));
+        assert_false(cart_open(&cart, &rom, err, sizeof err));
+        if (!strstr(err, "lump \"map/reef\": ") || !strstr(err, bad[i].said))
+            fail_msg("%zu: %s", i, err);
+        free(image);
+        free(copy);
+        rig_game_free(&g);
+    }
+}
+
+static void test_said(void **state)
+{
+    static const char *const said[][2] = {
+        { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
+        { "bg.layer(1).map = 'see'", "layer: map \"see\" is not in rom.lua (did you mean \"sea\"?)" },
+        { "bg.layer(1).layer = 'middle'", "layer: layer: expected back or front, got \"middle\"" },
+        { "bg.layer(1).vz = 1", "a layer has no property \"vz\" (did you mean \"vx\"?)" },
+        { "bg.plane().wrap = true", "a plane has no property \"wrap\" (did you mean \"map\"?)" },
+        { "bg.plane().fog = { two = 3 }", "plane: fog: unknown argument \"two\" (did you mean \"to\"?)" },
+        { "bg.plane().fog = { to = 3 }", "plane: fog: far: expected a number from 1 to 16383 px, got nil" },
+        { "bg.lines(1, { wav = 3, every = 9 })", "bg.lines: unknown argument \"wav\" (did you mean \"wave\"?)" },
+        { "bg.lines(1, { 1, 'x' })", "bg.lines: line 2: expected a number from -16383 to 16383 px, got \"x\"" },
+        { "bg.def('a', print) bg.show('b')", "bg.show: background \"b\" is not declared (did you mean \"a\"?)" },
+    };
+    struct board_start start = { .difficulty = -1 };
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    m.bg = 1;
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        char want[200];
+        rig_script(&g, &m, said[i][0]);
+        rig_maps(&g);
+        rig_power_any(&r, &g, &start);
+        snprintf(want, sizeof want, "main.lua:1: %s", said[i][1]);
+        assert_non_null(rig_fault(&r));
+        assert_string_equal(rig_fault(&r)->message, want);
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_plain),  cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_shades), cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
+        cmocka_unit_test(test_show),   cmocka_unit_test(test_phase),  cmocka_unit_test(test_off),
+        cmocka_unit_test(test_said),   cmocka_unit_test(test_lumps),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,114 @@
+/*
+ * scenery.c - of section "pictures": what backgrounds cost, over the whole field of the sandbox.
+ */
+#include <stdlib.h>
+#include "bench.h"
+
+enum { ROUNDS = 200, VIEW_LAYERS = 3 };
+
+/* Layers from the back: the names of their maps. */
+static const struct view {
+    const char *what, *map[VIEW_LAYERS], *plane;
+    bool lines, blend;
+} VIEWS[] = {
+    { "nothing, and the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
+    { "a layer without holes", { "sea", NULL, NULL }, NULL, false, false },
+    { "the same, each line moved aside by a wave", { "sea", NULL, NULL }, NULL, true, false },
+    { "a layer with holes", { "clouds", NULL, NULL }, NULL, false, false },
+    { "the same, blended", { "clouds", NULL, NULL }, NULL, false, true },
+    { "a plane over half of the field", { NULL, NULL, NULL }, "slabs", false, false },
+    { "three layers, lines moved aside, and a plane with fog", { "sea", "clouds", "clouds" }, "slabs", true, false },
+};
+enum { COUNT = sizeof VIEWS / sizeof *VIEWS };
+
+/* A board of the sandbox. */
+struct stand {
+    struct rom_image image;
+    struct board *b;
+    struct fb fb;
+    void *ram, *mem, *scratch;
+};
+
+static void stand_open(struct stand *s)
+{
+    struct board_start start = { .difficulty = -1, .practice.section = "try" };
+    struct cart cart;
+    char err[256];
+    size_t size;
+    int w, h;
+
+    if (!rom_image_load("examples/sandbox", false, &s->image, err, sizeof err) ||
+        !cart_open(&cart, &s->image.rom, err, sizeof err) || !board_size(&s->image.rom, &size, err, sizeof err))
+        report_fail(err);
+    for (int i = 0; i < cart.m.n_dips; i++)
+        start.dip[i] = cart.m.dips[i].value;
+    s->ram = aligned_alloc(64, (size + 63) / 64 * 64);
+    if (!s->ram || !(s->b = board_power(s->ram, size, &s->image.rom, &start, false, err, sizeof err)))
+        report_fail(s->ram ? err : "out of memory");
+    board_screen(s->b, &w, &h);
+    s->mem = malloc(fb_size(w, h));
+    s->scratch = malloc(board_scratch(s->b));
+    if (!s->mem || !s->scratch)
+        report_fail("out of memory");
+    fb_init(&s->fb, s->mem, w, h);
+}
+
+static uint16_t map_named(const struct board *b, const char *name)
+{
+    return (uint16_t)(name ? cart_find_map(&b->cart, name) + 1 : 0);
+}
+
+static void show(struct board *b, const struct view *v)
+{
+    struct bg *g = &b->bg;
+
+    bg_clear(g, &b->bg_lines);
+    for (int i = 0; i < VIEW_LAYERS; i++) {
+        g->map[i] = map_named(b, v->map[i]);
+        g->vx[i] = 9999 * (i + 1);
+        g->vy[i] = 65536;
+        g->wave[i] = v->lines ? 5 << 16 : 0;
+        g->every[i] = 64 << 16;
+        g->flags[i] |= v->blend ? BG_BLEND_ONE : 0;
+    }
+    g->map[BG_PLANE] = map_named(b, v->plane);
+    g->horizon[BG_PLANE] = 160;
+    g->height[BG_PLANE] = 24 << 16;
+    if (v->lines && v->plane) {
+        b->bg_shades.s.live = b->bg_shades.s.cap;
+        bg_shade(b->bg_shades.to + BG_FOG_TABLES, cart_palette(&b->cart, "main"), 0x3c4c88);
+        g->fog[BG_PLANE] = 0x3c4c88;
+        g->far[BG_PLANE] = 900 << 16;
+    }
+}
+
+void scenery_prices(void)
+{
+    struct samples draw[COUNT] = { { 0 } };
+    uint32_t rgb[256];
+    struct stand s;
+
+    stand_open(&s);
+    for (int round = -2; round < ROUNDS; round++)
+        for (int i = 0; i < COUNT; i++) {
+            show(s.b, &VIEWS[i]);
+            for (int k = 0; k <= round % 8; k++)
+                bg_step(&s.b->bg);
+            double from = bench_now();
+            board_draw(s.b, &s.fb, rgb, s.scratch);
+            if (round >= 0)
+                samples_add(&draw[i], bench_since(from));
+        }
+    report_text("Backgrounds, over a field of 240 x 320 px: microseconds of a picture in which there is hardly more.");
+    report_table(NULL, "background | in all> | beyond nothing>");
+    for (int i = 0; i < COUNT; i++)
+        report_row(i == 0, VIEWS[i].what, samples_figure(&draw[i], 1e3),
+                   i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);
+    report_table_end();
+    for (int i = 0; i < COUNT; i++)
+        samples_free(&draw[i]);
+    free(s.scratch);
+    free(s.mem);
+    free(s.ram);
+    rom_image_free(&s.image);
+}
