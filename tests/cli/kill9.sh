@@ -18,22 +18,23 @@ run = subprocess.Popen(["stdbuf", "-oL", program, "hash", "game.rom", "--demo", 
                         "--trace", "script"],  # a line a frame that begins with it, and costs less than its hash
                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0)
 fcntl.fcntl(run.stdout, fcntl.F_SETPIPE_SZ, 4096)  # so that it is not far ahead of what was read
-seen, rest = b"", b""
-while True:
+seen = bytearray()
+
+
+def printed():
+    """The last frame of which the whole line is there, or 0; a line of the trace can be long, a chunk end anywhere."""
+    return int(seen[seen.rfind(b"\n", 0, max(seen.rfind(b"\n"), 0)) + 1:].split()[0]) if b"\n" in seen else 0
+
+
+chunk = b"-"
+while chunk and printed() < at:
     chunk = os.read(run.stdout.fileno(), 512)
-    rest = (seen[-64:] + chunk)
-    lines = rest.split(b"\n")[1:-1] if len(seen) > 64 else rest.split(b"\n")[:-1]
-    seen = rest
-    if not chunk or (lines and int(lines[-1].split()[0]) >= at):
-        break
+    seen += chunk
 run.send_signal(signal.SIGKILL)
-while True:
+while chunk:
     chunk = os.read(run.stdout.fileno(), 65536)
-    if not chunk:
-        break
-    seen = seen[-64:] + chunk
-last = seen.split(b"\n")[-2].split()[0]
-print(int(last), run.wait())
+    seen += chunk
+print(printed(), run.wait())
 END
 wrong='' short=0 least=999999 most=0
 for at \
