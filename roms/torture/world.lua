@@ -244,6 +244,9 @@ local function pictures()
     text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
+    if n % 40 == 0 then screen.shake { size = n % 65, over = 20, dir = n % 80 == 0 and n or nil } end
+    if n % 50 == 0 then screen.flash { to = n * 999, over = 9, share = 0.7 } end
+    if n % 70 == 0 then screen.letterbox { h = n % 30, over = 15 } end
     if n % 60 == 0 then palette.fade { to = 0x202040, over = 20, first = 16, last = 40 } end
     if n % 60 == 30 then palette.fade { to = "main", over = 10 } end
     if n % 50 == 25 then palette.cycle { first = 32, last = 47, every = n % 100 == 25 and 3 or 0 } end

@@ -75,6 +75,7 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
     PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), 0)                                          \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
+    PART(screen_chip, screen, 0, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)

@@ -23,6 +23,7 @@
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
 #include "../chips/player.h"
+#include "../chips/screen.h"
 #include "../chips/sparks.h"
 #include "../chips/sprites.h"
 #include "api_table.h"
@@ -108,6 +109,7 @@ struct board {
     struct sprites sprites;
     struct fix fix; /* the text layer: a grid of characters */
     struct pal pal;
+    struct screen screen;
     struct nvram nvram;
     struct sparks sparks;
     struct spark_kinds spark_kinds;
@@ -118,7 +120,7 @@ struct part {
     const struct chip *chip;
     size_t at, size; /* of the struct, in struct board */
 };
-enum { PARTS = 20 };
+enum { PARTS = 21 };
 extern const struct part machine_parts[PARTS];
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */

@@ -135,6 +135,11 @@ task.go(function()
         dir = i }
       pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
     end
+    if i % 90 == 45 then
+      screen.shake { size = 3, over = 30, dir = i }
+      screen.flash { over = 12, share = 0.5 }
+      screen.letterbox { h = i % 4, over = 9 }
+    end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
     text.put { col = 0, row = 7, text = ("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }
     wait(1)

@@ -37,6 +37,7 @@ static const struct home homes[] = {
     HOME("sprites", "chips/sprites.h", sprites),
     HOME("fix", "chips/fix.h", fix),
     HOME("pal", "chips/pal.h", pal),
+    HOME("screen", "chips/screen.h", screen),
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
     HOME("spark_kinds", "chips/sparks.h", spark_kinds),

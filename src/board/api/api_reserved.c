@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser item option bomb game talk say choose bg screen sound music unlock test" },
+    { "", '.', "laser item option bomb game talk say choose bg sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start take bomb continue" },

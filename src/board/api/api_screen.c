@@ -1,5 +1,5 @@
 /*
- * api_screen.c - sprite, spark, text, palette.
+ * api_screen.c - sprite, spark, text, palette, screen.
  */
 #include <math.h>
 #include <string.h>
@@ -326,6 +326,63 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* ---- screen ---- */
+
+enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
+
+static const struct api_param shake[] = {
+    { "size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL },
+    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
+    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+};
+
+enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
+
+static const struct api_param flash[] = {
+    { "to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff" },
+    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
+    { "share", A_FX, OPT, 0, 1, NULL, "1" },
+};
+
+enum { BARS_H, BARS_OVER };
+
+static const struct api_param bars[] = {
+    { "h", A_INT, REQ, 0, BARS_MOST, "px", NULL },
+    { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20" },
+};
+
+static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct screen *s = &b->screen;
+
+    (void)L;
+    s->shake = (int32_t)v[SHAKE_SIZE].i;
+    s->shake_over = (uint32_t)v[SHAKE_OVER].i;
+    s->shake_at = b->core.clock;
+    s->shake_dir = v[SHAKE_DIR].a;
+    s->shake_aimed = v[SHAKE_DIR].given;
+    return 0;
+}
+
+static int screen_flash_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct screen *s = &b->screen;
+
+    (void)L;
+    s->flash = (uint32_t)v[FLASH_TO].i;
+    s->flash_share = v[FLASH_SHARE].f;
+    s->flash_over = (uint32_t)v[FLASH_OVER].i;
+    s->flash_at = b->core.clock;
+    return 0;
+}
+
+static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    screen_bars_to(&b->screen, b->core.clock, (int32_t)v[BARS_H].i, (uint32_t)v[BARS_OVER].i);
+    return 0;
+}
+
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
       "places a free sprite in the field or on the screen; with stay the boss's phase it came from does not take it "
@@ -343,5 +400,12 @@ static const struct api_entry entries[] = {
       "fades to a colour (0xRRGGBB) or to a palette by name" },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
       "rotates a range by one every so many frames; every = 0 stops it" },
+    { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
+      "shakes the field's picture, less and less, to and fro along dir or all ways; nothing moves, so no hit is "
+      "another" },
+    { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
+      "gives every colour that share of `to` (0xRRGGBB), less and less over so many frames" },
+    { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
+      "bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away" },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

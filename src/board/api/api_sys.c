@@ -171,6 +171,7 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
         slots_drop(&b->sprites.s, i);
+    screen_empty(&b->screen);
     pal_stop(&b->pal);
     for (int i = 0; i < COLOURS; i++, p += 3)
         pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);

@@ -1,7 +1,7 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
+ *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, bars, text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -38,6 +38,13 @@ static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y
     c->drawn++;
 }
 
+static void clip_field(const struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+
+    fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+}
+
 static void draw_sprites(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
@@ -53,7 +60,7 @@ static void draw_sprites(struct draw_target *c, int layer)
         put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
             s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
         if (s->flags[i] & SPRITE_SCREEN)
-            fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
+            clip_field(c);
         c->drawn++;
     }
 }
@@ -106,16 +113,67 @@ static void draw_text(struct draw_target *c)
                        f->bank[i]);
 }
 
+/* Where nothing is drawn on the n px beside the line `from` (next to the field's shaken edge), it shows what is as far
+ * on the other side of the line. step: from pixel to pixel away from the line; along, lines: the next line. */
+static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
+{
+    for (int i = 0; i < lines; i++, from += along)
+        for (int k = 0; k < n; k++)
+            if (!from[k * step])
+                from[k * step] = from[(-1 - k) * step];
+}
+
+/* The background ends where the field does: what a shake uncovers shows its mirror image. */
+static void fill_edges(struct draw_target *c)
+{
+    const struct fb *fb = c->fb;
+    int dx = c->x - c->b->cart.m.field_x, dy = c->y - c->b->cart.m.field_y;
+    int w = fb->x1 - fb->x0, h = fb->y1 - fb->y0, nx = dx < 0 ? -dx : dx, ny = dy < 0 ? -dy : dy;
+    uint8_t *corner = fb->pix + fb->y0 * fb->pitch + fb->x0;
+
+    nx = nx < w / 2 ? nx : w / 2;
+    ny = ny < h / 2 ? ny : h / 2;
+    mirror(corner + (dx > 0 ? nx - 1 : w - nx), nx, dx > 0 ? -1 : 1, h, fb->pitch);
+    mirror(corner + (dy > 0 ? ny - 1 : h - ny) * fb->pitch, ny, dy > 0 ? -fb->pitch : fb->pitch, w, 1);
+}
+
+/* Over the field, under the text. */
+static void draw_bars(struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+    int h = screen_bars(&c->b->screen, c->b->core.clock);
+
+    fb_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
+    fb_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
+}
+
+static void draw_flash(const struct board *b, uint32_t rgb[256])
+{
+    fx share = screen_flash(&b->screen, b->core.clock);
+
+    for (int i = 0; share && i < COLOURS; i++)
+        rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
+}
+
 struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
 {
     const struct manifest *m = &b->cart.m;
     struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
+    int dx, dy;
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    draw_flash(b, rgb);
+    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    c.x += dx;
+    c.y += dy;
+    if (dx || dy)
+        c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
     fb_clip_all(fb);
     fb_fill(fb, 0);
-    fb_clip(fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    clip_field(&c);
     draw_sprites(&c, LAYER_BACK);
+    if (dx || dy)
+        fill_edges(&c);
     draw_enemies(&c);
     video_bullets(&c, &b->shots, &b->shot_kinds);
     draw_sprites(&c, LAYER_MIDDLE);
@@ -123,6 +181,7 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
+    draw_bars(&c);
     draw_text(&c);
     return c;
 }
