@@ -28,4 +28,5 @@ end
 
 player.def("fast", { sprite = "letter", hit = { circle = 2 }, graze = 18, speed = 5, focus = 2.5, lives = 4, safe = 60,
   registers = { power = 0, bombs = 2 }, run = fly "bolt" })
-player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = 3, power = 1 }, run = fly "ball" })
+player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = 3, power = 1 }, run = fly "ball",
+  pictures = { left = "box", right = "letter", pose = "steps" } })

@@ -3,8 +3,7 @@
  * place or a hit.
  * floor: chips
  *
- * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down. `age` is
- * the clock since it was asked for, modulo 2^32.
+ * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down.
  */
 #ifndef CHIPS_SCREEN_H
 #define CHIPS_SCREEN_H

@@ -27,6 +27,7 @@ motion.def { name = "burst", { wait_for = { tag = "petal", limit = 25 } },
   { emit = { pattern = "fan", n = 3, spread = 50.5, kind = "rice", speed = 1.3, motion = "spin" } },
   { path = path.def { { x = 0, y = 0 }, { x = 9.3, y = 7.1, over = 9, ease = "both" } } }, { die = true } }
 enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
+  blink = 6, pictures = { hurt = "dart", cast = "dart" },
   run = function(e)
     while true do
       wait(rng.int(3, 9))
@@ -109,6 +110,10 @@ task.go(function()
       shot.group():turn(3)
       bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
       enemy.group():shift(0, 1)
+      enemy.each(nil, function(e)
+        e.flip_x, e.hidden = not e.flip_x, i % 100 == 0
+        if e.kind == "wisp" then e.picture = i % 3 == 0 and "cast" or nil end
+      end)
       fold(shot.group().count .. " " .. enemy.group().count)
       seen = seen + 1
       fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))

@@ -10,7 +10,7 @@ extern const struct api_thing api_player_thing;
 
 static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
-enum { D_NAME, D_SPRITE, D_HIT, D_GRAZE, D_SPEED, D_FOCUS, D_LIVES, D_SAFE, D_REGISTERS, D_RUN };
+enum { D_NAME, D_SPRITE, D_HIT, D_GRAZE, D_SPEED, D_FOCUS, D_LIVES, D_SAFE, D_REGISTERS, D_RUN, D_PICTURES };
 
 static const struct api_param def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -23,7 +23,10 @@ static const struct api_param def[] = {
     { "safe", A_INT, OPT, 0, 100000, "frames", "120" },
     { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
+
+static const char *const first_pictures[] = { "left", "right", NULL };
 
 static void registry(lua_State *L)
 {
@@ -93,9 +96,9 @@ bool api_register_declared(lua_State *L, const char *name)
     bool found = false;
 
     registry(L);
-    for (lua_Integer kind = 0; !found && lua_rawgeti(L, -1, kind) == LUA_TTABLE; kind++) {
-        found = lua_getfield(L, -1, name) == LUA_TNUMBER;
-        lua_pop(L, 2);
+    for (uint32_t kind = 0; !found && kind < vm_board(L)->player_kinds.s.live; kind++) {
+        found = lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER;
+        lua_settop(L, top + 1);
     }
     lua_settop(L, top);
     return found;
@@ -133,6 +136,14 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     struct player_kinds *k = &b->player_kinds;
 
     fx r = api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
+    struct api_pictures pictures;
+    uint32_t before = k->s.live;
+
+    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_PICTURES,
+                      &pictures);
+    api_pictures_rows(L, "player.def", &k->s, k->sprite, &pictures);
+    for (; before < k->s.live; before++)
+        k->radius[before] = PICTURE_ROW;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
@@ -146,6 +157,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->safe[i] = (uint32_t)v[D_SAFE].i;
     if (v[D_REGISTERS].given)
         define_registers(L, k, i, v[D_REGISTERS].at);
+    api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
         keep_run(L, i, v[D_RUN].at);
     return 0;
@@ -211,7 +223,7 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, PROPS };
+enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
@@ -225,7 +237,14 @@ static const struct api_prop props[PROPS] = {
     { { "score", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "points; score.add changes them" },
     { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "1 or 2" },
     { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "name of its kind" },
+    { { "picture", A_STR, OPT, 0, 0, NULL, NULL },
+      PROP_WRITE,
+      "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies" },
+    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
+    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
 };
+
+static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
 {
@@ -245,7 +264,14 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, s->safe[i]);
         break;
     case P_FOCUS:
-        lua_pushboolean(L, s->focus[i]);
+        lua_pushboolean(L, s->flags[i] & PLAYER_FOCUS);
+        break;
+    case P_PICTURE:
+        api_picture_push(L, N_PLAYER, s->kind[i], s->flags[i] / PLAYER_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        lua_pushboolean(L, s->flags[i] & flag_of[p]);
         break;
     case P_GRAZES:
         lua_pushinteger(L, s->grazes[i]);
@@ -265,7 +291,6 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 {
     struct player *s = &b->player;
 
-    (void)L;
     switch (p) {
     case P_X:
         player_place(s, i, v->f, s->y[i]);
@@ -275,6 +300,15 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         break;
     case P_LIVES:
         s->lives[i] = (int32_t)v->i;
+        break;
+    case P_PICTURE:
+        s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_POSED)) |
+                                api_picture_named(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
+                                (v->given ? PLAYER_POSED : 0));
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
         break;
     default:
         s->safe[i] = (uint32_t)v->i;

@@ -65,13 +65,45 @@ static void draw_sprites(struct draw_target *c, int layer)
     }
 }
 
+/* The brightest colour there is, of several the first. */
+static uint8_t white(const struct board *b)
+{
+    uint32_t most = 0;
+    int at = 0;
+
+    for (int i = 0; i < COLOURS; i++) {
+        uint32_t rgb = b->pal.rgb[i], sum = (rgb >> 16) + (rgb >> 8 & 255) + (rgb & 255);
+        at = sum > most ? i : at;
+        most = sum > most ? sum : most;
+    }
+    return (uint8_t)at;
+}
+
+static void put_white(struct draw_target *c, uint32_t i)
+{
+    const struct enemies *e = &c->b->enemies;
+    const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
+    struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
+
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, white(c->b),
+               e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0);
+    c->drawn++;
+}
+
 static void draw_enemies(struct draw_target *c)
 {
     const struct enemies *e = &c->b->enemies;
+    const struct enemy_kinds *k = &c->b->enemy_kinds;
 
-    EACH_LIVE (i, &e->s)
-        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0,
-            (c->b->enemy_kinds.flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+    EACH_LIVE (i, &e->s) {
+        if (e->flags[i] & ENEMY_HIDDEN)
+            continue;
+        if (e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i))
+            put_white(c, i);
+        else
+            put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
+                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+    }
 }
 
 /* A player that cannot be hit blinks. */
@@ -80,8 +112,9 @@ static void draw_players(struct draw_target *c)
     const struct player *p = &c->b->player;
 
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i] && !(p->safe[i] >> 2 & 1))
-            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
+        if (p->in[i] && !(p->safe[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
+            put(c, player_picture(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
+                p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
 static void draw_sparks(struct draw_target *c)
