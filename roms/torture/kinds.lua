@@ -1,6 +1,6 @@
 -- kinds.lua - what flies, and the programs it flies by: every key of a motion step, at once and over time.
 spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
-spark.def("long", { sprite = "box", life = 400 })
+spark.def("long", { sprite = "box", life = 400, banks = { 1, 7, 3 } })
 
 bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
 bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4, vanish = "ping", order = -3 })

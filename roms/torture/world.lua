@@ -249,6 +249,14 @@ local function pictures()
     text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
+    if n % 30 == 7 then
+      local e = enemy.spawn { kind = "shade", x = 50, y = 50 }
+      local s = sprite.put { sprite = "steps", follow = n % 60 == 7 and e or player.nearest(1, 1), dx = n % 9, dy = 3 }
+      if s.alive then s.dx, s.dy = s.dx + 1, s.dy - 1 end
+      spark.trail { kind = "ping", follow = e, every = 5 }
+      spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }
+      spark.burst { kind = "ping", from = e, n = 4, to_x = 9, to_y = 9 }
+    end
     if n % 40 == 0 then screen.shake { size = n % 65, over = 20, dir = n % 80 == 0 and n or nil } end
     if n % 50 == 0 then screen.flash { to = n * 999, over = 9, share = 0.7 } end
     if n % 70 == 0 then screen.letterbox { h = n % 30, over = 15 } end

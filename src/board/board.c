@@ -399,6 +399,25 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
+/* Sprites go with what they follow. */
+static void drop_followers(struct board *b)
+{
+    struct sprites *s = &b->sprites;
+
+    if (!s->following)
+        return;
+    s->following = 0;
+    EACH_LIVE (i, &s->s) {
+        if (!(s->flags[i] & SPRITE_FOLLOW))
+            continue;
+        if (board_alive(b, board_followed(b, i)))
+            s->following++;
+        else
+            slots_drop(&s->s, i);
+    }
+    slots_trim(&s->s);
+}
+
 /* The game's clock goes on, but not for what stood in this frame's move. */
 static void next_frame(struct board *b)
 {
@@ -431,6 +450,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     fine = fine && vm_call(b, events_run);
     phase_done(b, PHASE_EVENTS);
     if (fine) {
+        drop_followers(b);
         if (!b->core.frozen)
             pal_step(&b->pal);
         b->core.frame++;
@@ -727,6 +747,27 @@ bool board_there(const struct board *b, int64_t h)
     return board_alive(b, h);
 }
 
+int64_t board_followed(const struct board *b, uint32_t i)
+{
+    int follow = (b->sprites.flags[i] & SPRITE_FOLLOW) / SPRITE_FOLLOW_ONE;
+
+    if (follow <= FOLLOW_OWNER)
+        return follow ? b->sprites.owner[i] : 0;
+    return board_handle(b, H_PLAYER, follow - FOLLOW_PLAYER);
+}
+
+/* Where sprite i is; in the corner, if what it follows has just gone. */
+static void sprite_where(const struct board *b, uint32_t i, fx *x, fx *y)
+{
+    int64_t followed = board_followed(b, i);
+
+    *x = *y = 0;
+    if (followed)
+        board_where(b, followed, x, y);
+    *x = fx_add(*x, b->sprites.x[i]);
+    *y = fx_add(*y, b->sprites.y[i]);
+}
+
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
 {
     uint32_t i = handle_slot(h);
@@ -743,7 +784,7 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
     case H_PLAYER:
         return *x = b->player.x[i], *y = b->player.y[i], true;
     case H_SPRITE:
-        return *x = b->sprites.x[i], *y = b->sprites.y[i], true;
+        return sprite_where(b, i, x, y), true;
     default:
         return false;
     }

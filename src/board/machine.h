@@ -175,6 +175,9 @@ bool board_alive(const struct board *b, int64_t h);
  * can until the frame's handlers have run. */
 bool board_there(const struct board *b, int64_t h);
 
+/* What sprite i follows, or 0. */
+int64_t board_followed(const struct board *b, uint32_t i);
+
 /* Where a thing is; false: dead, or not a thing that is anywhere. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
 

@@ -111,7 +111,8 @@ bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uin
 /* The sprite it shows. */
 uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Counts safe and blinking frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
+/* Counts safe and blinking frames down, at the start of a frame: so `safe = n` lasts n frames, the present one
+ * included. */
 void enemies_count_down(struct enemies *e);
 
 /* Goes on with the moves, and marks those that are outside keep as leaving. */

@@ -12,6 +12,7 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+spark.def("fade", { sprite = "dot", life = 21, banks = { 3, 1, 4 } })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true, order = 2, vanish = "pop" })
 bullet.def("spore", { sprite = "dart", hit = { circle = 2 }, cloud = "dot", spin = 9.1, clearable = false })
@@ -141,6 +142,11 @@ task.go(function()
       pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
     end
     if i % 90 == 45 then
+      local e = enemy.spawn { kind = "wisp", x = 20, y = 10 }
+      sprite.put { sprite = "dart", follow = e, dx = 2.5, dy = 1 }
+      spark.trail { kind = "fade", follow = e, every = 3, over = 60 }
+      spark.burst { kind = "fade", x = 30, y = 30, n = 7, radius = 5.5, dir = i, speed = 2 }
+      spark.burst { kind = "fade", x = 30, y = 30, to_x = 9, to_y = 50.5, n = 5 }
       screen.shake { size = 3, over = 30, dir = i }
       screen.flash { over = 12, share = 0.5 }
       screen.letterbox { h = i % 4, over = 9 }

@@ -1,8 +1,8 @@
 /*
  * api_looks.c - the named pictures of a kind of enemy or player.
  *
- * Each is a row of the kinds' list that has no name: picture n of kind k is row k - n, and the kind's own row is picture
- * 0. So a kind without any takes nothing. Their names stay with the scripts: a table a kind.
+ * Each is a row of the kinds' list that has no name: picture n of kind k is row k - n, and the kind's own row is
+ * picture 0. So a kind without any takes nothing. Their names stay with the scripts: a table a kind.
  */
 #include <stdio.h>
 #include <string.h>

@@ -27,7 +27,6 @@ static const struct {
     { "enemy.spawn", '{', "follow parts rate" },
     { "player.def", '{', "bomb bomb_focus collect_full collect_line deathbomb magnet needs options pull" },
     { "shot.def", '{', "every pierce" },
-    { "sprite.put", '{', "follow" },
     { "text.put", '{', "font" },
 };
 

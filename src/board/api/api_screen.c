@@ -20,23 +20,61 @@ enum {
     PUT_FLIP_Y,
     PUT_HIDDEN,
     PUT_BLEND,
-    PUT_STAY
+    PUT_STAY,
+    PUT_FOLLOW,
+    PUT_DX,
+    PUT_DY
 };
 
+enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER };
+
 static const struct api_param put[] = {
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },   { "follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },  { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
 };
+
+/* Two ways to say where. */
+static void check_put(lua_State *L, const struct api_value *v)
+{
+    const bool xy = v[PUT_X].given && v[PUT_Y].given;
+
+    if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !xy)
+        api_error(L, "sprite.put", "place: expected x and y, or follow (a thing)");
+    if (!v[PUT_FOLLOW].given && (v[PUT_DX].given || v[PUT_DY].given))
+        api_error(L, "sprite.put", "dx, dy: only with follow");
+    if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
+        api_error(L, "sprite.put", "follow: a sprite on the screen follows nothing in the field");
+}
+
+/* Sprite i follows what is given. A player outlives the scene that the sprite belongs to; of others, it is the only
+ * owner. */
+static void follow(struct board *b, uint32_t i, const struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+    int64_t h = v[PUT_FOLLOW].i;
+    unsigned how = handle_kind(h) == H_PLAYER ? FOLLOW_PLAYER + handle_slot(h) : FOLLOW_OWNER;
+
+    s->x[i] = v[PUT_DX].f;
+    s->y[i] = v[PUT_DY].f;
+    s->flags[i] |= (uint8_t)(how * SPRITE_FOLLOW_ONE);
+    if (how == FOLLOW_OWNER)
+        s->owner[i] = h;
+    s->following++;
+}
 
 static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool comes = tasks_owner_of_new(b, v[PUT_STAY].i, &owner);
+
+    check_put(L, v);
+    bool comes =
+        tasks_owner_of_new(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_alive(b, v[PUT_FOLLOW].i));
     int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && comes)
@@ -52,16 +90,22 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
                                 v[PUT_BLEND].i * SPRITE_BLEND_ONE);
         s->born[i] = b->core.clock;
         s->owner[i] = owner;
+        if (v[PUT_FOLLOW].given)
+            follow(b, (uint32_t)i, v);
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
 }
 
-enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, PROPS };
+enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "where it stands, px; not written of one that follows" },
+    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "where it stands, px; not written of one that follows" },
     { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
       PROP_WRITE,
       "name of its picture; a write starts it at frame one" },
@@ -70,6 +114,8 @@ static const struct api_prop props[PROPS] = {
     { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
     { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
+    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
+    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -79,13 +125,20 @@ static const uint8_t flag_of[PROPS] = {
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct sprites *s = &b->sprites;
+    fx x, y;
 
     switch (p) {
     case P_X:
-        lua_pushnumber(L, fx_to_double(s->x[i]));
-        break;
     case P_Y:
-        lua_pushnumber(L, fx_to_double(s->y[i]));
+        board_where(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
+        lua_pushnumber(L, fx_to_double(p == P_X ? x : y));
+        break;
+    case P_DX:
+    case P_DY:
+        if (s->flags[i] & SPRITE_FOLLOW)
+            lua_pushnumber(L, fx_to_double(p == P_DX ? s->x[i] : s->y[i]));
+        else
+            lua_pushnil(L);
         break;
     case P_SPRITE:
         lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
@@ -108,12 +161,18 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 {
     struct sprites *s = &b->sprites;
 
-    (void)L;
+    if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
+        api_error(L, "sprite",
+                  s->flags[i] & SPRITE_FOLLOW ? "%s: it follows a thing: write dx, dy"
+                                              : "%s: it follows nothing: write x, y",
+                  props[p].value.name);
     switch (p) {
     case P_X:
+    case P_DX:
         s->x[i] = v->f;
         break;
     case P_Y:
+    case P_DY:
         s->y[i] = v->f;
         break;
     case P_SPRITE:
@@ -150,7 +209,7 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- spark ---- */
 
-enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND };
+enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS };
 
 static const struct api_param spark_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -160,7 +219,32 @@ static const struct api_param spark_def[] = {
     { "drag", A_FX, OPT, 0, 1, "of the speed a frame", "0" },
     { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "banks", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
+
+static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
+                               "kind's banks but the first counts as one)";
+
+/* banks: the first is the kind's, and each other a row after it. */
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, int64_t blend)
+{
+    const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL };
+    lua_Unsigned n = lua_rawlen(L, at);
+
+    if (n < 1 || n > SPARK_BANKS)
+        api_error(L, "spark.def", "banks: expected a list of 1 to %d banks", SPARK_BANKS);
+    for (lua_Unsigned b = 0; b < n; b++) {
+        struct api_value v = { 0 };
+        int32_t row = b ? slots_append(&k->s) : i;
+        if (row == NO_SLOT)
+            api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+        lua_rawgeti(L, at, (lua_Integer)b + 1);
+        api_check(L, "spark.def", &bank, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        k->sprite[row] = k->sprite[i];
+        k->bank[row] = (uint8_t)(v.i | blend * SPARK_BLEND_ONE);
+    }
+}
 
 static int spark_define(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -168,23 +252,28 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, "spark.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
-                         MAX_KINDS);
+        return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+    if (v[D_BANKS].given && v[D_BANK].given)
+        return api_error(L, "spark.def", "bank or banks, not both");
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->life[i] = (uint16_t)v[D_LIFE].i;
     k->gravity[i] = v[D_GRAVITY].f;
     k->drag[i] = v[D_DRAG].f;
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLEND].i * SPARK_BLEND_ONE);
+    if (v[D_BANKS].given)
+        define_banks(L, k, i, v[D_BANKS].at, v[D_BLEND].i);
     return 0;
 }
 
-enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED };
+enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
     { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
     { "n", A_INT, OPT, 0, 65535, "sparks", "1" },       { "dir", A_DIR, OPT, 0, 0, NULL, "0" },
     { "spread", A_NUM, OPT, 0, 360, "degrees", "360" }, { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1" },
+    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },  { "to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -193,10 +282,20 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .n = (uint32_t)v[B_N].i,
                              .dir = v[B_DIR].a,
                              .speed = v[B_SPEED].f,
-                             .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
+                             .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0),
+                             .radius = v[B_RADIUS].f };
 
-    if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
-        board_sparks(b, &s);
+    if (v[B_TO_X].given != v[B_TO_Y].given || (v[B_TO_X].given && v[B_RADIUS].given))
+        return api_error(L, "spark.burst", "shape: expected radius, or to_x and to_y, or none");
+    if (s.radius && !v[B_SPREAD].given)
+        s.spread = 0;
+    if (!api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
+        return 0;
+    if (v[B_TO_X].given) {
+        s.along_x = v[B_TO_X].f - s.x;
+        s.along_y = v[B_TO_Y].f - s.y;
+    }
+    board_sparks(b, &s);
     return 0;
 }
 
@@ -385,12 +484,15 @@ static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
-      "places a free sprite in the field or on the screen; with stay the boss's phase it came from does not take it "
+      "places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with stay "
+      "the boss's phase it came from does not take it "
       "along" },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
-      "throws n sparks within spread about dir; never seen by the game" },
+      "throws n sparks within spread about dir, from a point, a ring (outwards; spread is 0 there) or along a line; "
+      "never "
+      "seen by the game" },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
       "writes text on the screen's 8x8 cells; stays until overwritten" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },

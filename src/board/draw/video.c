@@ -57,7 +57,10 @@ static void draw_sprites(struct draw_target *c, int layer)
             fb_clip_all(c->fb);
             at.x = at.y = 0;
         }
-        put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
+        fx x = s->x[i], y = s->y[i];
+        if (s->flags[i] & SPRITE_FOLLOW)
+            board_where(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
+        put(&at, s->sprite[i], c->b->core.clock - s->born[i], x, y, s->bank[i],
             s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
         if (s->flags[i] & SPRITE_SCREEN)
             clip_field(c);
@@ -124,10 +127,10 @@ static void draw_sparks(struct draw_target *c)
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
+        uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
-        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-            c->b->spark_kinds.bank[kind] & SPARK_BANK, 0,
-            (c->b->spark_kinds.bank[kind] & SPARK_BLEND) / SPARK_BLEND_ONE);
+        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i], bank & SPARK_BANK,
+            0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
 }
 
