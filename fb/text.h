@@ -17,6 +17,9 @@ struct font {
 /* One character, its top left corner at (x, y); clipped; a code without a glyph draws nothing. Any x, y. */
 void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint8_t c, uint8_t bank);
 
+/* The eight places next to each of the character's pixels, in colour `rim`: to be drawn before all characters. */
+void text_rim(struct fb *fb, const struct font *font, int x, int y, uint8_t c, uint8_t rim);
+
 /* Bytes up to the NUL, TEXT_SIDE px apart; '\n' goes back to x, one line down. Any x, y. For tests. */
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank);
 

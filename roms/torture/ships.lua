@@ -28,5 +28,6 @@ end
 
 player.def("fast", { sprite = "letter", hit = { circle = 2 }, graze = 18, speed = 5, focus = 2.5, lives = 4, safe = 60,
   registers = { power = 0, bombs = 2 }, run = fly "bolt" })
-player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = 3, power = 1 }, run = fly "ball",
+player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = { start = 3, max = 9, show = "icons" },
+  power = { start = 1, max = 40, show = "bar" } }, run = fly "ball",
   pictures = { left = "box", right = "letter", pose = "steps" } })

@@ -246,7 +246,8 @@ local function pictures()
       if n % 3 == 0 then s:remove() end
     end
     spark.burst { kind = n % 4 == 0 and "long" or "ping", x = 112, y = 112, n = 5, dir = n, spread = 90, speed = 3 }
-    text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
+    text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center",
+      rim = n % 4 == 1 }
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
     if n % 30 == 7 then

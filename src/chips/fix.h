@@ -7,12 +7,16 @@
 
 #include "slots.h"
 
-enum { FIX_CELL = 8 };
+enum {
+    FIX_CELL = 8,
+    FIX_BANK = 15,    /* of `bank`: banks to add */
+    FIX_RIM = 1 << 4, /* of `bank`: a dark rim, to be read over anything */
+};
 
 struct fix {
     struct slots s; /* a list of cols x rows cells, row by row */
     uint8_t *code;  /* character, 0 or 32: nothing */
-    uint8_t *bank;
+    uint8_t *bank;  /* FIX_ */
     uint32_t cols, rows;
 };
 

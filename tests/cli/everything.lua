@@ -1,6 +1,6 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = 3 },
+  registers = { power = { start = 3, max = 60, show = "bar" } },
   run = function(p)
     while true do
       wait(4)

@@ -210,7 +210,7 @@ static int get_property(lua_State *L)
     return 1;
 }
 
-/* A register stops at 0, whatever is taken from it. */
+/* A register stops at 0, whatever is taken from it, and at its max. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
     struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
@@ -219,6 +219,8 @@ static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, c
 
     if (lua_type(L, 3) != LUA_TNUMBER || lua_tointegerx(L, 3, &whole) >= 0 || !whole)
         api_check(L, "player", &p, 3, &v);
+    if (api_register_extra(L, b->player.kind[slot], reg, "max") && v.i > lua_tointeger(L, -1))
+        v.i = lua_tointeger(L, -1);
     b->player.regs[slot * PLAYER_REGISTERS + (uint32_t)reg] = (int32_t)v.i;
     return 0;
 }

@@ -248,6 +248,9 @@ bool api_property(const struct api_thing *t, const char *name);
 /* The number of a register of player `slot`'s kind, or -1. */
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
+/* Pushes what a kind of player says of its register i, "max" or "show", or nil; is it said? */
+bool api_register_extra(lua_State *L, int32_t kind, int i, const char *key);
+
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);
 

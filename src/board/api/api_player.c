@@ -38,39 +38,154 @@ static void registry(lua_State *L)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &registers_key);
 }
 
+static const char extra_key = 0; /* registry: kind -> { register -> { max =, show = } }, of those that have either */
+
+struct reg {
+    const char *name, *show; /* show NULL: not said */
+    int32_t start, max;      /* max -1: none */
+};
+
+static const char *const shows[] = { "none", "number", "icons", "bar", NULL };
+
+/* How the register whose table of settings is on top is shown. */
+static const char *read_show(lua_State *L, const char *name)
+{
+    const char *word = lua_tostring(L, -1);
+
+    for (int i = 0; lua_type(L, -1) == LUA_TSTRING && shows[i]; i++)
+        if (!strcmp(shows[i], word))
+            return shows[i];
+    if (lua_type(L, -1) != LUA_TNIL)
+        api_error(L, "player.def", "registers.%s.show: expected none, number, icons or bar, got \"%s\"", name,
+                  word ? word : luaL_typename(L, -1));
+    return NULL;
+}
+
+/* A number of the table at `at`; `without` when it is not there. */
+static int32_t read_field(lua_State *L, int at, const char *name, const char *key, int32_t without)
+{
+    char full[80];
+    struct api_value v = { 0 };
+
+    snprintf(full, sizeof full, "registers.%s.%s", name, key);
+    const struct api_param p = { full, A_INT, OPT, 0, INT32_MAX, NULL, NULL };
+    lua_getfield(L, at, key);
+    api_check(L, "player.def", &p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.given ? (int32_t)v.i : without;
+}
+
+/* { start = 3, max = 6, show = "icons" } */
+static void read_settings(lua_State *L, int at, struct reg *r)
+{
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+        if (strcmp(key, "start") && strcmp(key, "max") && strcmp(key, "show"))
+            api_error(L, "player.def", "registers.%s: unknown setting \"%s\" (there are start, max, show)", r->name,
+                      key);
+    }
+    r->start = read_field(L, at, r->name, "start", 0);
+    r->max = read_field(L, at, r->name, "max", -1);
+    lua_getfield(L, at, "show");
+    r->show = read_show(L, r->name);
+    lua_pop(L, 1);
+    if (r->max >= 0 && r->start > r->max)
+        api_error(L, "player.def", "registers.%s: start %d is more than max %d", r->name, (int)r->start, (int)r->max);
+    if (r->max < 1 && r->show && !strcmp(r->show, "bar"))
+        api_error(L, "player.def", "registers.%s: a bar needs a max", r->name);
+}
+
+/* The register whose name and value are on top. */
+static struct reg read_register(lua_State *L)
+{
+    struct reg r = { NULL, NULL, 0, -1 };
+    char name[48];
+
+    if (lua_type(L, -2) != LUA_TSTRING)
+        api_error(L, "player.def", "registers: expected names with whole numbers");
+    r.name = lua_tostring(L, -2);
+    if (api_property(&api_player_thing, r.name))
+        api_error(L, "player.def", "registers: \"%s\" is a property of every player already", r.name);
+    snprintf(name, sizeof name, "registers.%s", r.name);
+    const struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
+    struct api_value v = { 0 };
+    if (lua_istable(L, -1))
+        read_settings(L, lua_gettop(L), &r);
+    else {
+        api_check(L, "player.def", &p, lua_gettop(L), &v);
+        r.start = (int32_t)v.i;
+    }
+    return r;
+}
+
+/* Keeps what is said of register i besides its start. Only a game that says it has the table. */
+static void keep_extra(lua_State *L, int32_t kind, int i, const struct reg *r)
+{
+    int top = lua_gettop(L);
+
+    if (r->max < 0 && !r->show)
+        return;
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &extra_key) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &extra_key);
+    }
+    if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, kind);
+    }
+    lua_newtable(L);
+    if (r->max >= 0) {
+        lua_pushinteger(L, r->max);
+        lua_setfield(L, -2, "max");
+    }
+    if (r->show) {
+        lua_pushstring(L, r->show);
+        lua_setfield(L, -2, "show");
+    }
+    lua_rawseti(L, -2, i);
+    lua_settop(L, top);
+}
+
+bool api_register_extra(lua_State *L, int32_t kind, int i, const char *key)
+{
+    int top = lua_gettop(L);
+
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &extra_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE &&
+        lua_rawgeti(L, -1, i) == LUA_TTABLE) {
+        lua_getfield(L, -1, key);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
+    return !lua_isnil(L, -1);
+}
+
 /* Registers get their numbers in byte order of their names, so that no table order decides. */
 static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
 {
-    const char *names[PLAYER_REGISTERS];
+    struct reg regs[PLAYER_REGISTERS];
     int n = 0;
 
-    lua_pushnil(L);
-    while (lua_next(L, at)) {
-        char name[48] = "registers";
-        struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
-        struct api_value v = { 0 };
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, "player.def", "registers: expected names with whole numbers");
-        snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
-        api_check(L, "player.def", &p, lua_gettop(L), &v);
-        lua_pop(L, 1);
-        if (api_property(&api_player_thing, lua_tostring(L, -1)))
-            api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        struct reg r = read_register(L);
         if (n == PLAYER_REGISTERS)
             api_error(L, "player.def", "registers: at most %d", PLAYER_REGISTERS);
         int i = n++;
-        for (; i > 0 && strcmp(names[i - 1], lua_tostring(L, -1)) > 0; i--)
-            names[i] = names[i - 1];
-        names[i] = lua_tostring(L, -1);
+        for (; i > 0 && strcmp(regs[i - 1].name, r.name) > 0; i--)
+            regs[i] = regs[i - 1];
+        regs[i] = r;
     }
     registry(L);
     lua_newtable(L);
     for (int i = 0; i < n; i++) {
-        lua_getfield(L, at, names[i]);
-        k->start[kind * PLAYER_REGISTERS + i] = (int32_t)lua_tointeger(L, -1);
-        lua_pop(L, 1);
+        k->start[kind * PLAYER_REGISTERS + i] = regs[i].start;
+        keep_extra(L, kind, i, &regs[i]);
         lua_pushinteger(L, i);
-        lua_setfield(L, -2, names[i]);
+        lua_setfield(L, -2, regs[i].name);
     }
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);

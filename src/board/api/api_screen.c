@@ -301,12 +301,12 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_RIM };
 
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
+    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "rim", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -331,7 +331,7 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
     n = n > 1024 ? 1024 : n;
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? (int)n / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? (int)n : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i);
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)(v[TEXT_BANK].i | (v[TEXT_RIM].i ? FIX_RIM : 0)));
     return 0;
 }
 
@@ -494,7 +494,7 @@ static const struct api_entry entries[] = {
       "never "
       "seen by the game" },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      "writes text on the screen's 8x8 cells; stays until overwritten" },
+      "writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the letters" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, "sets a colour, 0xRRGGBB" },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL, "sets all colours from a palette of rom.lua" },

@@ -135,8 +135,15 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     lua_pushinteger(L, b->player_kinds.lives[kind]);
     lua_setfield(L, -2, "lives");
     lua_createtable(L, n, 0);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         push_register(L, names[i], b->player_kinds.start[kind * PLAYER_REGISTERS + i], i + 1);
+        lua_rawgeti(L, -1, i + 1);
+        api_register_extra(L, kind, i, "max");
+        lua_setfield(L, -2, "max");
+        api_register_extra(L, kind, i, "show");
+        lua_setfield(L, -2, "show");
+        lua_pop(L, 1);
+    }
     lua_setfield(L, -2, "registers");
     return 1;
 }

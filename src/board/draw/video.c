@@ -68,16 +68,17 @@ static void draw_sprites(struct draw_target *c, int layer)
     }
 }
 
-/* The brightest colour there is, of several the first. */
-static uint8_t white(const struct board *b)
+/* The brightest colour there is, or the darkest; of several the first. */
+static uint8_t extreme(const struct board *b, bool bright)
 {
-    uint32_t most = 0;
+    uint32_t best = bright ? 0 : UINT32_MAX;
     int at = 0;
 
     for (int i = 0; i < COLOURS; i++) {
         uint32_t rgb = b->pal.rgb[i], sum = (rgb >> 16) + (rgb >> 8 & 255) + (rgb & 255);
-        at = sum > most ? i : at;
-        most = sum > most ? sum : most;
+        bool better = bright ? sum > best : sum < best;
+        at = better ? i : at;
+        best = better ? sum : best;
     }
     return (uint8_t)at;
 }
@@ -88,7 +89,7 @@ static void put_white(struct draw_target *c, uint32_t i)
     const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
     struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
 
-    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, white(c->b),
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, extreme(c->b, true),
                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0);
     c->drawn++;
 }
@@ -134,6 +135,20 @@ static void draw_sparks(struct draw_target *c)
     }
 }
 
+/* All rims, so that none covers a letter. */
+static void draw_rims(struct draw_target *c, const struct font *font)
+{
+    const struct fix *f = &c->b->fix;
+    int dark = -1;
+
+    for (uint32_t i = 0; i < f->s.live; i++) {
+        if (f->code[i] <= 32 || !(f->bank[i] & FIX_RIM))
+            continue;
+        dark = dark < 0 ? extreme(c->b, false) : dark;
+        text_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i], (uint8_t)dark);
+    }
+}
+
 static void draw_text(struct draw_target *c)
 {
     const struct fix *f = &c->b->fix;
@@ -143,10 +158,11 @@ static void draw_text(struct draw_target *c)
     fb_clip_all(c->fb);
     if (!cart->glyphs)
         return;
+    draw_rims(c, &font);
     for (uint32_t i = 0; i < f->s.live; i++)
         if (f->code[i] > 32)
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                       f->bank[i]);
+                       f->bank[i] & FIX_BANK);
 }
 
 /* Where nothing is drawn on the n px beside the line `from` (next to the field's shaken edge), it shows what is as far
