@@ -24,6 +24,9 @@ enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 /* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
 struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
 
+/* The same without the bullets and what is over them, and without a flash. The clip is the field. */
+void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
 

@@ -207,14 +207,15 @@ static void draw_flash(const struct board *b, uint32_t rgb[256])
         rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
 }
 
-struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+/* All that is under the bullets. */
+static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch,
+                                      int overdraw)
 {
     const struct manifest *m = &b->cart.m;
     struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
     int dx, dy;
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-    draw_flash(b, rgb);
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
     c.x += dx;
     c.y += dy;
@@ -230,6 +231,19 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     video_bullets(&c, &b->shots, &b->shot_kinds);
     draw_sprites(&c, LAYER_MIDDLE);
     draw_players(&c);
+    return c;
+}
+
+void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+{
+    draw_behind(b, fb, rgb, scratch, VIDEO_OVERDRAW);
+}
+
+struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+{
+    struct draw_target c = draw_behind(b, fb, rgb, scratch, overdraw);
+
+    draw_flash(b, rgb);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
