@@ -16,7 +16,8 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?; sampled [0-9]+ frames? for contrast' lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
+    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?; sampled [0-9]+ frames? for contrast'
+    local lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
     check "$name ($got)" grep -Eq \
         "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
 }
@@ -493,7 +494,7 @@ LUA
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
 finds 'bullets that cannot be seen' faint <<'END'
-demos/idle.demo: bullets "dot" in bank 0 hardly stand out from what lies behind them: 60 of 60, in 6 sampled frames; the first at 6, 7 in frame 0
+demos/idle.demo: bullets "dot" in bank 0 hardly stand out: 60 of 60, in 6 sampled frames; the first at 6, 7 in frame 0
 1 problem
 END
 sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua

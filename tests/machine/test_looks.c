@@ -14,6 +14,7 @@ static const char kinds[] =
     "enemy.def('brief', { sprite = 'arrow', hit = 'none', hp = 99, bank = 2, blink = 1, pictures = { cast = 'dot' } "
     "})\n"
     "player.def('first', { sprite = 'dot', hit = { circle = 2 }, registers = { bombs = 2 } })\n"
+    "player.def('second', { sprite = 'arrow', hit = { circle = 2 } })\n"
     "player.def('p', { sprite = 'arrow', hit = { circle = 2 }, safe = 0, pictures = { right = 'dot', left = 'wink', "
     "win = 'wink' },\n"
     "  registers = { n = 1 } })\n"
@@ -181,6 +182,10 @@ static void test_first(void **state)
     r.b->player.y[0] = Y * 65536;
     shows("dot", 0, 0, false, BLIT_FLIP_X);
     close_it();
+    open_with("string.sys.join(1, 'second')"); /* without pictures, after one without */
+    rig_tick(&r, pads);
+    assert_int_equal(r.b->player.flags[0], 0);
+    close_it();
 }
 
 /* Kinds are found by their names alone, whatever rows lie between; shapes of several rows stay next to theirs. */
@@ -189,7 +194,7 @@ static void test_rows(void **state)
     (void)state;
     open_with("local sys = string.sys\n"
               "assert(table.concat(sys.kinds('enemy'), ' ') == 'e plain brief')\n"
-              "assert(table.concat(sys.kinds('player'), ' ') == 'first p half')\n"
+              "assert(table.concat(sys.kinds('player'), ' ') == 'first second p half')\n"
               "sys.join(1, 'half') sys.join(2, 'p')\n"
               "assert(player.get(1).kind == 'half' and player.get(2).n == 1)\n"
               "local e = enemy.spawn { kind = 'plain', x = 50, y = 50 }\n"
@@ -227,9 +232,9 @@ static void test_errors(void **state)
          "enemy.def: pictures: at most 7");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', blink = 16 })",
          "enemy.def: blink: expected a whole number from 0 to 15 frames, got 16");
-    says(
-        "for i = 1, 20 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot' } }) end",
-        "player.def: no room: 64 kinds are declared (each of a kind's pictures counts as one)");
+    says("for i = 1, 20 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot', b = "
+         "'dot' } }) end",
+         "player.def: no room: 64 kinds are declared (each of a kind's pictures counts as one)");
 }
 
 /* What looks do is in the enemies' and players' own bits: all else goes on as without. */

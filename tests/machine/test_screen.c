@@ -268,6 +268,7 @@ static void test_wipe(void **state)
 static void test_crowd(void **state)
 {
     static uint8_t pix[2][H][W];
+    int edge = 0;
     struct manifest m = rig_manifest();
 
     (void)state;
@@ -293,6 +294,10 @@ static void test_crowd(void **state)
     }
     for (int y = 0; y < H; y++)
         assert_memory_equal(pix[1][y] + 7, pix[0][y], W - 7);
+    for (int y = 20; y < 280; y++) /* those that stand beyond the edge come in */
+        for (int x = 5; x < 7; x++)
+            edge += pix[1][y][x] != 0;
+    assert_true(edge > 300);
 }
 
 static void says(const char *text, const char *line)

@@ -336,11 +336,10 @@ static void judge_contrast(struct run *r)
     for (int i = 0; i < k->n; i++) {
         const struct look *l = &k->look[i];
         if (l->seen >= FEW_BULLETS && 2 * l->faint > l->seen)
-            diagnostics_add(
-                &r->c->found, r->what, 0,
-                "bullets \"%s\" in bank %d hardly stand out from what lies behind them: %d of %d, in %d sampled "
-                "frames; the first at %d, %d in frame %" PRIu32,
-                l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
+            diagnostics_add(&r->c->found, r->what, 0,
+                            "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; "
+                            "the first at %d, %d in frame %" PRIu32,
+                            l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
     }
 }
 
