@@ -136,8 +136,8 @@ static void spell(char *to, size_t size, uint64_t v, int width)
 }
 
 /* The one difference there may be. */
-static void named(uint32_t frame, const char *part, int64_t slot, const struct column *c, int i, uint64_t was,
-                  uint64_t is)
+static void named(uint32_t frame, const char *part, int64_t slot, const struct column *c, const char *name, int i,
+                  uint64_t was, uint64_t is)
 {
     char want[1024], at[64] = "", index[32] = "", a[64], b[64];
 
@@ -148,7 +148,7 @@ static void named(uint32_t frame, const char *part, int64_t slot, const struct c
     spell(a, sizeof a, was, c->width);
     spell(b, sizeof b, is, c->width);
     snprintf(want, sizeof want, "frame %u is the first that differs\n  %s%s %s%s: %s in %s, %s in %s\n",
-             (unsigned)frame, part, at, c->name, index, a, file("a"), b, file("b"));
+             (unsigned)frame, part, at, name, index, a, file("a"), b, file("b"));
     assert_string_equal(out, want);
 }
 
@@ -181,6 +181,19 @@ static void store(uint8_t *p, int width, uint64_t v)
            (size_t)width);
 }
 
+/* A column of values has the name that the game declared. */
+static const char *name_of(const struct board *b, int part, const struct column *c)
+{
+    const char *chip = board_part(b, part);
+    enum api_names list = !strcmp(chip, "bullets") ? N_BULLET_VALUE
+                          : !strcmp(chip, "shots") ? N_SHOT_VALUE
+                                                   : N_ENEMY_VALUE;
+    const char *own =
+        strncmp(c->name, "value", 5) || strlen(c->name) != 6 ? NULL : api_names_at(b, list, c->name[5] - '1');
+
+    return own ? own : c->name;
+}
+
 /* Flips a bit of the value at p for as long as the second of two traces is printed. */
 static void plant(struct rig *r, int part, int64_t slot, const struct column *c, int i, uint8_t *p, struct rng *rng)
 {
@@ -197,7 +210,7 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
         assert_non_null(strstr(out, start));
         return;
     }
-    named(board_frame(r->b), board_part(r->b, part), slot, c, i, was, is);
+    named(board_frame(r->b), board_part(r->b, part), slot, c, name_of(r->b, part, c), i, was, is);
 }
 
 /* A live slot, any of them. */
@@ -287,7 +300,7 @@ static void test_first_frame(void **state)
             rig_free(&r);
         }
         assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
-        named(at, "bullets", 13, &(struct column){ .name = "x", .width = 4, .n = 1 }, 0, x, x ^ 1 << 4);
+        named(at, "bullets", 13, &(struct column){ .name = "x", .width = 4, .n = 1 }, "x", 0, x, x ^ 1 << 4);
     }
     rig_game_free(&g);
 }
