@@ -307,6 +307,28 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
             mix_row(d, s, n, add, table);
 }
 
+void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags)
+{
+    bool flip = flags & BLIT_FLIP_X;
+    struct visible p;
+
+    if (!visible_part(&p, fb, image, x, y, flags))
+        return;
+    uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
+    const uint8_t *s = p.s + p.from;
+    for (int row = p.rows; row > 0; row--, d += fb->pitch, s += p.s_row)
+        for (int k = 0; k < p.to - p.from; k++)
+            if (s[k])
+                d[flip ? -k : k] = c;
+}
+
+void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c)
+{
+    for (int k = 0; k < 9; k++)
+        if (k != 4)
+            blit_solid(fb, image, x + k % 3 - 1, y + k / 3 - 1, c, 0);
+}
+
 /* All of an image. */
 static inline struct job whole_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
                                    unsigned flags)

@@ -28,4 +28,10 @@ void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                   const uint8_t table[65536]);
 
+/* The same, but every pixel of it is c. */
+void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags);
+
+/* The eight places next to each of its pixels, in c. */
+void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c);
+
 #endif

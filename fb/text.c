@@ -57,6 +57,15 @@ void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
     fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
+void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim)
+{
+    const uint8_t *glyph = text_blank(code) ? NULL : glyph_of(font, code);
+    struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
+
+    if (glyph)
+        blit_rim(fb, &image, x, y, rim);
+}
+
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank)
 {
     int64_t at = x, row = y;

@@ -18,35 +18,41 @@ end
 
 function hud.put(col, row, s, bank)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain }
+  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true }
 end
 
--- Breaks s between words into lines of at most `width` characters; what fits stays as it is.
+-- Breaks s between words into lines of at most `width` characters, and words that are longer; what fits stays as it is.
 function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
 
--- Puts s, in the language of the run, in the middle of the screen, broken into lines; returns the row below.
-function hud.centre(row, s, bank)
-  for _, line in ipairs(hud.wrap(text.lang(s), hud.cols)) do
-    hud.put(math.max(0, (hud.cols - sys.cells(line)) // 2), row, line, bank)
+-- Puts s, in the language of the run, in the middle of `cols` columns from `first` on (the screen's), broken into
+-- lines; returns the row below.
+function hud.centre(row, s, bank, first, cols)
+  first, cols = first or 0, cols or hud.cols
+  for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
+    hud.put(first + math.max(0, (cols - sys.cells(line)) // 2), row, line, bank)
     row = row + 1
   end
   return row
 end
 
--- The field leaves `room` columns to its right. Ten are enough for a panel, of all but the first; else the rows go over
--- the whole screen.
+-- The field leaves `room` columns to its right. Ten are enough for a panel, of all but the first and, from eleven on,
+-- the last; else the rows go over the field, a cell off its edges.
+local field_col, field_cols = (rom.field.x + 7) // 8, (rom.field.x + rom.field.w) // 8 - (rom.field.x + 7) // 8
 local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
-local left = room >= 10 and hud.cols - room + 1 or 0
-local width = room >= 10 and room - 1 or hud.cols
+local left = room >= 10 and hud.cols - room + 1 or field_col + 1
+local width = room > 10 and room - 2 or room == 10 and 9 or field_cols - 2
+local TOP = room >= 10 and 1 or rom.field.y // 8 + 1
 
 local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
 local BANNER_ROW = hud.rows // 3
+local FEW = 6 -- so many icons stand side by side; of more, their number
 
 local players = 0 -- how many play
 local seen = {}   -- each player's last score: that of one who is out cannot be read
 local shown = {}  -- the text of each row on the screen; a row is written only when it changes
 local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
+local registers = { {}, {} } -- that each player's ship shows: name, show, max
 
 local function points(n) return ("%09d"):format(n) end
 
@@ -62,18 +68,16 @@ function hud.best()
   return best
 end
 
-local function lives(i)
-  local n = player.get(i).lives or 0
-  if n > 6 then return LIFE .. "x" .. n end
-  return LIFE:rep(n)
-end
+local function icons(icon, n) return n > FEW and icon .. "x" .. n or icon:rep(n) end
+
+local function lives(i) return icons(LIFE, player.get(i).lives or 0) end
 
 -- One row with a left, a middle and a right part; in a narrow panel, a row for each. n: characters of the left part.
 local function add(rows, first, middle, last, n)
   n = n or #first
   if n + #middle + #last + 2 > width then
     for _, s in ipairs { first, middle, last } do
-      if s ~= "" then rows[#rows + 1] = s end
+      for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do rows[#rows + 1] = line end
     end
     return
   end
@@ -81,17 +85,6 @@ local function add(rows, first, middle, last, n)
   if before < 1 then before = 1 end
   local line = first .. (" "):rep(before) .. middle
   rows[#rows + 1] = line .. (" "):rep(width - #line + #first - n - #last) .. last
-end
-
-local function play_rows(rows)
-  local best = points(hud.best())
-  if players > 1 then
-    add(rows, points(hud.score(1)), best, points(hud.score(2)))
-    add(rows, lives(1), "", lives(2))
-  else
-    add(rows, points(hud.score(1)), "", "HI " .. best)
-    add(rows, lives(1), "", GRAZE .. (player.get(1).grazes or 0))
-  end
 end
 
 -- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
@@ -106,6 +99,39 @@ local function bar(value, full, cells)
   local s = string.char(136):rep(whole)
   if rest > 0 then s = s .. string.char(128 + rest) end
   return s .. string.char(128):rep(cells - #s)
+end
+
+-- The k-th register that player i shows, as its ship says.
+local function register(i, k)
+  local r = registers[i][k]
+  local n = r and player.get(i)[r.name]
+  if not n then return "" end
+  local name = r.name:upper() .. " "
+  if r.show == "icons" then return name .. icons(GRAZE, n) end
+  if r.show == "bar" then return name .. bar(n, r.max, math.max(1, math.min(8, width - #name))) end
+  return name .. n
+end
+
+-- Those of player i's ship.
+local function shown_registers(i)
+  local list = {}
+  if i > players or not player.get(i).kind then return list end
+  for _, r in ipairs(sys.ship(player.get(i).kind).registers) do
+    if r.show and r.show ~= "none" then list[#list + 1] = r end
+  end
+  return list
+end
+
+local function play_rows(rows)
+  local best = points(hud.best())
+  if players > 1 then
+    add(rows, points(hud.score(1)), "", points(hud.score(2)))
+    add(rows, lives(1), best, lives(2))
+  else
+    add(rows, points(hud.score(1)), "", "HI " .. best)
+    add(rows, lives(1), "", GRAZE .. (player.get(1).grazes or 0))
+  end
+  for k = 1, math.max(#registers[1], #registers[2]) do add(rows, register(1, k), "", register(2, k)) end
 end
 
 local function boss_rows(rows)
@@ -123,7 +149,7 @@ local function show(row, s)
   s = s .. (" "):rep(width - (known[s] or #s))
   local before = shown[row] or (" "):rep(width)
   shown[row] = s
-  if s ~= before then hud.put(left, row - 1, s) end
+  if s ~= before then hud.put(left, TOP + row - 1, s) end
 end
 
 local function draw()
@@ -134,13 +160,13 @@ local function draw()
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
--- Shows lines in the middle of the screen for so many frames; without lines, ends that.
+-- Shows lines in the middle of the field for so many frames; without lines, ends that.
 function hud.banner(lines, over)
-  if banner then text.clear { col = 0, row = BANNER_ROW, w = hud.cols, h = banner.h } end
+  if banner then text.clear { col = field_col, row = BANNER_ROW, w = field_cols, h = banner.h } end
   banner = nil
   if not lines then return end
   local row = BANNER_ROW
-  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright) + 1 end
+  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright, field_col, field_cols) + 1 end
   banner = { h = row - BANNER_ROW, ends = sys.clock() + over, lines = lines }
 end
 
@@ -154,6 +180,7 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
+  registers = { shown_registers(1), shown_registers(2) }
   task.own(owner, function()
     while true do
       draw()

@@ -1,6 +1,6 @@
 -- kinds.lua - what flies, and the programs it flies by: every key of a motion step, at once and over time.
 spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
-spark.def("long", { sprite = "box", life = 400 })
+spark.def("long", { sprite = "box", life = 400, banks = { 1, 7, 3 } })
 
 item.def("coin", { sprite = "steps", radius = 6, gives = { score = { 5, 500 }, power = 2, bombs = -1 }, full = "power",
   on_take = function(p, i) board.note(i.x + i.y + i.age + p.power + (i.alive and 9 or 0)) end })

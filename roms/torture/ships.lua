@@ -28,4 +28,6 @@ end
 
 player.def("fast", { sprite = "letter", hit = { circle = 2 }, graze = 18, speed = 5, focus = 2.5, lives = 4, safe = 60,
   registers = { power = { max = 30 }, bombs = 2 }, magnet = 30, collect_line = 60, collect_full = "power", run = fly "bolt" })
-player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = { start = 3, max = 5 }, power = { start = 1, max = 99 } }, pull = 2.5, run = fly "ball" })
+player.def("slow", { sprite = "arrow", hit = { circle = 3 }, speed = 3, registers = { bombs = { start = 3, max = 5, show = "icons" },
+  power = { start = 1, max = 99, show = "bar" } }, pull = 2.5, run = fly "ball",
+  pictures = { left = "box", right = "letter", pose = "steps" } })

@@ -13,9 +13,11 @@ end
 
 local function brief(e) wait(40) e:remove() end
 enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, score = 150, bank = 3, spark = "ping", run = ringer, drops = { coin = 2, husk = 1 },
+  blink = 5, pictures = { hurt = "box", cast = "arrow" },
   on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
   on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
-enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false })
+enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false,
+  pictures = { cast = "box" } })
 enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief })
 enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
 enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief })
@@ -182,6 +184,7 @@ local function crowd()
     if n % 7 == 1 then row:move { x = 60 + n % 90, y = 50, over = 30, ease = "out" } end
     if n % 7 == 2 then row.bank = n % 4 row.safe = 5 end
     if n % 7 == 4 then row.frozen = 25 end
+    if n % 7 == 5 then row.picture, row.flip_x, row.hidden = n % 2 == 0 and "cast" or nil, n % 3 == 0, n % 5 == 0 end
     if n % 7 == 6 then enemy.each("crowd", function(e) e.frozen = e.frozen // 2 end) end
     if n % 7 == 3 then row.hp = 4 row:hurt(1, n % 2 + 1) end
     if n % 11 == 4 then row.x = 90 row.y = 70 end
@@ -266,6 +269,8 @@ local function enemies()
       wait(15)
       board.note(own.x + own.y + own.hp + own.age + extra)
       board.note(own.kind .. own.bank .. (own.tag or ""))
+      board.note((own.picture or "") .. (own.hidden and "h" or own.flip_x and "f" or ""))
+      own.flip_x, own.hidden, own.picture = not own.flip_x, n % 3 == 0, n % 4 == 1 and "cast" or nil
       own.safe = n % 2 == 0 and 20 or forever
       board.note(own.safe)
       wait(25)
@@ -296,7 +301,8 @@ local function pictures()
       if n % 3 == 0 then s:remove() end
     end
     spark.burst { kind = n % 4 == 0 and "long" or "ping", x = 112, y = 112, n = 5, dir = n, spread = 90, speed = 3 }
-    text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center" }
+    text.put { col = n % 40, row = 28, text = n, bank = n % 16, align = n % 3 == 0 and "right" or "center",
+      rim = n % 4 == 1 }
     text.put { col = n % 40, row = 27, text = "é" .. utf8.char(0x5f3e, 48 + n % 10), font = n % 2 == 0 and "grid" or nil }
     lines[n % 12] = text.line { x = n % 300, y = 200, text = text.lang("écrit ") .. utf8.char(0x5f3e) .. n, width = 8 + n % 90,
       font = n % 3 == 0 and "grid" or nil, align = n % 4 == 0 and "center" or "right", bank = n % 16,
@@ -313,6 +319,17 @@ local function pictures()
     end)
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
+    if n % 30 == 7 then
+      local e = enemy.spawn { kind = "shade", x = 50, y = 50 }
+      local s = sprite.put { sprite = "steps", follow = n % 60 == 7 and e or player.nearest(1, 1), dx = n % 9, dy = 3 }
+      if s.alive then s.dx, s.dy = s.dx + 1, s.dy - 1 end
+      spark.trail { kind = "ping", follow = e, every = 5 }
+      spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }
+      spark.burst { kind = "ping", from = e, n = 4, to_x = 9, to_y = 9 }
+    end
+    if n % 40 == 0 then screen.shake { size = n % 65, over = 20, dir = n % 80 == 0 and n or nil } end
+    if n % 50 == 0 then screen.flash { to = n * 999, over = 9, share = 0.7 } end
+    if n % 70 == 0 then screen.letterbox { h = n % 30, over = 15 } end
     if n % 60 == 0 then palette.fade { to = 0x202040, over = 20, first = 16, last = 40 } end
     if n % 60 == 30 then palette.fade { to = "main", over = 10 } end
     if n % 50 == 25 then palette.cycle { first = 32, last = 47, every = n % 100 == 25 and 3 or 0 } end
@@ -327,7 +344,12 @@ local function numbers()
     local p = n % 2 == 0 and player.nearest(100, 100) or player.get(n % 4 // 2 + 1)
     board.note(angle.to({ x = 1, y = 2 }, p.alive and p or { x = 5, y = 6 }))
     board.note(angle.of(3, n) + angle.difference(10, n) + angle.sin(n) + angle.cos(n))
-    player.each(function(q) board.note(q.x + q.y + q.safe) end)
+    player.each(function(q)
+      board.note(q.x + q.y + q.safe)
+      board.note((q.picture or "") .. (q.hidden and "h" or q.flip_x and "f" or ""))
+      q.flip_x, q.hidden = n % 3 == 0, n % 5 == 0
+      if q.kind == "slow" then q.picture = n % 7 < 3 and "pose" or nil end
+    end)
     board.note(board.frame() + board.live "bullets")
     for _, chip in ipairs { "bullets", "shots", "enemies", "sprites", "motions", "steps", "tasks" } do
       board.note(board.refused(chip))

@@ -83,7 +83,8 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(lines_chip, lines, m->lines, 0)                                                                               \
     PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
     PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
-    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)
+    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)                                                          \
+    PART(screen_chip, screen, 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -435,6 +436,25 @@ static void drop_lines(struct board *b)
     slots_trim(&b->lines.s);
 }
 
+/* Sprites go with what they follow. */
+static void drop_followers(struct board *b)
+{
+    struct sprites *s = &b->sprites;
+
+    if (!s->following)
+        return;
+    s->following = 0;
+    EACH_LIVE (i, &s->s) {
+        if (!(s->flags[i] & SPRITE_FOLLOW))
+            continue;
+        if (board_alive(b, board_followed(b, i)))
+            s->following++;
+        else
+            slots_drop(&s->s, i);
+    }
+    slots_trim(&s->s);
+}
+
 /* The game's clock goes on, but not for what stood in this frame's move. */
 static void next_frame(struct board *b)
 {
@@ -468,6 +488,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     fine = fine && vm_call(b, events_run);
     phase_done(b, PHASE_EVENTS);
     if (fine) {
+        drop_followers(b);
         if (b->lines.s.live)
             drop_lines(b);
         if (!b->core.frozen) {
@@ -775,6 +796,27 @@ bool board_there(const struct board *b, int64_t h)
     return board_alive(b, h);
 }
 
+int64_t board_followed(const struct board *b, uint32_t i)
+{
+    int follow = (b->sprites.flags[i] & SPRITE_FOLLOW) / SPRITE_FOLLOW_ONE;
+
+    if (follow <= FOLLOW_OWNER)
+        return follow ? b->sprites.owner[i] : 0;
+    return board_handle(b, H_PLAYER, follow - FOLLOW_PLAYER);
+}
+
+/* Where sprite i is; in the corner, if what it follows has just gone. */
+static void sprite_where(const struct board *b, uint32_t i, fx *x, fx *y)
+{
+    int64_t followed = board_followed(b, i);
+
+    *x = *y = 0;
+    if (followed)
+        board_where(b, followed, x, y);
+    *x = fx_add(*x, b->sprites.x[i]);
+    *y = fx_add(*y, b->sprites.y[i]);
+}
+
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
 {
     uint32_t i = handle_slot(h);
@@ -791,7 +833,7 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
     case H_PLAYER:
         return *x = b->player.x[i], *y = b->player.y[i], true;
     case H_SPRITE:
-        return *x = b->sprites.x[i], *y = b->sprites.y[i], true;
+        return sprite_where(b, i, x, y), true;
     case H_ITEM:
         return *x = b->items.x[i], *y = b->items.y[i], true;
     default:

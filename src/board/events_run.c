@@ -230,6 +230,7 @@ bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
         return false;
     e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
+    enemies_blink(e, &b->enemy_kinds, i);
     if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
         return false;
     events_enemy_die(b, L, i, player);

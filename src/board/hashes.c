@@ -14,11 +14,12 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
-/* A part that a game has no room for and that is not there always: its hash is 0, and in no other hash. So a new chip
- * is another game for those games alone that ask for it. */
+/* A part that a game has no room for, or that has registers alone and all are 0, and that is not there always: its hash
+ * is 0, and in no other hash. So a new chip is another game for those games alone that ask for it. */
 static bool is_absent(const struct board *b, int i)
 {
-    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap;
+    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap &&
+           slots_blank(machine_parts[i].chip, chip_at(b, i));
 }
 
 uint64_t board_part_hash(const struct board *b, int i)

@@ -26,6 +26,7 @@
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
 #include "../chips/player.h"
+#include "../chips/screen.h"
 #include "../chips/sparks.h"
 #include "../chips/sprites.h"
 #include "api_table.h"
@@ -121,6 +122,7 @@ struct board {
     struct bg bg;
     struct bg_lines bg_lines;
     struct bg_shades bg_shades;
+    struct screen screen;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -129,7 +131,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 26,
+    PARTS = 27,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];
@@ -204,6 +206,9 @@ bool board_alive(const struct board *b, int64_t h);
 /* Can it still be read? An enemy that died or left, and a bullet or shot that left and touched something on the way,
  * can until the frame's handlers have run. */
 bool board_there(const struct board *b, int64_t h);
+
+/* What sprite i follows, or 0. */
+int64_t board_followed(const struct board *b, uint32_t i);
 
 /* Where a thing is; false: dead, or not a thing that is anywhere. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);

@@ -12,7 +12,7 @@
 struct draw_target {
     const struct board *b;
     struct fb *fb;
-    int x, y; /* of the field on the screen */
+    int x, y; /* of the field's things on the screen: the field's, and how far a shake has moved them */
     void *scratch;
     int overdraw;           /* from how much on bullets are drawn front to back */
     uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
@@ -24,8 +24,14 @@ enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 /* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
 struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
 
+/* The same without the bullets and what is over them, and without a flash. The clip is the field. */
+void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
+
+/* Nothing is drawn outside the field from here on. A shake does not move it. */
+void video_clip_field(const struct draw_target *c);
 
 /* One picture. blend: a blend's index + 1, 0: opaque. */
 void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
@@ -37,6 +43,9 @@ void video_bullets(struct draw_target *c, const struct bullets *s, const struct 
 /* Lines of text; a cell whose font is one of rom.lua's `fonts`. */
 void video_lines(struct draw_target *c);
 void video_cell(struct draw_target *c, uint32_t i);
+
+/* Its rim, in colour `rim`: to be drawn before all cells. */
+void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim);
 
 /* The background: what lies behind everything, or what is in front of all sprites. */
 void video_bg(struct draw_target *c, bool front);

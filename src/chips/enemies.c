@@ -64,7 +64,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->y[i] = e->was_y[i] = e->y0[i] = e->y1[i] = y;
     e->hp[i] = kinds->hp[kind];
     e->kind[i] = kind;
-    e->bank[i] = kinds->bank[kind];
+    e->bank[i] = kinds->bank[kind] & ENEMY_BANK;
     e->tag[i] = 0;
     e->safe[i] = 0;
     e->born[i] = clock;
@@ -170,9 +170,32 @@ static void step(struct enemies *e, uint32_t i)
 
 void enemies_count_down(struct enemies *e)
 {
-    EACH_LIVE (i, &e->s)
+    EACH_LIVE (i, &e->s) {
         if (e->safe[i] > 0)
             e->safe[i]--;
+        if (e->bank[i] >= ENEMY_BLINK_ONE)
+            e->bank[i] -= ENEMY_BLINK_ONE;
+    }
+}
+
+void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+{
+    if (e->bank[i] < ENEMY_BLINK_ONE)
+        e->bank[i] |= kinds->bank[e->kind[i]] & ENEMY_BLINK;
+}
+
+bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+{
+    return 2 * (e->bank[i] / ENEMY_BLINK_ONE) > kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE;
+}
+
+uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+{
+    uint32_t kind = e->kind[i], n = e->flags[i] / ENEMY_PICTURE_ONE;
+
+    if (n == 0 && e->bank[i] >= ENEMY_BLINK_ONE && kinds->flags[kind] & ENEMY_HURT)
+        n = 1;
+    return kinds->sprite[kind - n];
 }
 
 void enemies_move(struct enemies *e, const struct box *keep)

@@ -15,11 +15,23 @@ enum {
     ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
     ENEMY_BLOCKS = 1 << 4, /* of a kind: bullets that touch it are gone */
+    ENEMY_HURT = 1 << 5,   /* of a kind: its picture 1 stands in place of 0 while it blinks */
 
     ENEMY_UNDYING = 1 << 0, /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */
     ENEMY_LEAVING = 1 << 2, /* it left in this frame's move, can still be hit, and goes as the dying do */
+    ENEMY_FLIP = 1 << 3,    /* left and right exchanged */
+    ENEMY_HIDDEN = 1 << 4,  /* not drawn */
+    ENEMY_PICTURE = 7 << 5, /* which of its kind's pictures, in units of ENEMY_PICTURE_ONE: 0 the kind's sprite, else
+                               that of the row so many before the kind's */
+    ENEMY_PICTURE_ONE = 1 << 5,
+    ENEMY_PICTURES = 7,
     ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either: not alive for scripts */
+
+    ENEMY_BANK = 15,       /* of `bank`: banks to add */
+    ENEMY_BLINK = 15 << 4, /* of `bank`, in units of ENEMY_BLINK_ONE: frames it blinks when hurt (a kind), and still
+                              will */
+    ENEMY_BLINK_ONE = 1 << 4,
 
     SAFE_FOREVER = -1,
 
@@ -34,7 +46,7 @@ struct enemy_kinds {
     fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
     int32_t *hp;
     int64_t *score;
-    uint8_t *bank;
+    uint8_t *bank; /* and how long it blinks: ENEMY_ */
     uint8_t *flags;
     uint16_t *spark; /* kind + 1, 0: none */
 };
@@ -45,7 +57,7 @@ struct enemies {
     fx *was_x, *was_y; /* before this frame's move; where it is now when it jumped, faster than MAX_SPEED */
     int32_t *hp;
     uint16_t *kind;
-    uint8_t *bank;
+    uint8_t *bank; /* and how long it will blink: ENEMY_ */
     uint16_t *tag;
     int32_t *safe;  /* frames it takes no damage, or SAFE_FOREVER */
     uint32_t *born; /* clock */
@@ -90,7 +102,17 @@ void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
 /* At the end of a frame in which the clock goes on: what stood in it grows no older. */
 void enemies_stay(struct enemies *e);
 
-/* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
+/* It was hurt, and blinks if its kind does and it does not yet. */
+void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
+
+/* Is it white now? In the first half of its blinking, so that one that is hit all the time is seen as well. */
+bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
+
+/* The sprite it shows. */
+uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
+
+/* Counts safe and blinking frames down, at the start of a frame: so `safe = n` lasts n frames, the present one
+ * included. */
 void enemies_count_down(struct enemies *e);
 
 /* Goes on with the moves, and marks those that are outside keep as leaving. */

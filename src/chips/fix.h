@@ -9,15 +9,17 @@
 
 enum {
     FIX_CELL = 8,
-    FIX_OTHER = 1,   /* no character; no font has a picture of it */
-    FIX_TEXT = 1024, /* characters that are written at a time */
-    FIX_WIDE = 1,    /* group of columns */
+    FIX_OTHER = 1,    /* no character; no font has a picture of it */
+    FIX_TEXT = 1024,  /* characters that are written at a time */
+    FIX_WIDE = 1,     /* group of columns */
+    FIX_BANK = 15,    /* of `bank`: banks to add */
+    FIX_RIM = 1 << 4, /* of `bank`: a dark rim, to be read over anything */
 };
 
 struct fix {
     struct slots s; /* a list of cols x rows cells, row by row */
     uint8_t *code;  /* code point, 0: nothing; FIX_OTHER: one over 255 */
-    uint8_t *bank;
+    uint8_t *bank;  /* FIX_ */
     uint16_t *page; /* of group FIX_WIDE: the rest of the code point, / 256; FIX_OTHER is not used then */
     uint8_t *font;  /* of group FIX_WIDE: 0, or a font + 1 */
     uint32_t cols, rows;

@@ -64,8 +64,8 @@ void pal_stop(struct pal *p)
     memset(p->cycle_every, 0, sizeof p->cycle_every);
 }
 
-/* k/n of the way; adding half before cutting off rounds ties away from `from`. */
-static uint32_t mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
+/* Adding half before cutting off rounds ties away from `from`. */
+uint32_t pal_mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
 {
     uint32_t out = 0;
 
@@ -91,7 +91,7 @@ void pal_step(struct pal *p)
         if (!p->over[i])
             continue;
         p->at[i]++;
-        p->rgb[i] = mix(p->from[i], p->to[i], p->at[i], p->over[i]);
+        p->rgb[i] = pal_mix(p->from[i], p->to[i], p->at[i], p->over[i]);
         if (p->at[i] == p->over[i])
             p->over[i] = 0;
     }

@@ -27,6 +27,10 @@ void pal_set(struct pal *p, int i, uint32_t rgb);
  * to from + (to - from) k/n, of two the one nearer to `to`. */
 void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n);
 
+/* k/n of the way from one colour to another: red, green and blue are each the nearest whole number, of two the one
+ * nearer to `to`. 0 <= k <= n <= 65536. */
+uint32_t pal_mix(uint32_t from, uint32_t to, int32_t k, int32_t n);
+
 /* Rotates entries first..last by one every so many frames; every 0 stops the cycle of that range. False: no cycle free.
  */
 bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);

@@ -34,7 +34,7 @@ static const struct column columns[] = {
     COLUMN(player, grazes),
     COLUMN(player, score),
     COLUMNS(player, regs, PLAYER_REGISTERS),
-    COLUMN(player, focus),
+    COLUMN(player, flags),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -58,7 +58,7 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->safe[i] = kinds->safe[kind];
     p->grazes[i] = 0;
     p->score[i] = 0;
-    p->focus[i] = 0;
+    p->flags[i] = 0;
     memcpy(p->regs + i * PLAYER_REGISTERS, kinds->start + kind * PLAYER_REGISTERS, PLAYER_REGISTERS * sizeof *p->regs);
 }
 
@@ -93,14 +93,31 @@ void player_leave(struct player *p, uint32_t i)
     player_place(p, i, PARK, PARK);
 }
 
+/* It leans to where it flies, if its kind has pictures. */
+static void bank(struct player *p, const struct player_kinds *kinds, uint32_t i, int dx)
+{
+    uint16_t kind = p->kind[i];
+    int picture = dx < 0 ? PICTURE_LEFT : dx > 0 ? PICTURE_RIGHT : 0;
+
+    if (p->flags[i] & PLAYER_POSED || kind == 0 || kinds->radius[kind - 1] != PICTURE_ROW)
+        return;
+    p->flags[i] = (uint8_t)((p->flags[i] & ~PLAYER_PICTURE) | picture * PLAYER_PICTURE_ONE);
+}
+
+uint16_t player_picture(const struct player *p, const struct player_kinds *kinds, uint32_t i)
+{
+    return kinds->sprite[p->kind[i] - p->flags[i] / PLAYER_PICTURE_ONE];
+}
+
 static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held,
                      const struct box *area)
 {
     uint16_t kind = p->kind[i];
     int dx = !!(held & PAD_RIGHT) - !!(held & PAD_LEFT), dy = !!(held & PAD_DOWN) - !!(held & PAD_UP);
 
-    p->focus[i] = !!(held & PAD_FOCUS);
-    fx speed = p->focus[i] ? kinds->focus[kind] : kinds->speed[kind];
+    p->flags[i] = (uint8_t)((p->flags[i] & ~PLAYER_FOCUS) | (held & PAD_FOCUS ? PLAYER_FOCUS : 0));
+    bank(p, kinds, i, dx);
+    fx speed = p->flags[i] & PLAYER_FOCUS ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
         speed = fx_mul(speed, DIAGONAL);
     p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */

@@ -10,13 +10,27 @@
 #include "motion.h"
 #include "slots.h"
 
-enum { PLAYER_REGISTERS = 16, MOST_LIVES = 99 };
+enum {
+    PLAYER_REGISTERS = 16,
+    MOST_LIVES = 99,
+    PICTURE_ROW = -1, /* as the radius of a row of the kinds: the picture of a kind below it */
+
+    PLAYER_FOCUS = 1 << 0, /* moving slowly */
+    PLAYER_FLIP = 1 << 1,  /* left and right exchanged */
+    PLAYER_HIDDEN = 1 << 2,
+    PLAYER_POSED = 1 << 3,    /* its picture is a script's choice; else it follows from where it flies */
+    PLAYER_PICTURE = 15 << 4, /* as ENEMY_PICTURE */
+    PLAYER_PICTURE_ONE = 1 << 4,
+    PLAYER_PICTURES = 15,
+    PICTURE_LEFT = 1, /* every kind that has pictures has these two */
+    PICTURE_RIGHT = 2
+};
 
 /* What player.def declares. */
 struct player_kinds {
     struct slots s;
     uint16_t *sprite;
-    fx *radius; /* hit circle */
+    fx *radius; /* hit circle; or PICTURE_ROW */
     fx *graze;  /* graze circle */
     fx *speed, *focus;
     int32_t *lives;
@@ -41,7 +55,7 @@ struct player {
     uint32_t *grazes;
     int64_t *score;
     int32_t *regs;
-    uint8_t *focus; /* 1: moving slowly */
+    uint8_t *flags; /* PLAYER_ */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
@@ -61,6 +75,9 @@ bool player_register_full(const struct player *p, const struct player_kinds *kin
 
 /* Puts a player somewhere without sweeping through what is between. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);
+
+/* The sprite it shows. */
+uint16_t player_picture(const struct player *p, const struct player_kinds *kinds, uint32_t i);
 
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void player_count_down(struct player *p);

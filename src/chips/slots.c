@@ -266,6 +266,19 @@ static void hashed_columns(struct hashed *h, const struct chip *chip, const void
     }
 }
 
+bool slots_blank(const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+
+    for (int c = 0; c < chip->count; c++) {
+        const struct column *col = &chip->columns[c];
+        for (int k = 0; hashed_register(col, s->groups) && k < col->n; k++)
+            if (value_at((const uint8_t *)self + col->at + (size_t)k * col->width, col->width))
+                return false;
+    }
+    return true;
+}
+
 uint64_t slots_hash(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;

@@ -184,6 +184,9 @@ uint32_t slots_next_held(const struct slots *s, uint32_t i);
 /* Visits the live slots of a pool in slot order; the body may drop the one it is at. */
 #define EACH_LIVE(i, s) for (uint32_t i = slots_next(s, 0); i < (s)->top; i = slots_next(s, i + 1))
 
+/* Are all registers that are hashed 0? */
+bool slots_blank(const struct chip *chip, const void *self);
+
 /* The state hash: registers, then for each live slot in slot order the slot, its generation and its game columns. */
 uint64_t slots_hash(const struct chip *chip, const void *self);
 

@@ -19,6 +19,33 @@ static const struct column columns[] = {
 const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
 const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
 
+/* Where number k of n starts. Sets what is added to its direction. */
+static void start(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
+{
+    fx x = 0, y = 0;
+
+    *outwards = 0;
+    if (burst->radius) {
+        *outwards = (ang)(((uint64_t)k << 32) / burst->n);
+        trig_polar(burst->radius, *outwards, &x, &y);
+    } else if (burst->n > 1) {
+        x = (fx)((int64_t)burst->along_x * k / (burst->n - 1));
+        y = (fx)((int64_t)burst->along_y * k / (burst->n - 1));
+    }
+    s->x[i] = fx_add(burst->x, x);
+    s->y[i] = fx_add(burst->y, y);
+}
+
+uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age)
+{
+    uint32_t n = 1;
+
+    while (kind + n < kinds->s.live && kinds->life[kind + n] == 0)
+        n++;
+    uint32_t at = age * n / kinds->life[kind];
+    return kinds->bank[kind + (at < n ? at : n - 1)];
+}
+
 void sparks_burst(struct sparks *s, const struct spark_burst *burst)
 {
     struct rng r;
@@ -30,11 +57,11 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst)
             break;
         ang off = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
         fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
-        s->x[i] = burst->x;
-        s->y[i] = burst->y;
+        ang outwards;
+        start(s, (uint32_t)i, burst, k, &outwards);
         s->kind[i] = burst->kind;
         s->age[i] = 0;
-        trig_polar(speed, burst->dir + off, &s->vx[i], &s->vy[i]);
+        trig_polar(speed, burst->dir + off + outwards, &s->vx[i], &s->vy[i]);
     }
     memcpy(s->stream, r.s, sizeof r.s);
 }

@@ -4,8 +4,15 @@
 #include "sprites.h"
 
 static const struct column columns[] = {
-    COLUMN(sprites, x),     COLUMN(sprites, y),     COLUMN(sprites, sprite), COLUMN(sprites, bank),
-    COLUMN(sprites, layer), COLUMN(sprites, flags), COLUMN(sprites, born),   COLUMN(sprites, owner),
+    COLUMN(sprites, x),
+    COLUMN(sprites, y),
+    COLUMN(sprites, sprite),
+    COLUMN(sprites, bank),
+    COLUMN(sprites, layer),
+    COLUMN(sprites, flags),
+    COLUMN(sprites, born),
+    COLUMN(sprites, owner),
+    DERIVED_REGISTER(sprites, following, "how many follow, by the column flags, or more"),
 };
 
 const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };

@@ -20,6 +20,11 @@ enum {
     SPRITE_SCREEN = 1 << 3, /* placed on the screen instead of the field */
     SPRITE_BLEND = 3 << 4,  /* how it is drawn, in units of SPRITE_BLEND_ONE: 0 opaque, else blend + 1 */
     SPRITE_BLEND_ONE = 1 << 4,
+    SPRITE_FOLLOW = 3 << 6, /* what it follows, in units of SPRITE_FOLLOW_ONE: 0 nothing, else x and y are the distance
+                               from its owner (1), or from player 1 (2) or 2 (3) */
+    SPRITE_FOLLOW_ONE = 1 << 6,
+    FOLLOW_OWNER = 1,
+    FOLLOW_PLAYER = 2 /* + the player's index */
 };
 
 struct sprites {
@@ -29,8 +34,9 @@ struct sprites {
     uint8_t *bank;
     uint8_t *layer;
     uint8_t *flags;
-    uint32_t *born; /* clock */
-    int64_t *owner; /* it goes when that one ends, 0: none; the board gives it a meaning */
+    uint32_t *born;     /* clock */
+    int64_t *owner;     /* it goes when that one ends, 0: none; the board gives it a meaning */
+    uint32_t following; /* 0: none follows anything */
 };
 
 extern const struct chip sprites_chip;

@@ -16,7 +16,8 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?' lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
+    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?; sampled [0-9]+ frames? for contrast'
+    local lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
     check "$name ($got)" grep -Eq \
         "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
 }
@@ -524,6 +525,23 @@ finds 'out of Lua RAM is one finding' m <<'END'
 main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua)
 1 problem
 END
+
+game faint <<'LUA'
+bullet.def("dot", { sprite = "dot", hit = { circle = 2 } })
+bullet.def("ink", { sprite = "dart", hit = { circle = 2 } })
+for i = 0, 15 do sprite.put { sprite = "dot", x = 4 + 8 * (i % 4), y = 4 + 8 * (i // 4), layer = "back" } end
+for i = 1, 10 do bullet.fire { kind = "dot", x = 5 + i, y = 6 + i, speed = 0 } end
+for i = 1, 10 do bullet.fire { kind = "ink", x = 44 + i, y = 50, speed = 0 } end
+LUA
+mkdir faint/demos
+"$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
+finds 'bullets that cannot be seen' faint <<'END'
+demos/idle.demo: bullets "dot" in bank 0 hardly stand out: 60 of 60, in 6 sampled frames; the first at 6, 7 in frame 0
+1 problem
+END
+sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua
+"$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
+fine 'the same over nothing' faint
 
 game d <<'LUA'
 print("dot", "dart") task.go(function() while true do wait(1) if pad.down("fire") then error("fired") end end end)

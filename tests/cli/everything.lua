@@ -1,6 +1,6 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = { start = 3, max = 40 } }, collect_line = 12, collect_full = "power", magnet = 9, pull = 1.7,
+  registers = { power = { start = 3, max = 40, show = "bar" } }, collect_line = 12, collect_full = "power", magnet = 9, pull = 1.7,
   run = function(p)
     while true do
       wait(4)
@@ -12,6 +12,7 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
+spark.def("fade", { sprite = "dot", life = 21, banks = { 3, 1, 4 } })
 item.def("bit", { sprite = "dot", radius = 2.5, gives = { score = { 3, 777 }, power = -1 } })
 item.def("chip", { sprite = "dart", radius = 1.5, gives = { power = 2, lives = 1 }, full = "power", gravity = 0.013 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
@@ -30,6 +31,7 @@ motion.def { name = "burst", { wait_for = { tag = "petal", limit = 25 } },
   { path = path.def { { x = 0, y = 0 }, { x = 9.3, y = 7.1, over = 9, ease = "both" } } }, { die = true } }
 enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop",
   drops = { bit = 3, chip = 1 },
+  blink = 6, pictures = { hurt = "dart", cast = "dart" },
   run = function(e)
     while true do
       wait(rng.int(3, 9))
@@ -116,6 +118,10 @@ task.go(function()
       shot.group():turn(3)
       bullet.sweep { x = 20, y = 70, radius_to = 30, over = 20, spark = "pop", hurt = 1 }
       enemy.group():shift(0, 1)
+      enemy.each(nil, function(e)
+        e.flip_x, e.hidden = not e.flip_x, i % 100 == 0
+        if e.kind == "wisp" then e.picture = i % 3 == 0 and "cast" or nil end
+      end)
       fold(shot.group().count .. " " .. enemy.group().count)
       seen = seen + 1
       fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))
@@ -141,6 +147,16 @@ task.go(function()
       pattern.points { x = 32, y = 20, kind = "orb", speed = 1, list = { { 1, 2 }, { -3.3, 4 } }, turns = true,
         dir = i }
       pattern.picture { x = 32, y = 20, kind = "orb", speed = 1, dots = ".#\n###", gap = 3.5 }
+    end
+    if i % 90 == 45 then
+      local e = enemy.spawn { kind = "wisp", x = 20, y = 10 }
+      sprite.put { sprite = "dart", follow = e, dx = 2.5, dy = 1 }
+      spark.trail { kind = "fade", follow = e, every = 3, over = 60 }
+      spark.burst { kind = "fade", x = 30, y = 30, n = 7, radius = 5.5, dir = i, speed = 2 }
+      spark.burst { kind = "fade", x = 30, y = 30, to_x = 9, to_y = 50.5, n = 5 }
+      screen.shake { size = 3, over = 30, dir = i }
+      screen.flash { over = 12, share = 0.5 }
+      screen.letterbox { h = i % 4, over = 9 }
     end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
     text.put { col = 0, row = 7, text = text.lang("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }

@@ -732,7 +732,7 @@ static void test_player(void **state)
     assert_int_equal(p->y[0], y -= 185364);
     rig_tick(&r, slow);
     assert_int_equal(p->y[0], y += px(1.5));
-    assert_int_equal(p->focus[0], 1);
+    assert_int_equal(p->flags[0], PLAYER_FOCUS);
     for (int i = 0; i < 200; i++)
         rig_tick(&r, up_left);
     assert_int_equal(p->x[0], px(8));

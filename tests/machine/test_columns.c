@@ -46,6 +46,7 @@ static const struct home homes[] = {
     HOME("bg", "chips/bg.h", bg),
     HOME("bg_lines", "chips/bg.h", bg_lines),
     HOME("bg_shades", "chips/bg.h", bg_shades),
+    HOME("screen", "chips/screen.h", screen),
 };
 
 /* A file without its comments. */
@@ -356,6 +357,7 @@ static bool has_room(struct board *b)
     "  end\n" REMOVE "  text.put { col = 1, row = 1, text = 'words' }\n"                                               \
     "  palette.fade { to = 0, over = 99 } palette.cycle { first = 3, last = 9, every = 5 }\n"                          \
     "  save.set('key', 1)\n"                                                                                           \
+    "  screen.shake { size = 3, over = 99 }\n"                                                                         \
     "  wait(forever)\n"                                                                                                \
     "end)\n"                                                                                                           \
     "boot.run { stages = { 's' }, players = { 'ship' } }\n"

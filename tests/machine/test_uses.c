@@ -382,7 +382,7 @@ static void look(const struct board *b, struct reached *at)
         at->grazed[p] |= b->player.grazes[p] > 0;
         at->scored[p] |= b->player.score[p] > 0;
         at->hurt[p] |= b->player.in[p] && b->player.lives[p] < 2;
-        at->focused[p] |= b->player.focus[p];
+        at->focused[p] |= b->player.flags[p] & PLAYER_FOCUS;
     }
 }
 

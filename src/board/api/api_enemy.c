@@ -20,7 +20,9 @@ enum {
     D_ON_DEATH,
     D_SWEPT,
     D_BLEND,
-    D_BLOCKS
+    D_BLOCKS,
+    D_PICTURES,
+    D_BLINK
 };
 
 static const struct api_param def[] = {
@@ -31,8 +33,11 @@ static const struct api_param def[] = {
     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },       { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },       { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "blink", A_INT, OPT, 0, 15, "frames", "0" },
 };
+
+static const char *const first_pictures[] = { "hurt", NULL };
 
 static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
 {
@@ -48,14 +53,21 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 
     const struct api_shape shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
+    struct api_pictures pictures;
+
+    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_PICTURES,
+                      &pictures);
+    api_pictures_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
     int32_t i = api_kind(L, "enemy.def", &k->s, &columns, &shape);
     api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->hp[i] = (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
-    k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
-                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0));
+    k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
+    k->flags[i] =
+        (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) | v[D_BLEND].i * ENEMY_BLEND_ONE |
+                  (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) | (pictures.n ? ENEMY_HURT : 0));
+    api_pictures_keep(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     keep_function(L, &v[D_RUN], i, "run");
     keep_function(L, &v[D_ON_HIT], i, "on_hit");
@@ -235,7 +247,7 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties and verbs ---- */
 
-enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, P_FROZEN, PROPS };
+enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, P_FROZEN, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
@@ -250,8 +262,15 @@ static const struct api_prop props[PROPS + 1] = {
     { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },
       PROP_WRITE,
       "frames it stands, or forever; 0: it goes on as it was" },
+    { { "picture", A_STR, OPT, 0, 0, NULL, NULL },
+      PROP_WRITE,
+      "which of its kind's pictures it shows; nil: the sprite" },
+    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
+    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
     { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many living enemies have the tag; the one to read" },
 };
+
+static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
 {
@@ -268,7 +287,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, e->hp[i]);
         break;
     case P_BANK:
-        lua_pushinteger(L, e->bank[i]);
+        lua_pushinteger(L, e->bank[i] & ENEMY_BANK);
         break;
     case P_TAG:
         api_push_tag(L, e->tag[i]);
@@ -281,6 +300,13 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case P_FROZEN:
         api_push_or_forever(L, e->frozen[i]);
+        break;
+    case P_PICTURE:
+        api_picture_push(L, N_ENEMY, e->kind[i], e->flags[i] / ENEMY_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        lua_pushboolean(L, e->flags[i] & flag_of[p]);
         break;
     default:
         lua_pushinteger(L, b->core.clock - e->born[i]);
@@ -304,7 +330,15 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         e->hp[i] = (int32_t)v->i;
         break;
     case P_BANK:
-        e->bank[i] = (uint8_t)v->i;
+        e->bank[i] = (uint8_t)((e->bank[i] & ENEMY_BLINK) | v->i);
+        break;
+    case P_PICTURE:
+        e->flags[i] = (uint8_t)((unsigned)(e->flags[i] & ~ENEMY_PICTURE) |
+                                api_picture_named(L, N_ENEMY, e->kind[i], "enemy", v) * ENEMY_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        e->flags[i] = (uint8_t)(v->i ? e->flags[i] | flag_of[p] : e->flags[i] & ~flag_of[p]);
         break;
     case P_TAG:
         e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;

@@ -222,6 +222,29 @@ bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step
 /* Pushes the module path; raises with `message` unless a route stands at `at`. */
 void api_push_routes(lua_State *L, const char *entry, int at, const char *message);
 
+/* The pictures of a kind of enemy or player beside its sprite, and their names (api_looks.c). */
+enum { MOST_PICTURES = 15 };
+struct api_pictures {
+    int n;
+    const char *name[MOST_PICTURES];
+    uint16_t sprite[MOST_PICTURES];
+};
+
+/* Reads the table `pictures`: at most `most`, first those that `first` names, up to its NULL (the kind's own sprite for
+ * those that are left out), then the others in byte order. Not given: none. */
+void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t own,
+                       const char *const *first, int most, struct api_pictures *p);
+
+/* Appends their rows to the list of kinds: the kind itself must be the next. */
+void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
+                       const struct api_pictures *p);
+void api_pictures_keep(lua_State *L, enum api_names of, int32_t kind, const struct api_pictures *p);
+
+/* The number of the picture that is named, 0 for nil, or an error; and its name, or nil. */
+unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const char *thing,
+                           const struct api_value *name);
+void api_picture_push(lua_State *L, enum api_names of, int32_t kind, unsigned n);
+
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
 
@@ -233,6 +256,9 @@ void api_items_check(lua_State *L, struct board *b);
 
 /* The number of a register of that kind of ship, or -1. */
 int api_ship_register(lua_State *L, int32_t kind, const char *name);
+
+/* Pushes how a kind of player wants its register i shown, or nil. */
+void api_register_show(lua_State *L, int32_t kind, int i);
 
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);

@@ -24,7 +24,8 @@ enum {
     D_MAGNET,
     D_LINE,
     D_FULL,
-    D_PULL
+    D_PULL,
+    D_PICTURES
 };
 
 static const struct api_param def[] = {
@@ -42,7 +43,10 @@ static const struct api_param def[] = {
     { "collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
     { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
+    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
+
+static const char *const first_pictures[] = { "left", "right", NULL };
 
 static void registry(lua_State *L)
 {
@@ -54,81 +58,145 @@ static void registry(lua_State *L)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &registers_key);
 }
 
-/* A register: what it starts at, and its most. */
-struct register_def {
-    int64_t start, most;
+static const char shows_key = 0; /* registry: kind -> { register -> show }, of those that say it */
+
+struct reg {
+    const char *name, *show; /* show NULL: not said */
+    int32_t start, most;     /* most 0: none */
 };
 
-static int64_t register_field(lua_State *L, const char *name, const char *field, int at, int64_t lo)
+static const char *const shows[] = { "none", "number", "icons", "bar", NULL };
+
+/* How the register whose table is at `at` is shown. */
+static const char *read_show(lua_State *L, int at, const char *name)
 {
-    struct api_param p = { name, A_INT, OPT, (double)lo, INT32_MAX, NULL, NULL };
-    struct api_value v = { 0 };
+    lua_getfield(L, at, "show");
+    const char *word = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : NULL;
+
+    for (int i = 0; word && shows[i]; i++)
+        if (!strcmp(shows[i], word))
+            return lua_pop(L, 1), shows[i];
+    if (!lua_isnil(L, -1))
+        api_error(L, "player.def", "%s.show: expected none, number, icons or bar, got %s", name,
+                  word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, -1));
+    lua_pop(L, 1);
+    return NULL;
+}
+
+static int32_t register_field(lua_State *L, const char *name, const char *field, int at, int64_t lo)
+{
     char full[64];
+    struct api_value v = { 0 };
 
     snprintf(full, sizeof full, "%s.%s", name, field);
-    p.name = full;
+    const struct api_param p = { full, A_INT, OPT, (double)lo, INT32_MAX, NULL, NULL };
     lua_getfield(L, at, field);
     api_check(L, "player.def", &p, lua_gettop(L), &v);
     lua_pop(L, 1);
-    return v.given ? v.i : 0;
+    return v.given ? (int32_t)v.i : 0;
 }
 
-/* Reads n, or { start = n, max = n }, at `at`. */
-static struct register_def read_register(lua_State *L, const char *name, int at)
+/* Reads { start = 3, max = 6, show = "icons" } at `at`. */
+static void register_table(lua_State *L, const char *name, int at, struct reg *r)
 {
-    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
-    struct register_def r = { 0 };
-    struct api_value v = { 0 };
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
+        if (!key)
+            api_error(L, "player.def", "%s: expected a whole number, or { start = n, max = n }", name);
+        if (strcmp(key, "start") && strcmp(key, "max") && strcmp(key, "show"))
+            api_error(L, "player.def", "%s: unknown setting \"%s\" (there are start, max, show)", name, key);
+    }
+    r->start = register_field(L, name, "start", at, 0);
+    r->most = register_field(L, name, "max", at, 1);
+    r->show = read_show(L, at, name);
+    if (r->most && r->start > r->most)
+        api_error(L, "player.def", "%s: start %d is more than max %d", name, (int)r->start, (int)r->most);
+    if (!r->most && r->show && !strcmp(r->show, "bar"))
+        api_error(L, "player.def", "%s: a bar needs a max", name);
+}
 
-    if (lua_type(L, at) != LUA_TTABLE) {
-        api_check(L, "player.def", &whole, at, &v);
-        r.start = v.i;
+/* The register whose name and value are on top. */
+static struct reg read_register(lua_State *L)
+{
+    struct reg r = { 0 };
+    struct api_value v = { 0 };
+    char name[48];
+
+    if (lua_type(L, -2) != LUA_TSTRING)
+        api_error(L, "player.def", "registers: expected names with whole numbers");
+    r.name = lua_tostring(L, -2);
+    if (api_property(&api_player_thing, r.name))
+        api_error(L, "player.def", "registers: \"%s\" is a property of every player already", r.name);
+    snprintf(name, sizeof name, "registers.%s", r.name);
+    if (lua_istable(L, -1)) {
+        register_table(L, name, lua_gettop(L), &r);
         return r;
     }
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
-        if (lua_type(L, -2) != LUA_TSTRING ||
-            (strcmp(lua_tostring(L, -2), "start") && strcmp(lua_tostring(L, -2), "max")))
-            api_error(L, "player.def", "%s: expected a whole number, or { start = n, max = n }", name);
-    r.start = register_field(L, name, "start", at, 0);
-    r.most = register_field(L, name, "max", at, 1);
-    if (r.most && r.start > r.most)
-        api_error(L, "player.def", "%s: start %d is more than max %d", name, (int)r.start, (int)r.most);
+    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
+    api_check(L, "player.def", &whole, lua_gettop(L), &v);
+    r.start = (int32_t)v.i;
     return r;
+}
+
+/* Keeps how register i is shown. Only a game that says it has the table. */
+static void keep_show(lua_State *L, int32_t kind, int i, const char *show)
+{
+    int top = lua_gettop(L);
+
+    if (!show)
+        return;
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &shows_key);
+    }
+    if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, kind);
+    }
+    lua_pushstring(L, show);
+    lua_rawseti(L, -2, i);
+    lua_settop(L, top);
+}
+
+void api_register_show(lua_State *L, int32_t kind, int i)
+{
+    int top = lua_gettop(L);
+
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE) {
+        lua_rawgeti(L, -1, i);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
 }
 
 /* Registers get their numbers in byte order of their names, so that no table order decides. */
 static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
 {
-    const char *names[PLAYER_REGISTERS];
+    struct reg regs[PLAYER_REGISTERS];
     int n = 0;
 
-    lua_pushnil(L);
-    while (lua_next(L, at)) {
-        char name[48] = "registers";
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, "player.def", "registers: expected names with whole numbers");
-        snprintf(name, sizeof name, "registers.%s", lua_tostring(L, -2));
-        read_register(L, name, lua_gettop(L));
-        lua_pop(L, 1);
-        if (api_property(&api_player_thing, lua_tostring(L, -1)))
-            api_error(L, "player.def", "registers: \"%s\" is a property of every player already", lua_tostring(L, -1));
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        struct reg r = read_register(L);
         if (n == PLAYER_REGISTERS)
             api_error(L, "player.def", "registers: at most %d", PLAYER_REGISTERS);
         int i = n++;
-        for (; i > 0 && strcmp(names[i - 1], lua_tostring(L, -1)) > 0; i--)
-            names[i] = names[i - 1];
-        names[i] = lua_tostring(L, -1);
+        for (; i > 0 && strcmp(regs[i - 1].name, r.name) > 0; i--)
+            regs[i] = regs[i - 1];
+        regs[i] = r;
     }
     registry(L);
     lua_newtable(L);
     for (int i = 0; i < n; i++) {
-        lua_getfield(L, at, names[i]);
-        struct register_def r = read_register(L, names[i], lua_gettop(L));
-        k->start[kind * PLAYER_REGISTERS + i] = (int32_t)r.start;
-        k->most[kind * PLAYER_REGISTERS + i] = (int32_t)r.most;
-        lua_pop(L, 1);
+        k->start[kind * PLAYER_REGISTERS + i] = regs[i].start;
+        k->most[kind * PLAYER_REGISTERS + i] = regs[i].most;
+        keep_show(L, kind, i, regs[i].show);
         lua_pushinteger(L, i);
-        lua_setfield(L, -2, names[i]);
+        lua_setfield(L, -2, regs[i].name);
     }
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);
@@ -156,9 +224,9 @@ bool api_register_declared(lua_State *L, const char *name)
     bool found = false;
 
     registry(L);
-    for (lua_Integer kind = 0; !found && lua_rawgeti(L, -1, kind) == LUA_TTABLE; kind++) {
-        found = lua_getfield(L, -1, name) == LUA_TNUMBER;
-        lua_pop(L, 2);
+    for (uint32_t kind = 0; !found && kind < vm_board(L)->player_kinds.s.live; kind++) {
+        found = lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER;
+        lua_settop(L, top + 1);
     }
     lua_settop(L, top);
     return found;
@@ -229,6 +297,14 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     struct player_kinds *k = &b->player_kinds;
 
     fx r = api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
+    struct api_pictures pictures;
+    uint32_t before = k->s.live;
+
+    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_PICTURES,
+                      &pictures);
+    api_pictures_rows(L, "player.def", &k->s, k->sprite, &pictures);
+    for (; before < k->s.live; before++)
+        k->radius[before] = PICTURE_ROW;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
@@ -243,6 +319,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     if (v[D_REGISTERS].given)
         define_registers(L, k, i, v[D_REGISTERS].at);
     define_items(L, b, i, v);
+    api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
         keep_run(L, i, v[D_RUN].at);
     return 0;
@@ -309,7 +386,7 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, PROPS };
+enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
@@ -323,7 +400,14 @@ static const struct api_prop props[PROPS] = {
     { { "score", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "points; score.add changes them" },
     { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "1 or 2" },
     { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "name of its kind" },
+    { { "picture", A_STR, OPT, 0, 0, NULL, NULL },
+      PROP_WRITE,
+      "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies" },
+    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
+    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
 };
+
+static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
 {
@@ -343,7 +427,14 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, s->safe[i]);
         break;
     case P_FOCUS:
-        lua_pushboolean(L, s->focus[i]);
+        lua_pushboolean(L, s->flags[i] & PLAYER_FOCUS);
+        break;
+    case P_PICTURE:
+        api_picture_push(L, N_PLAYER, s->kind[i], s->flags[i] / PLAYER_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        lua_pushboolean(L, s->flags[i] & flag_of[p]);
         break;
     case P_GRAZES:
         lua_pushinteger(L, s->grazes[i]);
@@ -363,7 +454,6 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 {
     struct player *s = &b->player;
 
-    (void)L;
     switch (p) {
     case P_X:
         player_place(s, i, v->f, s->y[i]);
@@ -373,6 +463,15 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         break;
     case P_LIVES:
         s->lives[i] = (int32_t)v->i;
+        break;
+    case P_PICTURE:
+        s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_POSED)) |
+                                api_picture_named(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
+                                (v->given ? PLAYER_POSED : 0));
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
         break;
     default:
         s->safe[i] = (uint32_t)v->i;

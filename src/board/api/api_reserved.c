@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser option bomb game talk say choose screen sound music unlock test" },
+    { "", '.', "laser option bomb game talk say choose sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
@@ -25,7 +25,6 @@ static const struct {
     { "enemy.spawn", '{', "follow parts rate" },
     { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
     { "shot.def", '{', "every pierce" },
-    { "sprite.put", '{', "follow" },
 };
 
 static bool has_word(const char *words, const char *word)

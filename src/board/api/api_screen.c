@@ -1,5 +1,5 @@
 /*
- * api_screen.c - sprite, spark, text, palette.
+ * api_screen.c - sprite, spark, text, palette, screen.
  */
 #include <math.h>
 #include <string.h>
@@ -21,23 +21,61 @@ enum {
     PUT_FLIP_Y,
     PUT_HIDDEN,
     PUT_BLEND,
-    PUT_STAY
+    PUT_STAY,
+    PUT_FOLLOW,
+    PUT_DX,
+    PUT_DY
 };
 
+enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER };
+
 static const struct api_param put[] = {
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },   { "follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },  { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
 };
+
+/* Two ways to say where. */
+static void check_put(lua_State *L, const struct api_value *v)
+{
+    const bool xy = v[PUT_X].given && v[PUT_Y].given;
+
+    if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !xy)
+        api_error(L, "sprite.put", "place: expected x and y, or follow (a thing)");
+    if (!v[PUT_FOLLOW].given && (v[PUT_DX].given || v[PUT_DY].given))
+        api_error(L, "sprite.put", "dx, dy: only with follow");
+    if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
+        api_error(L, "sprite.put", "follow: a sprite on the screen follows nothing in the field");
+}
+
+/* Sprite i follows what is given. A player outlives the scene that the sprite belongs to; of others, it is the only
+ * owner. */
+static void follow(struct board *b, uint32_t i, const struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+    int64_t h = v[PUT_FOLLOW].i;
+    unsigned how = handle_kind(h) == H_PLAYER ? FOLLOW_PLAYER + handle_slot(h) : FOLLOW_OWNER;
+
+    s->x[i] = v[PUT_DX].f;
+    s->y[i] = v[PUT_DY].f;
+    s->flags[i] |= (uint8_t)(how * SPRITE_FOLLOW_ONE);
+    if (how == FOLLOW_OWNER)
+        s->owner[i] = h;
+    s->following++;
+}
 
 static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool comes = tasks_owner_of_new(b, v[PUT_STAY].i, &owner);
+
+    check_put(L, v);
+    bool comes =
+        tasks_owner_of_new(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_alive(b, v[PUT_FOLLOW].i));
     int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && comes)
@@ -53,16 +91,22 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
                                 v[PUT_BLEND].i * SPRITE_BLEND_ONE);
         s->born[i] = b->core.clock;
         s->owner[i] = owner;
+        if (v[PUT_FOLLOW].given)
+            follow(b, (uint32_t)i, v);
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
 }
 
-enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, PROPS };
+enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands, px" },
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "where it stands, px; not written of one that follows" },
+    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "where it stands, px; not written of one that follows" },
     { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
       PROP_WRITE,
       "name of its picture; a write starts it at frame one" },
@@ -71,6 +115,8 @@ static const struct api_prop props[PROPS] = {
     { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
     { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
+    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
+    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -80,13 +126,20 @@ static const uint8_t flag_of[PROPS] = {
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct sprites *s = &b->sprites;
+    fx x, y;
 
     switch (p) {
     case P_X:
-        lua_pushnumber(L, fx_to_double(s->x[i]));
-        break;
     case P_Y:
-        lua_pushnumber(L, fx_to_double(s->y[i]));
+        board_where(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
+        lua_pushnumber(L, fx_to_double(p == P_X ? x : y));
+        break;
+    case P_DX:
+    case P_DY:
+        if (s->flags[i] & SPRITE_FOLLOW)
+            lua_pushnumber(L, fx_to_double(p == P_DX ? s->x[i] : s->y[i]));
+        else
+            lua_pushnil(L);
         break;
     case P_SPRITE:
         lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
@@ -109,12 +162,18 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 {
     struct sprites *s = &b->sprites;
 
-    (void)L;
+    if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
+        api_error(L, "sprite",
+                  s->flags[i] & SPRITE_FOLLOW ? "%s: it follows a thing: write dx, dy"
+                                              : "%s: it follows nothing: write x, y",
+                  props[p].value.name);
     switch (p) {
     case P_X:
+    case P_DX:
         s->x[i] = v->f;
         break;
     case P_Y:
+    case P_DY:
         s->y[i] = v->f;
         break;
     case P_SPRITE:
@@ -151,7 +210,7 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- spark ---- */
 
-enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND };
+enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS };
 
 static const struct api_param spark_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -161,7 +220,32 @@ static const struct api_param spark_def[] = {
     { "drag", A_FX, OPT, 0, 1, "of the speed a frame", "0" },
     { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "banks", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
+
+static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
+                               "kind's banks but the first counts as one)";
+
+/* banks: the first is the kind's, and each other a row after it. */
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, int64_t blend)
+{
+    const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL };
+    lua_Unsigned n = lua_rawlen(L, at);
+
+    if (n < 1 || n > SPARK_BANKS)
+        api_error(L, "spark.def", "banks: expected a list of 1 to %d banks", SPARK_BANKS);
+    for (lua_Unsigned b = 0; b < n; b++) {
+        struct api_value v = { 0 };
+        int32_t row = b ? slots_append(&k->s) : i;
+        if (row == NO_SLOT)
+            api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+        lua_rawgeti(L, at, (lua_Integer)b + 1);
+        api_check(L, "spark.def", &bank, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        k->sprite[row] = k->sprite[i];
+        k->bank[row] = (uint8_t)(v.i | blend * SPARK_BLEND_ONE);
+    }
+}
 
 static int spark_define(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -169,23 +253,28 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, "spark.def", "no room: rom.lua gives this chip no capacity, or %d kinds are declared",
-                         MAX_KINDS);
+        return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+    if (v[D_BANKS].given && v[D_BANK].given)
+        return api_error(L, "spark.def", "bank or banks, not both");
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->life[i] = (uint16_t)v[D_LIFE].i;
     k->gravity[i] = v[D_GRAVITY].f;
     k->drag[i] = v[D_DRAG].f;
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLEND].i * SPARK_BLEND_ONE);
+    if (v[D_BANKS].given)
+        define_banks(L, k, i, v[D_BANKS].at, v[D_BLEND].i);
     return 0;
 }
 
-enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED };
+enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
     { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
     { "n", A_INT, OPT, 0, 65535, "sparks", "1" },       { "dir", A_DIR, OPT, 0, 0, NULL, "0" },
     { "spread", A_NUM, OPT, 0, 360, "degrees", "360" }, { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1" },
+    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },  { "to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -194,21 +283,32 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .n = (uint32_t)v[B_N].i,
                              .dir = v[B_DIR].a,
                              .speed = v[B_SPEED].f,
-                             .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0) };
+                             .spread = (ang)(v[B_SPREAD].n / 360 * 4294967295.0),
+                             .radius = v[B_RADIUS].f };
 
-    if (api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
-        board_sparks(b, &s);
+    if (v[B_TO_X].given != v[B_TO_Y].given || (v[B_TO_X].given && v[B_RADIUS].given))
+        return api_error(L, "spark.burst", "shape: expected radius, or to_x and to_y, or none");
+    if (s.radius && !v[B_SPREAD].given)
+        s.spread = 0;
+    if (!api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
+        return 0;
+    if (v[B_TO_X].given) {
+        s.along_x = v[B_TO_X].f - s.x;
+        s.along_y = v[B_TO_Y].f - s.y;
+    }
+    board_sparks(b, &s);
     return 0;
 }
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM };
 
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "font", A_FACE, OPT, 0, 0, NULL, NULL },
+    { "rim", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -235,7 +335,8 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
     int cells = (int)utf8_count(s, n, FIX_TEXT, &n);
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)v[TEXT_BANK].i, (uint8_t)v[TEXT_FONT].i);
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)(v[TEXT_BANK].i | (v[TEXT_RIM].i ? FIX_RIM : 0)),
+            (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
 
@@ -343,16 +444,76 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* ---- screen ---- */
+
+enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
+
+static const struct api_param shake[] = {
+    { "size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL },
+    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
+    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+};
+
+enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
+
+static const struct api_param flash[] = {
+    { "to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff" },
+    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
+    { "share", A_FX, OPT, 0, 1, NULL, "1" },
+};
+
+enum { BARS_H, BARS_OVER };
+
+static const struct api_param bars[] = {
+    { "h", A_INT, REQ, 0, BARS_MOST, "px", NULL },
+    { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20" },
+};
+
+static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct screen *s = &b->screen;
+
+    (void)L;
+    s->shake = (int32_t)v[SHAKE_SIZE].i;
+    s->shake_over = (uint32_t)v[SHAKE_OVER].i;
+    s->shake_at = b->core.clock;
+    s->shake_dir = v[SHAKE_DIR].a;
+    s->shake_aimed = v[SHAKE_DIR].given;
+    return 0;
+}
+
+static int screen_flash_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct screen *s = &b->screen;
+
+    (void)L;
+    s->flash = (uint32_t)v[FLASH_TO].i;
+    s->flash_share = v[FLASH_SHARE].f;
+    s->flash_over = (uint32_t)v[FLASH_OVER].i;
+    s->flash_at = b->core.clock;
+    return 0;
+}
+
+static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    screen_bars_to(&b->screen, b->core.clock, (int32_t)v[BARS_H].i, (uint32_t)v[BARS_OVER].i);
+    return 0;
+}
+
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
-      "places a free sprite in the field or on the screen; with stay the boss's phase it came from does not take it "
+      "places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with stay "
+      "the boss's phase it came from does not take it "
       "along" },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
-      "throws n sparks within spread about dir; never seen by the game" },
+      "throws n sparks within spread about dir, from a point, a ring (outwards; spread is 0 there) or along a line; "
+      "never "
+      "seen by the game" },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      "writes text on the screen's 8x8 cells; stays until overwritten" },
+      "writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the letters" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
       "what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does" },
@@ -362,5 +523,12 @@ static const struct api_entry entries[] = {
       "fades to a colour (0xRRGGBB) or to a palette by name" },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
       "rotates a range by one every so many frames; every = 0 stops it" },
+    { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
+      "shakes the field's picture, less and less, to and fro along dir or all ways; nothing moves, so no hit is "
+      "another" },
+    { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
+      "gives every colour that share of `to` (0xRRGGBB), less and less over so many frames" },
+    { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
+      "bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away" },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

@@ -38,6 +38,11 @@
         "limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL                                                            \
     }
 
+static const struct api_param trail[] = {
+    { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },  { "follow", A_THING, REQ, PLACES, 0, NULL, NULL },
+    { "every", A_INT, OPT, 1, 65535, "frames", "4" }, { "over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever" },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+};
 static const struct api_param wait_until[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL }, LIMIT };
 static const struct api_param ring[] = { N, PATTERN };
 static const struct api_param fan[] = { N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
@@ -154,6 +159,10 @@ static const struct api_entry entries[] = {
         "a route: a list of { x, y, over, ease } and { wait }; the first starts it"),
     LUA("path.def point", point, 0, API_SYS, NULL, "one entry of path.def"),
     LUA("path.run", path_run, 3, 0, NULL, "takes an enemy along a route; returns when it arrived"),
+    LUA("spark.trail", trail, 0, 0, "task",
+        "leaves a spark of that kind where a thing is, one each `every` frames: its after-images, until the task's "
+        "owner "
+        "or the thing goes"),
     LUA("stage.def", stage_def, 2, API_LOAD, NULL, "declares a stage: one task, plain code"),
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),

@@ -160,8 +160,15 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     lua_pushinteger(L, b->player_kinds.lives[kind]);
     lua_setfield(L, -2, "lives");
     lua_createtable(L, n, 0);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         push_register(L, names[i], b->player_kinds.start[kind * PLAYER_REGISTERS + i], i + 1);
+        lua_rawgeti(L, -1, i + 1);
+        api_register_show(L, kind, i);
+        lua_setfield(L, -2, "show");
+        lua_pushinteger(L, b->player_kinds.most[kind * PLAYER_REGISTERS + i]);
+        lua_setfield(L, -2, "max");
+        lua_pop(L, 1);
+    }
     lua_setfield(L, -2, "registers");
     return 1;
 }
@@ -186,6 +193,7 @@ static void wipe_scenery(struct board *b)
 
     bg_clear(&b->bg, &b->bg_lines);
     bg_fade(&b->bg, 0);
+    screen_empty(&b->screen);
     pal_stop(&b->pal);
     for (int i = 0; i < COLOURS; i++, p += 3)
         pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
@@ -296,9 +304,12 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
         if (strcmp(words[k], lua_tostring(L, v[ARG_NAME].at)))
             continue;
         lua_newtable(L);
+        lua_Integer n = 0;
         for (uint32_t i = 0; i < s[k]->live; i++) {
+            if (!api_names_at(b, (enum api_names)k, (int)i)) /* a row of the next kind, or of the one before */
+                continue;
             api_names_push(L, (enum api_names)k, (int)i);
-            lua_rawseti(L, -2, (lua_Integer)i + 1);
+            lua_rawseti(L, -2, ++n);
         }
         return 1;
     }

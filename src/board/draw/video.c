@@ -2,7 +2,7 @@
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
  *     background, back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front
- *     sprites, the background's layers in front, text, lines of text
+ *     sprites, the background's layers in front, bars, text, lines of text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -39,6 +39,13 @@ static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y
     c->drawn++;
 }
 
+void video_clip_field(const struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+
+    fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+}
+
 static void draw_sprites(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
@@ -51,10 +58,13 @@ static void draw_sprites(struct draw_target *c, int layer)
             fb_clip_all(c->fb);
             at.x = at.y = 0;
         }
-        put(&at, s->sprite[i], c->b->core.clock - s->born[i], s->x[i], s->y[i], s->bank[i],
+        fx x = s->x[i], y = s->y[i];
+        if (s->flags[i] & SPRITE_FOLLOW)
+            board_where(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
+        put(&at, s->sprite[i], c->b->core.clock - s->born[i], x, y, s->bank[i],
             s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
         if (s->flags[i] & SPRITE_SCREEN)
-            fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
+            video_clip_field(c);
         c->drawn++;
     }
 }
@@ -69,13 +79,46 @@ static void draw_items(struct draw_target *c)
             (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
 }
 
+/* The brightest colour there is, or the darkest; of several the first. */
+static uint8_t extreme(const struct board *b, bool bright)
+{
+    uint32_t best = bright ? 0 : UINT32_MAX;
+    int at = 0;
+
+    for (int i = 0; i < COLOURS; i++) {
+        uint32_t rgb = b->pal.rgb[i], sum = (rgb >> 16) + (rgb >> 8 & 255) + (rgb & 255);
+        bool better = bright ? sum > best : sum < best;
+        at = better ? i : at;
+        best = better ? sum : best;
+    }
+    return (uint8_t)at;
+}
+
+static void put_white(struct draw_target *c, uint32_t i)
+{
+    const struct enemies *e = &c->b->enemies;
+    const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
+    struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
+
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, extreme(c->b, true),
+               e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0);
+    c->drawn++;
+}
+
 static void draw_enemies(struct draw_target *c)
 {
     const struct enemies *e = &c->b->enemies;
+    const struct enemy_kinds *k = &c->b->enemy_kinds;
 
-    EACH_LIVE (i, &e->s)
-        put(c, c->b->enemy_kinds.sprite[e->kind[i]], c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i], 0,
-            (c->b->enemy_kinds.flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+    EACH_LIVE (i, &e->s) {
+        if (e->flags[i] & ENEMY_HIDDEN)
+            continue;
+        if (e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i))
+            put_white(c, i);
+        else
+            put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
+                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+    }
 }
 
 /* A player that cannot be hit blinks. */
@@ -84,8 +127,9 @@ static void draw_players(struct draw_target *c)
     const struct player *p = &c->b->player;
 
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i] && !(p->safe[i] >> 2 & 1))
-            put(c, c->b->player_kinds.sprite[p->kind[i]], c->b->core.clock, p->x[i], p->y[i], 0, 0, 0);
+        if (p->in[i] && !(p->safe[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
+            put(c, player_picture(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
+                p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
 static void draw_sparks(struct draw_target *c)
@@ -95,10 +139,28 @@ static void draw_sparks(struct draw_target *c)
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
+        uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
-        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-            c->b->spark_kinds.bank[kind] & SPARK_BANK, 0,
-            (c->b->spark_kinds.bank[kind] & SPARK_BLEND) / SPARK_BLEND_ONE);
+        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i], bank & SPARK_BANK,
+            0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
+    }
+}
+
+/* All rims, so that none covers a letter. */
+static void draw_rims(struct draw_target *c, const struct font *font)
+{
+    const struct fix *f = &c->b->fix;
+    int dark = -1;
+
+    for (uint32_t i = 0; i < f->s.live; i++) {
+        if (!(f->bank[i] & FIX_RIM) || !fix_code(f, i))
+            continue;
+        dark = dark < 0 ? extreme(c->b, false) : dark;
+        if (f->page)
+            video_cell_rim(c, i, (uint8_t)dark);
+        else
+            text_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                     (uint8_t)dark);
     }
 }
 
@@ -109,12 +171,13 @@ static void draw_text(struct draw_target *c)
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
 
     fb_clip_all(c->fb);
+    draw_rims(c, &font);
     for (uint32_t i = 0; i < f->s.live; i++)
         if (f->page && fix_code(f, i))
             video_cell(c, i);
         else if (f->code[i])
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                       f->bank[i]);
+                       f->bank[i] & FIX_BANK);
 }
 
 /* What is beside the field. */
@@ -129,29 +192,95 @@ static void clear_sides(struct draw_target *c)
     fb_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
 }
 
-struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+/* Where nothing is drawn on the n px beside the line `from` (next to the field's shaken edge), it shows what is as far
+ * on the other side of the line. step: from pixel to pixel away from the line; along, lines: the next line. */
+static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
+{
+    for (int i = 0; i < lines; i++, from += along)
+        for (int k = 0; k < n; k++)
+            if (!from[k * step])
+                from[k * step] = from[(-1 - k) * step];
+}
+
+/* The background ends where the field does: what a shake uncovers shows its mirror image. */
+static void fill_edges(struct draw_target *c)
+{
+    const struct fb *fb = c->fb;
+    int dx = c->x - c->b->cart.m.field_x, dy = c->y - c->b->cart.m.field_y;
+    int w = fb->x1 - fb->x0, h = fb->y1 - fb->y0, nx = dx < 0 ? -dx : dx, ny = dy < 0 ? -dy : dy;
+    uint8_t *corner = fb->pix + fb->y0 * fb->pitch + fb->x0;
+
+    nx = nx < w / 2 ? nx : w / 2;
+    ny = ny < h / 2 ? ny : h / 2;
+    mirror(corner + (dx > 0 ? nx - 1 : w - nx), nx, dx > 0 ? -1 : 1, h, fb->pitch);
+    mirror(corner + (dy > 0 ? ny - 1 : h - ny) * fb->pitch, ny, dy > 0 ? -fb->pitch : fb->pitch, w, 1);
+}
+
+/* Over the field, under the text. */
+static void draw_bars(struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+    int h = screen_bars(&c->b->screen, c->b->core.clock);
+
+    fb_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
+    fb_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
+}
+
+static void draw_flash(const struct board *b, uint32_t rgb[256])
+{
+    fx share = screen_flash(&b->screen, b->core.clock);
+
+    for (int i = 0; share && i < COLOURS; i++)
+        rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
+}
+
+/* All that is under the bullets. */
+static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch,
+                                      int overdraw)
 {
     const struct manifest *m = &b->cart.m;
     struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
+    int dx, dy;
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    c.x += dx;
+    c.y += dy;
+    if (dx || dy)
+        c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
     fb_clip_all(fb);
     if (video_bg_covers(b))
         clear_sides(&c);
     else
         fb_fill(fb, 0);
-    fb_clip(fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    video_clip_field(&c);
     video_bg(&c, false);
     draw_sprites(&c, LAYER_BACK);
+    if (dx || dy)
+        fill_edges(&c);
     draw_items(&c);
     draw_enemies(&c);
     video_bullets(&c, &b->shots, &b->shot_kinds);
     draw_sprites(&c, LAYER_MIDDLE);
     draw_players(&c);
+    return c;
+}
+
+void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+{
+    draw_behind(b, fb, rgb, scratch, VIDEO_OVERDRAW);
+}
+
+struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+{
+    struct draw_target c = draw_behind(b, fb, rgb, scratch, overdraw);
+
+    draw_flash(b, rgb);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
     video_bg(&c, true);
+    draw_bars(&c);
     draw_text(&c);
     if (b->lines.s.live)
         video_lines(&c);

@@ -35,7 +35,8 @@ static int64_t modulo(int64_t a, int64_t n)
 /* n pixels from s into row y of the field, from column x on. */
 static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
 {
-    uint8_t *d = c->fb->pix + (c->y + y) * c->fb->pitch + c->x + x;
+    const struct manifest *m = &c->b->cart.m;
+    uint8_t *d = c->fb->pix + (m->field_y + y) * c->fb->pitch + m->field_x + x;
 
     if (b->to || b->table)
         row_mix(d, s, n, b->bank, b->to, b->table);
@@ -88,6 +89,17 @@ static struct brush brush_of(const struct board *b, uint32_t i)
     return brush;
 }
 
+/* A shake moves the maps in the field, so that they go on to its edges. */
+static int shaken_x(const struct draw_target *c)
+{
+    return c->x - c->b->cart.m.field_x;
+}
+
+static int shaken_y(const struct draw_target *c)
+{
+    return c->y - c->b->cart.m.field_y;
+}
+
 static void draw_layer(struct draw_target *c, uint32_t i)
 {
     const struct bg *g = &c->b->bg;
@@ -99,9 +111,9 @@ static void draw_layer(struct draw_target *c, uint32_t i)
     bool solid;
 
     cart_map(&c->b->cart, g->map[i] - 1, &m);
-    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = g->y[i] >> 16;
+    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + shaken_y(c);
     for (int y = 0; y < h; y++) {
-        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, y)) >> 16);
+        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, y)) >> 16) - shaken_x(c);
         int64_t from = 0, to = w, my = y - top;
         if (wraps) {
             at = modulo(at, mw);
@@ -154,6 +166,14 @@ static struct walk walk_of(const struct bg *g, const struct map *m, int field_w,
     return (struct walk){ modulo(u, w), modulo(v, h), modulo(-ahead_y, w), modulo(ahead_x, h) };
 }
 
+/* The walk from n columns farther on. */
+static struct walk skipped(struct walk a, const struct map *m, int n)
+{
+    a.u = modulo(a.u + n * a.du, (int64_t)m->cols * m->side << 32);
+    a.v = modulo(a.v + n * a.dv, (int64_t)m->rows * m->side << 32);
+    return a;
+}
+
 /* Which table of fog a row is shown by: 0 none, or 1 to BG_SHADES. */
 static int fog_at(const struct bg *g, int field_w, int64_t s)
 {
@@ -179,7 +199,7 @@ static const uint8_t *plane_table(const struct board *b, int fog, uint8_t both[2
 static void draw_plane(struct draw_target *c)
 {
     const struct bg *g = &c->b->bg;
-    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE];
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE] + shaken_y(c);
     const bool ceiling = g->flags[BG_PLANE] & BG_CEILING;
     struct brush brush = brush_of(c->b, BG_PLANE);
     uint8_t row[ROW], both[256];
@@ -195,7 +215,7 @@ static void draw_plane(struct draw_target *c)
         int fog = fog_at(g, w, s);
         if (fog != fogged)
             brush.to = plane_table(c->b, fogged = fog, both);
-        bool solid = walk_row(&m, walk_of(g, &m, w, s), w, row);
+        bool solid = walk_row(&m, skipped(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
         lay(c, &brush, row, 0, y, w, solid);
     }
     c->drawn++;

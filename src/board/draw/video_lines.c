@@ -201,7 +201,20 @@ void video_cell(struct draw_target *c, uint32_t i)
     const struct fix *f = &c->b->fix;
     struct page p = page_of(c, f->font[i]);
 
-    draw_code(c, &p, fix_code(f, i), (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->bank[i]);
+    draw_code(c, &p, fix_code(f, i), (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL,
+              f->bank[i] & FIX_BANK);
+}
+
+void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
+{
+    const struct fix *f = &c->b->fix;
+    struct page p = page_of(c, f->font[i]);
+    struct face_glyph g;
+
+    if (!find(&p, fix_code(f, i), &g))
+        return;
+    struct image image = { g.pix, g.w, g.h, g.pitch };
+    blit_rim(c->fb, &image, (int)(i % f->cols) * FIX_CELL + g.x, (int)(i / f->cols) * FIX_CELL + g.y, rim);
 }
 
 void video_lines(struct draw_target *c)
@@ -216,7 +229,7 @@ void video_lines(struct draw_target *c)
         if (screen)
             fb_clip_all(c->fb);
         else
-            fb_clip(c->fb, c->x, c->y, c->b->cart.m.field_w, c->b->cart.m.field_h);
+            video_clip_field(c);
         draw_line(c, i, (screen ? 0 : c->x) + fx_floor(x) + fx_floor(l->dx[i]),
                   (screen ? 0 : c->y) + fx_floor(y) + fx_floor(l->dy[i]));
         c->drawn++;

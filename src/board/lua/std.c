@@ -17,6 +17,7 @@ static const struct {
     { "pattern", " pattern ", NULL, NULL },
     { "figure", " pattern ", " whip scatter rose polygon star ellipse points picture ", "pattern" },
     { "sweep", " bullet ", " sweep ", "bullet" },
+    { "trail", " spark ", " trail ", "spark" },
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
     { "boss", " boss ", NULL, NULL },

@@ -153,15 +153,17 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32], sections[32], line[TREE_PATH + 256];
+    char scripts[32], sprites[32], demos[32], samples[32], sections[32], line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
     count(demos, c->demos, "demo");
     snprintf(sections, sizeof sections, c->sections == 1 ? "%d stage or phase" : "%d stages and phases", c->sections);
-    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s; Lua RAM %d %% of %d KiB", c->dir, scripts, sprites,
-             demos, sections, (int)((c->lua_most * 100 + room - 1) / room), (int)c->m.lua_kib);
+    count(samples, c->samples, "frame");
+    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB",
+             c->dir, scripts, sprites, demos, sections, samples, (int)((c->lua_most * 100 + room - 1) / room),
+             (int)c->m.lua_kib);
     clean_line(line);
     say(line);
 }

@@ -46,6 +46,7 @@ struct check {
     struct name_set changed; /* what scripts have put into places */
     bool any_global;         /* scripts may have made new ones */
     int demos;               /* that were played */
+    int samples;             /* frames of them whose bullets' contrast was looked at */
     int sections;            /* stages and phases that were */
     size_t lua_most;         /* bytes of Lua RAM, at most at one time in any run */
 };

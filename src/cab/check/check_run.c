@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
+#include "../../board/draw/contrast.h"
 #include "../../board/inspect.h"
 #include "../../board/rom/cart.h"
 #include "../pack/art.h"
@@ -23,7 +24,28 @@ enum {
     MOST_FRAMES = 36000,    /* of a demo: ten minutes */
     SECTION_FRAMES = 18000, /* of a stage or a phase: five minutes */
     SWEEP = 40,             /* frames a ship flies one way meanwhile */
-    MOST_LUA = 75           /* percent of board.lua_kib */
+    MOST_LUA = 75,          /* percent of board.lua_kib */
+    SAMPLE_EVERY = 120,     /* frames of a demo, of which contrast looks at one */
+    SAMPLES = 150,          /* in a demo */
+    LOOKS = 128,            /* kinds and banks it tells apart */
+    FEW_BULLETS = 40        /* of which it says nothing */
+};
+
+/* Bullets of a kind in a bank, in the sampled frames of a demo. */
+struct look {
+    char kind[64];
+    int bank, seen, faint;
+    uint32_t frame; /* of the first faint one, and where */
+    int x, y;
+};
+
+/* What contrast needs while a demo is played. */
+struct contrast {
+    struct fb fb;
+    void *pixels, *scratch;
+    uint32_t frame;
+    int samples, n;
+    struct look look[LOOKS];
 };
 
 #define ALL UINT32_MAX /* frames */
@@ -40,7 +62,8 @@ struct run {
     size_t most;             /* bytes of Lua RAM, of all runs so far */
     char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
-    bool measured; /* the kinds' shapes were compared with their pictures */
+    struct contrast contrast; /* of the demo */
+    bool measured;            /* the kinds' shapes were compared with their pictures */
 };
 
 /* ---- hit shapes and pictures ---- */
@@ -236,6 +259,90 @@ static void run_sections(struct run *r)
     free(list);
 }
 
+/* ---- contrast ---- */
+
+static bool contrast_open(struct contrast *k, const struct board *b)
+{
+    int w, h;
+
+    memset(k, 0, sizeof *k);
+    board_screen(b, &w, &h);
+    k->pixels = malloc(fb_size(w, h));
+    k->scratch = malloc(board_scratch(b));
+    if (k->pixels == NULL || k->scratch == NULL)
+        return false;
+    fb_init(&k->fb, k->pixels, w, h);
+    return true;
+}
+
+static void contrast_close(struct contrast *k)
+{
+    free(k->pixels);
+    free(k->scratch);
+    k->pixels = k->scratch = NULL;
+}
+
+/* The entry of that kind and bank; NULL: there are too many. */
+static struct look *look_of(struct contrast *k, const struct contrast_bullet *b)
+{
+    int i = 0;
+
+    while (i < k->n && (k->look[i].bank != b->bank || strcmp(k->look[i].kind, b->kind) != 0))
+        i++;
+    if (i == LOOKS || strlen(b->kind) >= sizeof k->look[i].kind)
+        return NULL;
+    if (i == k->n) {
+        k->n++;
+        k->look[i] = (struct look){ .bank = b->bank };
+        snprintf(k->look[i].kind, sizeof k->look[i].kind, "%s", b->kind);
+    }
+    return &k->look[i];
+}
+
+static void note_bullet(void *context, const struct contrast_bullet *b)
+{
+    struct contrast *k = context;
+    struct look *look = look_of(k, b);
+
+    if (look == NULL)
+        return;
+    look->seen++;
+    if (b->share > CONTRAST_FAINT)
+        return;
+    if (look->faint++ == 0) {
+        look->frame = k->frame;
+        look->x = b->x;
+        look->y = b->y;
+    }
+}
+
+static void contrast_look(struct run *r, uint32_t frame)
+{
+    struct contrast *k = &r->contrast;
+
+    if (frame % SAMPLE_EVERY || k->samples == SAMPLES || board_last(r->guard.board)->fault)
+        return;
+    k->frame = frame;
+    k->samples++;
+    r->c->samples++;
+    contrast_sample(r->guard.board, &k->fb, k->scratch, note_bullet, k);
+}
+
+/* Of which most are hardly seen. */
+static void judge_contrast(struct run *r)
+{
+    const struct contrast *k = &r->contrast;
+
+    for (int i = 0; i < k->n; i++) {
+        const struct look *l = &k->look[i];
+        if (l->seen >= FEW_BULLETS && 2 * l->faint > l->seen)
+            diagnostics_add(&r->c->found, r->what, 0,
+                            "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; "
+                            "the first at %d, %d in frame %" PRIu32,
+                            l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
+    }
+}
+
 /* ---- a demo ---- */
 
 /* Does the board agree with what the demo knows of this frame? */
@@ -267,6 +374,7 @@ static uint32_t play(struct run *r)
     for (uint32_t f = 0;; f++) {
         if (wrong == ALL && !is_as_recorded(r, f))
             wrong = f;
+        contrast_look(r, f);
         if (f == last || board_last(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
@@ -282,12 +390,16 @@ static void run_loaded(struct run *r)
     if (!power(r, &r->demo.start))
         return;
     r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
-    if (r->hash_cache == NULL) {
+    if (!contrast_open(&r->contrast, r->guard.board) || r->hash_cache == NULL) {
         r->c->found.failed = true;
+        contrast_close(&r->contrast);
+        free(r->hash_cache);
         guard_close(&r->guard);
         return;
     }
     uint32_t wrong = play(r);
+    judge_contrast(r);
+    contrast_close(&r->contrast);
     free(r->hash_cache);
     if (wrong != ALL && !doubted)
         diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",

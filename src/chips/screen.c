@@ -1,0 +1,77 @@
+/*
+ * screen.c - see screen.h.
+ */
+#include "screen.h"
+#include "../base/trig.h"
+
+static const struct column columns[] = {
+    REGISTER(screen, shake),       REGISTER(screen, shake_over),  REGISTER(screen, shake_at),
+    REGISTER(screen, shake_dir),   REGISTER(screen, shake_aimed), REGISTER(screen, flash),
+    REGISTER(screen, flash_share), REGISTER(screen, flash_over),  REGISTER(screen, flash_at),
+    REGISTER(screen, bars_from),   REGISTER(screen, bars),        REGISTER(screen, bars_over),
+    REGISTER(screen, bars_at),
+};
+
+const struct chip screen_chip = { "screen", columns, sizeof columns / sizeof *columns, true, false };
+
+enum { QUARTER = 1 << 30 };
+static const ang GOLDEN = 0x61c88647; /* of a turn, so that no direction comes again soon */
+
+void screen_empty(struct screen *s)
+{
+    *s = (struct screen){ .s = s->s };
+}
+
+void screen_bars_to(struct screen *s, uint32_t clock, int32_t h, uint32_t n)
+{
+    s->bars_from = screen_bars(s, clock);
+    s->bars = h;
+    s->bars_over = n;
+    s->bars_at = clock;
+}
+
+/* What is left of `most` in the frame that the clock says. The tick in which a thing is asked for is its frame 1, and
+ * the clock has gone on when its picture is drawn, unless the game stands still. */
+static fx left(fx most, uint32_t over, uint32_t at, uint32_t clock)
+{
+    uint32_t age = clock - at;
+
+    age -= age > 0;
+    return age >= over ? 0 : (fx)((int64_t)most * (over - age) / over);
+}
+
+static int rounded(fx v)
+{
+    return fx_floor(v + FX_ONE / 2);
+}
+
+void screen_shake(const struct screen *s, uint32_t clock, int *dx, int *dy)
+{
+    uint32_t age = clock - s->shake_at - 1;
+    fx x, y;
+
+    *dx = *dy = 0;
+    fx far = left(s->shake * FX_ONE, s->shake_over, s->shake_at, clock);
+    if (!far)
+        return;
+    if (!s->shake_aimed)
+        trig_polar(far, age * GOLDEN, &x, &y);
+    else
+        trig_polar(age & 1 ? 0 : far, s->shake_dir + (age & 2 ? 2u * QUARTER : 0), &x, &y);
+    *dx = rounded(x);
+    *dy = rounded(y);
+}
+
+fx screen_flash(const struct screen *s, uint32_t clock)
+{
+    return left(s->flash_share, s->flash_over, s->flash_at, clock);
+}
+
+int screen_bars(const struct screen *s, uint32_t clock)
+{
+    uint32_t age = clock - s->bars_at;
+
+    if (age >= s->bars_over)
+        return s->bars;
+    return s->bars_from + (int)((int64_t)(s->bars - s->bars_from) * age / s->bars_over);
+}

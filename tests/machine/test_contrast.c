@@ -1,0 +1,136 @@
+/*
+ * test_contrast.c - which bullets stand out from what lies behind them, pixel by pixel, against a plain oracle.
+ */
+#include "../../src/board/draw/contrast.h"
+#include "rig.h"
+
+static struct rig_game g;
+static struct rig r;
+static int visited, bank, share, at_x, at_y;
+static char kind[32];
+
+static void keep(void *context, const struct contrast_bullet *b)
+{
+    (void)context;
+    visited++;
+    bank = b->bank;
+    share = b->share;
+    at_x = b->x;
+    at_y = b->y;
+    snprintf(kind, sizeof kind, "%s", b->kind);
+}
+
+/* Everything has the colours that the script sets; all others are black. */
+static void look(const char *text)
+{
+    static char full[4096];
+
+    snprintf(full, sizeof full,
+             "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } }) bullet.def('air', { sprite = 'dot', hit = "
+             "'none' })\n"
+             "bullet.def('slow', { sprite = 'dot', hit = { circle = 3 }, cloud = 'arrow' })\n"
+             "bullet.def('way', { sprite = 'arrow', hit = { circle = 3 }, turns = true })\n"
+             "for i = 0, 255 do palette.set(i, 0) end\n%s",
+             text);
+    rig_script(&g, NULL, full);
+    rig_blends(&g);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 1);
+    uint64_t before = board_hash(r.b);
+    visited = 0;
+    share = -1;
+    contrast_sample(r.b, &r.fb, r.scratch, keep, NULL);
+    assert_true(board_hash(r.b) == before);
+}
+
+static void done(void)
+{
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void expect(const char *text, int want)
+{
+    look(text);
+    if (visited != 1 || share != want)
+        fail_msg("%s: %d bullets, %d percent, expected %d", text, visited, share, want);
+    done();
+}
+
+static void test_shares(void **state)
+{
+    struct sprite s;
+    int pixels = 0, ones = 0;
+    char text[256];
+
+    (void)state;
+    expect("bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank = 2 }", 0); /* black on black */
+    expect("for i = 32, 47 do palette.set(i, 0xffffff) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           100);
+    /* exactly the step, and one less: 2 red, 3 green, 1 blue */
+    expect("for i = 32, 47 do palette.set(i, 0x282828) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           100);
+    expect("for i = 32, 47 do palette.set(i, 0x282827) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           0);
+    expect("for i = 32, 47 do palette.set(i, 0x005000) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           100);
+    expect("for i = 32, 47 do palette.set(i, 0x004f00) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           0);
+    expect("for i = 32, 47 do palette.set(i, 0x780000) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           100);
+    expect("for i = 32, 47 do palette.set(i, 0x770000) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
+           "= 2 }",
+           0);
+    /* white over the same in white, but for the pixels beside it */
+    expect("for i = 0, 255 do palette.set(i, 0xffffff) end palette.set(0, 0xf0f0f0)\n"
+           "sprite.put { sprite = 'dot', x = 100, y = 80, layer = 'back' } bullet.fire { kind = 'b', x = 100, y = 80, "
+           "speed = 0 }",
+           0);
+    /* one of its colours alone */
+    rig_script(&g, NULL, "");
+    cart_sprite(&g.cart, cart_find_sprite(&g.cart, "dot"), &s);
+    for (int i = 0; i < s.pitch * s.h; i++) {
+        pixels += s.pix[i] != 0;
+        ones += s.pix[i] == 3;
+    }
+    rig_game_free(&g);
+    assert_true(ones > 0);
+    snprintf(text, sizeof text,
+             "palette.set(16 * 2 + 3, 0xffffff) bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank = 2 }");
+    expect(text, 100 * ones / pixels);
+}
+
+static void test_which(void **state)
+{
+    (void)state;
+    look("bullet.fire { kind = 'air', x = 100, y = 80, speed = 0 }");
+    assert_int_equal(visited, 0); /* it only looks */
+    done();
+    look("bullet.fire { kind = 'slow', x = 100, y = 80, speed = 0, delay = 9 }");
+    assert_int_equal(visited, 0); /* a cloud */
+    done();
+    look("bullet.fire { kind = 'b', x = -40, y = 80, speed = 0 }");
+    assert_int_equal(visited, 0); /* outside */
+    done();
+    look("bullet.fire { kind = 'way', x = 60.5, y = 70, speed = 2, dir = 90, bank = 7 }");
+    assert_int_equal(visited, 1);
+    assert_string_equal(kind, "way");
+    assert_true(bank == 7 && at_x == 60 && at_y == 72);
+    done();
+    look("for i = 1, 256 do bullet.fire { kind = 'b', x = i % 200 + 10, y = i, speed = 0 } end");
+    assert_int_equal(visited, 256);
+    done();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_shares), cmocka_unit_test(test_which) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,230 @@
+/*
+ * test_hud.c - what the hud writes, and where: margins, side panels, banners over a narrow field, registers as a ship
+ * says; their limits; rims.
+ */
+#include "rig.h"
+
+static struct rig_game g;
+static struct rig r;
+
+static void open_with(const struct manifest *m, const char *text)
+{
+    static char full[8192];
+
+    snprintf(full, sizeof full, "hud.banks.plain, hud.banks.bright = 2, 5\n%s", text);
+    rig_with_sys(&g, m, full);
+    rig_power(&r, &g, NULL);
+}
+
+static void close_it(void)
+{
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* A row of the screen, from its first letter to its last; *col is where that first one is, -1: an empty row. */
+static const char *row_text(uint32_t row, int *col)
+{
+    static char text[128];
+    const struct fix *f = &r.b->fix;
+    int last = -1;
+
+    *col = -1;
+    for (uint32_t c = 0; c < f->cols; c++) {
+        uint8_t code = f->code[row * f->cols + c];
+        if (code <= 32)
+            continue;
+        *col = *col < 0 ? (int)c : *col;
+        last = (int)c;
+    }
+    for (int c = *col; c >= 0 && c <= last; c++)
+        text[c - *col] = (char)(f->code[row * f->cols + (uint32_t)c] > 32 ? f->code[row * f->cols + (uint32_t)c] : ' ');
+    text[last < 0 ? 0 : last - *col + 1] = 0;
+    return text;
+}
+
+static void row_is(uint32_t row, int col, const char *want)
+{
+    int at;
+    const char *got = row_text(row, &at);
+
+    if (strcmp(got, want) || at != col)
+        fail_msg("row %u: \"%s\" at %d, expected \"%s\" at %d", row, got, at, want, col);
+}
+
+static const char ships[] =
+    "player.def('p', { sprite = 'dot', hit = { circle = 2 }, lives = 3, registers = {\n"
+    "  bombs = { start = 3, max = 9, show = 'icons' }, heat = { start = 2, max = 4, show = 'bar' },\n"
+    "  coins = { start = 12, show = 'number' }, plain = 1, secret = { start = 5, show = 'none' } } })\n"
+    "for i = 1, string.sys.players() do string.sys.join(i, 'p') end\n"
+    "hud.start(string.sys.scope(), string.sys.players())\n";
+
+/* 240 px over the whole screen: 30 columns, a cell off each edge. */
+static void test_margins(void **state)
+{
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.players = 1;
+    open_with(&m, ships);
+    rig_run(&r, 1);
+    row_is(0, -1, "");
+    row_is(1, 1, "000000000       HI 000000000");
+    row_is(2, 1, "**                        *0");
+    row_is(3, 1, "BOMBS ***");
+    row_is(4, 1, "COINS 12");
+    row_is(5, 1, "HEAT ====----");
+    row_is(6, -1, "");
+    assert_int_equal(r.b->fix.bank[31], 2 | FIX_RIM);
+    close_it();
+}
+
+static void test_registers(void **state)
+{
+    static char text[2048];
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    snprintf(text, sizeof text,
+             "%s local p = player.get(1) task.go(function() wait(1) p.bombs, p.coins, p.heat = 50, 5000, 0\n"
+             "assert(p.bombs == 9 and p.coins == 5000) p.plain = 2000000 p.heat = -4 assert(p.heat == 0) wait(1) "
+             "p.bombs = 0 p.heat = 4 end)",
+             ships);
+    open_with(&m, text);
+    rig_run(&r, 3);
+    row_is(1, 1, "000000000          000000000");
+    row_is(2, 1, "**       000000000        **");
+    row_is(3, 1, "BOMBS *x9          BOMBS ***");
+    close_it();
+    m.players = 1;
+    open_with(&m, text);
+    rig_run(&r, 3);
+    row_is(3, 1, "BOMBS *x9");
+    row_is(4, 1, "COINS 5000");
+    row_is(5, 1, "HEAT --------");
+    rig_run(&r, 1);
+    row_is(3, 1, "BOMBS");
+    row_is(5, 1, "HEAT ========");
+    close_it();
+}
+
+/* A field of 192 px and a panel of 15 columns: a cell is left free at each of its edges; nothing is cut. */
+static void test_panel(void **state)
+{
+    static char text[2048];
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.players = 1;
+    m.screen_w = 320;
+    m.screen_h = 240;
+    m.field_x = 8;
+    m.field_w = 192;
+    m.field_h = 240;
+    snprintf(text, sizeof text,
+             "%senemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+             "boss.def('b', { title = 'The Quite Unpronounceabilities', kind = 'e', x = 9, y = 9, phases = { { id = "
+             "'a', hp = 5, time = 99, run = function() end } } })\n"
+             "task.go(function() boss.fight('b') end) hud.banner({ 'A BANNER', 'ITS OTHER LINE THAT IS LONG' }, 50)",
+             ships);
+    open_with(&m, text);
+    rig_run(&r, 90);
+    rig_run(&r, 40);
+    /* 40 columns; the field takes 1 to 24, the panel begins at 25: text from 26 on, 13 columns */
+    row_is(1, 26, "000000000");
+    row_is(2, 26, "HI 000000000");
+    row_is(3, 26, "**         *0");
+    int at;
+    bool quite = false, long_word = false, rest = false;
+    for (uint32_t row = 4; row < 20; row++) {
+        const char *s = row_text(row, &at);
+        quite |= !strcmp(s, "The Quite") && at == 26;
+        long_word |= !strcmp(s, "Unpronounceab") && at == 26;
+        rest |= !strcmp(s, "ilities") && at == 26;
+    }
+    assert_true(quite && long_word && rest);
+    close_it();
+    snprintf(text, sizeof text, "%s hud.banner({ 'A BANNER', 'ITS OTHER LINE THAT IS LONG' }, 50)", ships);
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(10, 9, "A BANNER"); /* in the middle of columns 1 to 24 */
+    row_is(12, 2, "ITS OTHER LINE THAT IS");
+    row_is(13, 11, "LONG");
+    rig_run(&r, 60);
+    row_is(10, -1, "");
+    row_is(12, -1, "");
+    close_it();
+}
+
+/* A letter's rim is the darkest colour next to each of its pixels, and under every letter. */
+static void test_rim(void **state)
+{
+    uint32_t rgb[256];
+    int dark = 0, rims = 0;
+
+    (void)state;
+    open_with(NULL, "text.put { col = 3, row = 3, text = 'AB', bank = 1, rim = true } text.put { col = 3, row = 9, "
+                    "text = 'AB', bank = 1 }\n"
+                    "for i = 0, 9 do sprite.put { sprite = 'arrow', x = 8 + 8 * i, y = 28, bank = 9 } sprite.put { "
+                    "sprite = 'arrow', x = 8 + 8 * i, y = 76, bank = 9 } end");
+    rig_run(&r, 1);
+    board_draw(r.b, &r.fb, rgb, r.scratch);
+    for (int i = 0; i < 256; i++) {
+        uint32_t a = rgb[i], b = rgb[dark];
+        dark = (a >> 16) + (a >> 8 & 255) + (a & 255) < (b >> 16) + (b >> 8 & 255) + (b & 255) ? i : dark;
+    }
+    for (int y = 20; y < 36; y++)
+        for (int x = 16; x < 48; x++) {
+            bool letter = false, next = false;
+            for (int v = -1; v <= 1; v++)
+                for (int u = -1; u <= 1; u++) {
+                    int cx = x + u - 24, cy = y + v - 24;
+                    if (cx < 0 || cx >= 16 || cy < 0 || cy >= 8)
+                        continue;
+                    bool is = g.cart.glyphs[('A' - 32 + cx / 8) * 64 + cy * 8 + cx % 8] != 0;
+                    letter |= is && !u && !v;
+                    next |= is;
+                }
+            int got = r.fb.pix[y * r.fb.pitch + x], plain = r.fb.pix[(y + 48) * r.fb.pitch + x];
+            int want = !letter && next ? dark : plain;
+            if (got != want)
+                fail_msg("pixel %d,%d is %d, expected %d", x, y, got, want);
+            rims += !letter && next;
+        }
+    assert_true(rims > 10);
+    close_it();
+}
+
+static void says(const char *registers, const char *line)
+{
+    char text[512];
+    struct rig_game game;
+
+    snprintf(text, sizeof text, "player.def('p', { sprite = 'dot', hit = { circle = 2 }, registers = { %s } })",
+             registers);
+    rig_script(&game, NULL, text);
+    assert_string_equal(rig_said(&game, 1, false), line);
+    rig_game_free(&game);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    says("a = { strat = 3 }", "player.def: registers.a: unknown setting \"strat\" (there are start, max, show)");
+    says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is more than max 2");
+    says("a = { show = 'bars' }", "player.def: registers.a.show: expected none, number, icons or bar, got \"bars\"");
+    says("a = { show = 'bar' }", "player.def: registers.a: a bar needs a max");
+    says("a = { start = -1 }", "player.def: registers.a.start: expected a whole number from 0 to 2147483647, got -1");
+    says("a = 1.5", "player.def: registers.a: expected a whole number from 0 to 2147483647, got 1.5");
+    says("x = 1", "player.def: registers: \"x\" is a property of every player already");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
+        cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

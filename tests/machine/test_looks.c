@@ -1,0 +1,284 @@
+/*
+ * test_looks.c - what enemies and players look like: their kinds' pictures, blinking, flipped, hidden; and that this is
+ * all that differs.
+ */
+#include "../../fb/blit.h"
+#include "rig.h"
+
+enum { W = 240, H = 320, X = 100, Y = 80 };
+
+static const char kinds[] =
+    "enemy.def('e', { sprite = 'dot', hit = { circle = 4 }, hp = 99, bank = 2, blink = 4,\n"
+    "  pictures = { cast = 'arrow', hurt = 'wink', aim = 'dot' } })\n"
+    "enemy.def('plain', { sprite = 'dot', hit = { circles = { { -4, 0, 2 }, { 4, 0, 2 } } }, hp = 99, bank = 2 })\n"
+    "enemy.def('brief', { sprite = 'arrow', hit = 'none', hp = 99, bank = 2, blink = 1, pictures = { cast = 'dot' } "
+    "})\n"
+    "player.def('first', { sprite = 'dot', hit = { circle = 2 }, registers = { bombs = 2 } })\n"
+    "player.def('second', { sprite = 'arrow', hit = { circle = 2 } })\n"
+    "player.def('p', { sprite = 'arrow', hit = { circle = 2 }, safe = 0, pictures = { right = 'dot', left = 'wink', "
+    "win = 'wink' },\n"
+    "  registers = { n = 1 } })\n"
+    "player.def('half', { sprite = 'arrow', hit = { circle = 2 }, safe = 0, pictures = { left = 'wink' } })\n";
+
+static struct rig_game g;
+static struct rig r;
+
+static void open_with(const char *text)
+{
+    static char full[8192];
+    struct manifest m = rig_manifest();
+
+    m.players = 2;
+    snprintf(full, sizeof full, "%s%s", kinds, text);
+    rig_with_sys(&g, &m, full);
+    rig_power(&r, &g, NULL);
+}
+
+static void close_it(void)
+{
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour), and nothing else anywhere. NULL: none.
+ */
+static void shows(const char *name, int frame, int bank, bool white, unsigned flip)
+{
+    struct sprite s = { 0 };
+    uint32_t rgb[256];
+    int brightest = 0, seen = 0;
+
+    board_draw(r.b, &r.fb, rgb, r.scratch);
+    if (name)
+        cart_sprite(&g.cart, cart_find_sprite(&g.cart, name), &s);
+    for (int i = 0; i < 256; i++) {
+        int sum = (int)((rgb[i] >> 16) + (rgb[i] >> 8 & 255) + (rgb[i] & 255));
+        int most = (int)((rgb[brightest] >> 16) + (rgb[brightest] >> 8 & 255) + (rgb[brightest] & 255));
+        brightest = sum > most ? i : brightest;
+    }
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            int u = x - X + s.ox, v = y - Y + s.oy, want = 0;
+            if (u >= 0 && v >= 0 && u < s.w && v < s.h) {
+                u = flip & BLIT_FLIP_X ? s.w - 1 - u : u;
+                int p = s.pix[(frame * s.rotations * s.h + v) * s.pitch + u];
+                want = !p ? 0 : white ? brightest : (p + 16 * bank) % 256;
+            }
+            seen += want != 0;
+            if (r.fb.pix[y * r.fb.pitch + x] != want)
+                fail_msg("frame %u: %s%s: pixel %d,%d is %d, expected %d", r.b->core.frame, name ? name : "nothing",
+                         white ? " in white" : "", x, y, r.fb.pix[y * r.fb.pitch + x], want);
+        }
+    assert_int_equal(seen > 30, name != NULL);
+}
+
+static void test_pictures(void **state)
+{
+    (void)state;
+    open_with("local e = enemy.spawn { kind = 'e', x = 100, y = 80 }\n"
+              "task.go(function()\n"
+              "  assert(e.picture == nil and not e.flip_x and not e.hidden and e.bank == 2) wait(1)\n"
+              "  e.picture = 'cast' assert(e.picture == 'cast') wait(1)\n"
+              "  e.flip_x, e.bank = true, 9 assert(e.flip_x and e.picture == 'cast' and e.bank == 9) wait(1)\n"
+              "  e.hidden = true assert(e.hidden) wait(1)\n"
+              "  e.hidden, e.flip_x, e.picture = false, false, 'hurt' assert(not e.hidden and not e.flip_x) wait(1)\n"
+              "  e.picture = 'aim' assert(e.picture == 'aim') wait(1)\n"
+              "  e.picture = nil assert(e.picture == nil) wait(1)\n"
+              "  enemy.group().picture = 'cast' assert(e.picture == 'cast') wait(1)\n"
+              "  e:remove() assert(e.picture == nil) e.picture = 'cast'\n"
+              "end)");
+    rig_run(&r, 1), shows("dot", 0, 2, false, 0);
+    rig_run(&r, 1), shows("arrow", 0, 2, false, 0);
+    rig_run(&r, 1), shows("arrow", 0, 9, false, BLIT_FLIP_X);
+    rig_run(&r, 1), shows(NULL, 0, 0, false, 0);
+    rig_run(&r, 1), shows("wink", 1, 9, false, 0); /* its second frame stands from 3 on */
+    rig_run(&r, 1), shows("dot", 0, 9, false, 0);
+    rig_run(&r, 1), shows("dot", 0, 9, false, 0);
+    rig_run(&r, 1), shows("arrow", 0, 9, false, 0);
+    rig_run(&r, 1), shows(NULL, 0, 0, false, 0);
+    close_it();
+}
+
+/* White for two frames, plain for two; hits in the meantime do not begin anew. */
+static void test_blink(void **state)
+{
+    (void)state;
+    open_with("local e = enemy.spawn { kind = 'e', x = 100, y = 80 }\n"
+              "task.go(function() wait(1) e:hurt(1) assert(e.bank == 2) wait(1) e:hurt(1) e.bank = 3 wait(3) e.picture "
+              "= 'cast' e:hurt(1) end)");
+    rig_run(&r, 1), shows("dot", 0, 2, false, 0);
+    rig_run(&r, 1), shows("wink", 0, 0, true, 0);
+    rig_run(&r, 1), shows("wink", 1, 0, true, 0);
+    rig_spoil(&r);
+    rig_run(&r, 1), shows("wink", 1, 3, false, 0);
+    rig_run(&r, 1), shows("wink", 1, 3, false, 0);
+    rig_run(&r, 1), shows("arrow", 0, 0, true, 0); /* what a script chose stays */
+    rig_run(&r, 1), shows("arrow", 0, 0, true, 0);
+    rig_run(&r, 1), shows("arrow", 0, 3, false, 0);
+    close_it();
+    open_with("local e = enemy.spawn { kind = 'brief', x = 100, y = 80 } e.flip_x = true e:hurt(5)");
+    rig_run(&r, 1), shows("arrow", 0, 2, false, BLIT_FLIP_X); /* a frame, which was over before the first picture */
+    close_it();
+    open_with(
+        "local e = enemy.spawn { kind = 'brief', x = 100, y = 80 } e.flip_x = true task.go(function() e:hurt(5) end)");
+    rig_run(&r, 1), shows("arrow", 0, 0, true, BLIT_FLIP_X); /* it has no picture hurt */
+    rig_run(&r, 1), shows("arrow", 0, 2, false, BLIT_FLIP_X);
+    close_it();
+    open_with("local e = enemy.spawn { kind = 'plain', x = 100, y = 80 } task.go(function() e:hurt(5) end)");
+    rig_run(&r, 1), shows("dot", 0, 2, false, 0);
+    close_it();
+    open_with(
+        "local e = enemy.spawn { kind = 'e', x = 100, y = 80 } e.safe = 9 task.go(function() e:hurt(5) e:hurt(0) end)");
+    rig_run(&r, 1), shows("dot", 0, 2, false, 0);
+    close_it();
+}
+
+static void held(uint16_t buttons, const char *name, int frame)
+{
+    const uint16_t pads[PADS] = { buttons, 0 };
+
+    rig_tick(&r, pads);
+    r.b->player.x[0] = X * 65536; /* the picture alone is asked for here */
+    r.b->player.y[0] = Y * 65536;
+    shows(name, frame, 0, false, 0);
+}
+
+static void test_banking(void **state)
+{
+    (void)state;
+    open_with("string.sys.join(1, 'p')\n"
+              "local p = player.get(1)\n"
+              "task.go(function() wait(6) p.picture = 'win' assert(p.picture == 'win') wait(2) p.picture = nil\n"
+              "assert(p.picture == nil) wait(1) p.hidden = true assert(p.hidden and not p.flip_x and not p.focus) "
+              "wait(1) end)");
+    held(0, "arrow", 0);
+    held(PAD_LEFT, "wink", 0);
+    held(PAD_LEFT | PAD_FOCUS, "wink", 1);
+    assert_int_equal(r.b->player.flags[0], PLAYER_FOCUS | PICTURE_LEFT * PLAYER_PICTURE_ONE);
+    held(PAD_RIGHT | PAD_UP, "dot", 0);
+    held(PAD_UP, "arrow", 0);
+    held(PAD_LEFT | PAD_RIGHT, "arrow", 0);
+    held(PAD_RIGHT, "wink", 2);
+    held(PAD_RIGHT, "wink", 2);
+    held(PAD_RIGHT, "dot", 0);
+    held(PAD_RIGHT, NULL, 0);
+    close_it();
+    open_with("string.sys.join(1, 'half')");
+    held(PAD_RIGHT, "arrow", 0);
+    held(PAD_LEFT, "wink", 0);
+    close_it();
+}
+
+static void test_first(void **state)
+{
+    (void)state;
+    open_with("string.sys.join(1, 'first') local p = player.get(1) p.safe = 0 assert(not p.flip_x) p.flip_x = true "
+              "assert(p.flip_x)\n"
+              "assert(p.kind == 'first' and p.bombs == 2 and p.picture == nil)");
+    const uint16_t pads[PADS] = { PAD_RIGHT, 0 };
+    rig_tick(&r, pads);
+    assert_int_equal(r.b->player.flags[0], PLAYER_FLIP);
+    r.b->player.x[0] = X * 65536;
+    r.b->player.y[0] = Y * 65536;
+    shows("dot", 0, 0, false, BLIT_FLIP_X);
+    close_it();
+    open_with("string.sys.join(1, 'second')"); /* without pictures, after one without */
+    rig_tick(&r, pads);
+    assert_int_equal(r.b->player.flags[0], 0);
+    close_it();
+}
+
+/* Kinds are found by their names alone, whatever rows lie between; shapes of several rows stay next to theirs. */
+static void test_rows(void **state)
+{
+    (void)state;
+    open_with("local sys = string.sys\n"
+              "assert(table.concat(sys.kinds('enemy'), ' ') == 'e plain brief')\n"
+              "assert(table.concat(sys.kinds('player'), ' ') == 'first second p half')\n"
+              "sys.join(1, 'half') sys.join(2, 'p')\n"
+              "assert(player.get(1).kind == 'half' and player.get(2).n == 1)\n"
+              "local e = enemy.spawn { kind = 'plain', x = 50, y = 50 }\n"
+              "assert(e.kind == 'plain')\n");
+    close_it();
+}
+
+static void says(const char *text, const char *line)
+{
+    static char full[8192];
+    struct rig_game game;
+
+    snprintf(full, sizeof full, "%s%s", kinds, text);
+    rig_script(&game, NULL, full);
+    assert_string_equal(rig_said(&game, 1, false), line);
+    rig_game_free(&game);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    says("enemy.spawn { kind = 'e', x = 1, y = 1 }.picture = 'csat'",
+         "enemy: its kind has no picture \"csat\" (did you mean \"cast\"?)");
+    says("enemy.spawn { kind = 'e', x = 1, y = 1 }.picture = 'zzzzzzz'", "enemy: its kind has no picture \"zzzzzzz\"");
+    says("enemy.spawn { kind = 'plain', x = 1, y = 1 }.picture = 'cast'",
+         "enemy: its kind has no pictures beside its sprite (pictures in enemy.def)");
+    says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { cast = 'dott' } })",
+         "enemy.def: sprite \"dott\" is not in rom.lua (did you mean \"dot\"?)");
+    says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { cast = 3 } })",
+         "enemy.def: pictures.cast: expected a sprite's name, got 3");
+    says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { 'dot' } })",
+         "enemy.def: pictures: expected names with sprites, as { hurt = \"moth_hurt\" }");
+    says("local t = {} for i = 1, 7 do t['n' .. i] = 'dot' end\n"
+         "enemy.def('x', { sprite = 'dot', hit = 'none', pictures = t })",
+         "enemy.def: pictures: at most 7");
+    says("enemy.def('x', { sprite = 'dot', hit = 'none', blink = 16 })",
+         "enemy.def: blink: expected a whole number from 0 to 15 frames, got 16");
+    says("for i = 1, 20 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot', b = "
+         "'dot' } }) end",
+         "player.def: no room: 64 kinds are declared (each of a kind's pictures counts as one)");
+}
+
+/* What looks do is in the enemies' and players' own bits: all else goes on as without. */
+static void test_state(void **state)
+{
+    static const char game[] = "string.sys.join(1, 'p')\n"
+                               "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
+                               "shot.def('s', { sprite = 'dot', hit = { circle = 3 } })\n"
+                               "local e = enemy.spawn { kind = 'e', x = 120, y = 50 }\n"
+                               "task.go(function() while true do\n"
+                               "  bullet.fire { kind = 'b', from = e, speed = 3, aim = true }\n"
+                               "  shot.fire { kind = 's', from = e, dy = 60, speed = 9 }\n"
+                               "  %s wait(1)\n"
+                               "end end)";
+    static char text[4096];
+    uint64_t h[2][MAX_PARTS];
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text, game,
+                 i ? "e.picture = 'cast' e.flip_x = true player.get(1).picture = 'win' player.get(1).hidden = true"
+                   : "");
+        open_with(text);
+        rig_run(&r, 40);
+        board_hashes(r.b, h[i]);
+        close_it();
+    }
+    open_with("");
+    for (int i = 0; i < PARTS; i++) {
+        const char *name = board_part(r.b, i);
+        bool may = !strcmp(name, "script") || !strcmp(name, "enemies") || !strcmp(name, "player");
+        if ((h[0][i] != h[1][i]) != may)
+            fail_msg("part %s", name);
+    }
+    close_it();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink), cmocka_unit_test(test_banking),
+        cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),  cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_state),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

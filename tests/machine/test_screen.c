@@ -1,0 +1,335 @@
+/*
+ * test_screen.c - what moves or colours the picture as a whole: where it shows what, and that nothing else of the game
+ * is another for it.
+ */
+#include "rig.h"
+
+enum { W = 240, H = 320 };
+
+static const char backdrop[] =
+    "for i = 0, 59 do\n"
+    "  sprite.put { sprite = 'arrow', x = 8 + i % 15 * 16, y = 8 + i // 15 * 80, bank = i % 16, layer = 'back' }\n"
+    "end\n"
+    "sprite.put { sprite = 'dot', x = 120, y = 100 }\n"
+    "text.put { col = 0, row = 0, text = 'SCORE' }\n"
+    "wait(3)\n";
+
+struct shot {
+    uint8_t pix[H][W];
+    uint32_t rgb[256];
+};
+
+static struct manifest roomy(void)
+{
+    struct manifest m = rig_manifest();
+
+    m.sprites = 128;
+    m.field_x = 8;
+    m.field_y = 16;
+    m.field_w = 200;
+    m.field_h = 280;
+    return m;
+}
+
+/* The picture after the frame in which `line` ran, and after the n - 1 next ones. */
+static void draw(const char *line, int n, struct shot *out)
+{
+    const struct manifest m = roomy();
+    static char text[4096];
+    struct rig_game g;
+    struct rig r;
+
+    snprintf(text, sizeof text, "task.go(function()\n%s%s\nend)", backdrop, line);
+    rig_script(&g, &m, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 3 + n);
+    board_draw(r.b, &r.fb, out->rgb, r.scratch);
+    for (int y = 0; y < H; y++)
+        memcpy(out->pix[y], r.fb.pix + y * r.fb.pitch, W);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static bool in_field(const struct manifest *m, int x, int y)
+{
+    return x >= m->field_x && x < m->field_x + m->field_w && y >= m->field_y && y < m->field_y + m->field_h;
+}
+
+/* Frame n of the shake shows the still picture dx, dy further, wherever that comes from inside of the field. */
+static void shaken(const char *line, int n, int dx, int dy)
+{
+    const struct manifest m = roomy();
+    static struct shot still, got;
+    int seen = 0;
+
+    draw("text.clear()", n, &still);
+    draw(line, n, &got);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            int want = 0;
+            if (in_field(&m, x, y) && !in_field(&m, x - dx, y - dy))
+                continue;
+            if (in_field(&m, x, y))
+                want = still.pix[y - dy][x - dx];
+            if (got.pix[y][x] != want)
+                fail_msg("%s, frame %d: pixel %d,%d is %d, expected %d", line, n, x, y, got.pix[y][x], want);
+            seen += want != 0;
+        }
+    assert_true(seen > 5000);
+}
+
+static void test_shake(void **state)
+{
+    const char *aimed = "text.clear() screen.shake { size = 10, over = 5, dir = 0 }";
+    const char *down = "text.clear() screen.shake { size = 8, over = 4, dir = 90 }";
+    const char *round = "text.clear() screen.shake { size = 16, over = 2 }";
+
+    (void)state;
+    shaken(aimed, 1, 10, 0); /* 10 * 5/5 to the right, nothing, 10 * 3/5 to the left, nothing, 10 * 1/5 */
+    shaken(aimed, 2, 0, 0);
+    shaken(aimed, 3, -6, 0);
+    shaken(aimed, 4, 0, 0);
+    shaken(aimed, 5, 2, 0);
+    shaken(aimed, 6, 0, 0);
+    shaken(down, 1, 0, 8);
+    shaken(down, 3, 0, -4);
+    shaken(round, 1, 16, 0); /* to 0 degrees */
+    shaken(round, 2, -6, 5); /* 8 px to 137.5 degrees: -5.9, 5.4 */
+    shaken(round, 3, 0, 0);
+}
+
+/* What the shake uncovers is the background's mirror image, where nothing else is: a bullet there is drawn. */
+static void edge(const char *dir, int x0, int y0, int w, int h)
+{
+    static struct shot got;
+    char line[512];
+    int filled = 0, others = 0;
+
+    snprintf(line, sizeof line,
+             "text.clear() sprite.put { sprite = 'arrow', x = 100, y = 272, layer = 'back' } "
+             "sprite.put { sprite = 'arrow', x = 100, y = 8, layer = 'back' } "
+             "sprite.put { sprite = 'arrow', x = 8, y = 130, layer = 'back' } "
+             "sprite.put { sprite = 'dot', x = 104, y = 288 } "
+             "screen.shake { size = 12, over = 1, dir = %s }",
+             dir);
+    draw(line, 1, &got);
+    for (int y = y0; y < y0 + h; y++)
+        for (int x = x0; x < x0 + w; x++) {
+            int from_x = w == 12 ? 2 * x0 + 12 * 2 * (x0 < 100) - 1 - x : x;
+            int from_y = h == 12 ? 2 * y0 + 12 * 2 * (y0 < 100) - 1 - y : y;
+            others += got.pix[y][x] != got.pix[from_y][from_x];
+            filled += got.pix[y][x] != 0;
+        }
+    if (filled < 60 || others > 64 || (!strcmp(dir, "270") && others < 10))
+        fail_msg("dir %s: %d filled, %d others", dir, filled, others);
+}
+
+static void test_edges(void **state)
+{
+    const struct manifest m = roomy();
+
+    (void)state;
+    edge("90", m.field_x, m.field_y, m.field_w, 12);
+    edge("270", m.field_x, m.field_y + m.field_h - 12, m.field_w, 12);
+    edge("0", m.field_x, m.field_y, 12, m.field_h);
+}
+
+static void test_flash(void **state)
+{
+    static struct shot plain, got;
+    /* white over 4 frames with half of it: shares of 1/2, 3/8, 1/4, 1/8 */
+    const char *line = "screen.flash { over = 4, share = 0.5 }";
+
+    (void)state;
+    draw("", 1, &plain);
+    for (int n = 1; n <= 5; n++) {
+        draw(line, n, &got);
+        assert_memory_equal(got.pix, plain.pix, sizeof got.pix);
+        for (int i = 0; i < 256; i++)
+            for (int shift = 0; shift < 24; shift += 8) {
+                int from = plain.rgb[i] >> shift & 255, rest = 255 - from, is = got.rgb[i] >> shift & 255;
+                int want = from + (rest * (5 - n) + 4) / 8;
+                if (n < 5 ? is != want : is != from)
+                    fail_msg("frame %d, colour %d: %d, expected %d", n, i, is, want);
+            }
+    }
+    draw("screen.flash { to = 0x204060, over = 3 }", 1, &got);
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(got.rgb[i], 0x204060);
+}
+
+static void bars(const char *line, int n, int h)
+{
+    const struct manifest m = roomy();
+    static struct shot plain, got;
+
+    draw("", n, &plain);
+    draw(line, n, &got);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            bool bar = in_field(&m, x, y) && (y < m.field_y + h || y >= m.field_y + m.field_h - h);
+            bool text = y < 8 && x < 40;
+            int want = bar && !text ? 0 : plain.pix[y][x];
+            if (got.pix[y][x] != want)
+                fail_msg("%s, frame %d: pixel %d,%d is %d, expected %d", line, n, x, y, got.pix[y][x], want);
+        }
+}
+
+static void test_letterbox(void **state)
+{
+    const char *line = "screen.letterbox { h = 30, over = 4 }";
+    const char *back = "screen.letterbox { h = 40, over = 4 } wait(2) screen.letterbox { h = 0, over = 2 }";
+
+    (void)state;
+    bars(line, 1, 7);
+    bars(line, 2, 15);
+    bars(line, 3, 22);
+    bars(line, 4, 30);
+    bars(line, 9, 30);
+    bars("screen.letterbox { h = 9, over = 0 }", 1, 9);
+    bars(back, 2, 20);
+    bars(back, 3, 10); /* from where it was */
+    bars(back, 4, 0);
+    bars("screen.letterbox { h = 9, over = 0 } string.sys = nil", 3, 9);
+}
+
+/* Only the part of its own and what scripts did are others; the wipe before a game takes all of it away. */
+static void test_state(void **state)
+{
+    static const char text[] = "player.def('p', { sprite = 'dot', hit = { circle = 3 } })\n"
+                               "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
+                               "string.sys.join(1, 'p')\n"
+                               "task.go(function()\n"
+                               "  for i = 1, 30 do\n"
+                               "    bullet.fire { kind = 'b', x = 100, y = 250, speed = 3, aim = true }\n"
+                               "    %s\n"
+                               "    wait(1)\n"
+                               "  end\n"
+                               "end)\n";
+    static char with[2048], without[2048];
+    struct rig_game g[2];
+    struct rig r[2];
+    uint64_t a[MAX_PARTS], b[MAX_PARTS];
+    int dx, dy;
+
+    (void)state;
+    snprintf(with, sizeof with, text,
+             "screen.shake { size = 20, over = 9 } screen.flash { over = 5 } screen.letterbox { h = 50 }");
+    snprintf(without, sizeof without, text, "");
+    for (int i = 0; i < 2; i++) {
+        rig_with_sys(&g[i], NULL, i ? with : without);
+        rig_power(&r[i], &g[i], NULL);
+        rig_run(&r[i], 25);
+    }
+    board_hashes(r[0].b, a);
+    board_hashes(r[1].b, b);
+    for (int i = 0; i < board_parts(r[0].b); i++) {
+        const char *name = board_part(r[0].b, i);
+        if ((a[i] != b[i]) != (!strcmp(name, "script") || !strcmp(name, "screen")))
+            fail_msg("part %s", name);
+    }
+    uint64_t before = rig_picture(&r[1]);
+    rig_spoil(&r[1]);
+    assert_true(rig_picture(&r[1]) == before);
+    screen_empty(&r[1].b->screen);
+    screen_shake(&r[1].b->screen, r[1].b->core.clock, &dx, &dy);
+    assert_true(dx == 0 && dy == 0);
+    assert_true(screen_flash(&r[1].b->screen, r[1].b->core.clock) == 0);
+    assert_true(screen_bars(&r[1].b->screen, r[1].b->core.clock) == 0);
+    assert_true(rig_picture(&r[0]) == rig_picture(&r[1]));
+    for (int i = 0; i < 2; i++) {
+        rig_free(&r[i]);
+        rig_game_free(&g[i]);
+    }
+}
+
+static void test_wipe(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rig_with_sys(&g, NULL,
+                 "task.go(function() screen.letterbox { h = 50, over = 0 } screen.flash { over = 99 } screen.shake { "
+                 "size = 3, over = 99 } wait(1) "
+                 "string.sys.wipe() end)");
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 1);
+    assert_int_equal(screen_bars(&r.b->screen, 1), 50);
+    rig_run(&r, 1);
+    assert_int_equal(screen_bars(&r.b->screen, 2), 0);
+    assert_int_equal(screen_flash(&r.b->screen, 2), 0);
+    assert_int_equal(r.b->screen.shake_over, 0);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* A shaken crowd, which is not drawn front to back, shows the bullets that a still one does. */
+static void test_crowd(void **state)
+{
+    static uint8_t pix[2][H][W];
+    int edge = 0;
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.bullets = 4096;
+    for (int i = 0; i < 2; i++) {
+        static char full[1024];
+        struct rig_game g;
+        struct rig r;
+        uint32_t rgb[256];
+        snprintf(full, sizeof full,
+                 "bullet.def('b', { sprite = 'arrow', hit = { circle = 3 } })\n"
+                 "for i = 1, 4000 do bullet.fire { kind = 'b', x = i %% 57 * 4 + 6, y = i %% 71 * 4 + 8, speed = 0 } "
+                 "end\n%s",
+                 i ? "screen.shake { size = 7, over = 2, dir = 0 }" : "");
+        rig_script(&g, &m, full);
+        rig_power(&r, &g, NULL);
+        rig_run(&r, 1);
+        board_draw(r.b, &r.fb, rgb, r.scratch);
+        for (int y = 0; y < H; y++)
+            memcpy(pix[i][y], r.fb.pix + y * r.fb.pitch, W);
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+    for (int y = 0; y < H; y++)
+        assert_memory_equal(pix[1][y] + 7, pix[0][y], W - 7);
+    for (int y = 20; y < 280; y++) /* those that stand beyond the edge come in */
+        for (int x = 5; x < 7; x++)
+            edge += pix[1][y][x] != 0;
+    assert_true(edge > 300);
+}
+
+static void says(const char *text, const char *line)
+{
+    struct rig_game g;
+
+    rig_script(&g, NULL, text);
+    assert_string_equal(rig_said(&g, 1, true), line);
+    rig_game_free(&g);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    says("screen.shake { size = 65, over = 3 }",
+         "main.lua:1: screen.shake: size: expected a whole number from 0 to 64 px, got 65");
+    says("screen.shake { size = 5 }",
+         "main.lua:1: screen.shake: over: expected a whole number from 1 to 65535 frames, got nil");
+    says("screen.flash { over = 5, share = 2 }",
+         "main.lua:1: screen.flash: share: expected a number from 0 to 1, got 2");
+    says("screen.flash { over = 5, colour = 2 }", "main.lua:1: screen.flash: unknown argument \"colour\"");
+    says("screen.letterbox { h = -1 }",
+         "main.lua:1: screen.letterbox: h: expected a whole number from 0 to 2048 px, got -1");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_shake),     cmocka_unit_test(test_edges),  cmocka_unit_test(test_flash),
+        cmocka_unit_test(test_letterbox), cmocka_unit_test(test_state),  cmocka_unit_test(test_wipe),
+        cmocka_unit_test(test_crowd),     cmocka_unit_test(test_errors),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
