@@ -1,6 +1,7 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = { start = 3, max = 40, show = "bar" } }, collect_line = 12, collect_full = "power", magnet = 9, pull = 1.7,
+  registers = { power = { start = 3, max = 40, show = "bar" } }, collect_line = 12, collect_full = "power",
+  magnet = 9, pull = 1.7,
   run = function(p)
     while true do
       wait(4)
