@@ -35,9 +35,9 @@ local function sweep(a, circle)
   for k = 1, a.over do
     if a.follow and not a.follow.alive then return end
     circle.radius = a.radius + (a.radius_to - a.radius) * k / a.over
-    circle.what, circle.tag, circle.spark, circle.all = nil, a.tag, a.spark, a.all
+    circle.what, circle.tag, circle.spark, circle.all, circle.lasers = nil, a.tag, a.spark, a.all, a.lasers
     bullet.clear(circle)
-    circle.tag, circle.spark, circle.all = nil, nil, nil
+    circle.tag, circle.spark, circle.all, circle.lasers = nil, nil, nil, nil
     if a.hurt > 0 then hurt(a, circle, met) end
     wait(1)
   end

@@ -42,6 +42,7 @@ enum api_type {
     A_LAYER,
     A_ALIGN,
     A_FIRE, /* what a pattern fires */
+    A_LASER_KIND,
 };
 
 /* What is declared under a name. */
@@ -56,6 +57,7 @@ enum api_names {
     N_BULLET_VALUE, /* value.def: by the number of the column */
     N_SHOT_VALUE,
     N_ENEMY_VALUE,
+    N_LASER, /* the last: made only in games that have lasers */
     NAME_LISTS
 };
 

@@ -9,6 +9,7 @@
 #include "../base/ieee.h"
 #include "events_run.h"
 #include "hit.h"
+#include "lasers_run.h"
 #include "../base/host.h"
 
 static const struct column core_columns[] = {
@@ -54,6 +55,11 @@ static uint32_t enemy_groups(const struct manifest *m)
     return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
 }
 
+static uint32_t laser_groups(const struct manifest *m)
+{
+    return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
 /* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
  * board, the number of slots, and the groups of columns, by manifest m. */
 #define PART_LIST(PART)                                                                                                \
@@ -76,7 +82,11 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
+    PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
+    PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
+    PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
+    PART(laser_points_chip, laser_points, m->lasers ? m->curve_points / LASER_PIECE : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -110,10 +120,11 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players and be blocked, a shot hits one thing, an enemy may touch, die and leave. */
+/* A bullet may graze or hit both players and be blocked, a shot hits one thing, an enemy may touch, die and leave. A
+ * laser may graze or hit both players, or shoot. */
 static uint64_t event_room(const struct manifest *m)
 {
-    return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 1024;
+    return 3 * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies + 2 * (uint64_t)m->lasers + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -370,6 +381,8 @@ void board_move(struct board *b)
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid);
+    if (b->lasers.s.live)
+        lasers_move(b);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }
@@ -380,7 +393,7 @@ static int move_and_hit(lua_State *L)
     struct board *b = vm_board(L);
 
     board_move(b);
-    vm_charge(L, b->bullets.ran + b->shots.ran);
+    vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
     return 0;
@@ -392,6 +405,7 @@ static void next_frame(struct board *b)
     b->core.clock++;
     bullets_stay(&b->bullets);
     bullets_stay(&b->shots);
+    bullets_stay(&b->laser_heads);
     enemies_stay(&b->enemies);
 }
 
@@ -405,6 +419,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
+    b->laser_heads.ran = 0;
     input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count_down(&b->player);
@@ -470,12 +485,18 @@ const char *board_part(const struct board *b, int i)
     return machine_parts[i].chip->name;
 }
 
+bool board_has(const struct board *b, int part)
+{
+    return part < PARTS_ALWAYS || ((const struct slots *)chip_at(b, part))->cap > 0;
+}
+
 size_t board_snapshot_size(const struct board *b)
 {
     size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
-        n += slots_save(machine_parts[i].chip, chip_at(b, i), NULL);
+        if (board_has(b, i))
+            n += slots_save(machine_parts[i].chip, chip_at(b, i), NULL);
     return n;
 }
 
@@ -487,7 +508,8 @@ void board_save(const struct board *b, void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
+        if (board_has(b, i))
+            p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
 }
 
 /* RAM may hold anything by now: only what has been copied back is read. */
@@ -499,7 +521,8 @@ void board_restore(struct board *b, const void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_restore(machine_parts[i].chip, chip_at(b, i), p);
+        if (board_has(b, i))
+            p += slots_restore(machine_parts[i].chip, chip_at(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)
         cart_sprite(&b->cart, i, &b->pictures[i]);
     memset(b->output, 0, sizeof *b->output);
@@ -669,6 +692,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->enemies.s;
     case H_SPRITE:
         return &b->sprites.s;
+    case H_LASER:
+        return &b->lasers.s;
     case H_TASK:
         return &b->tasks.s;
     default:
@@ -730,6 +755,8 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
         return *x = b->player.x[i], *y = b->player.y[i], true;
     case H_SPRITE:
         return *x = b->sprites.x[i], *y = b->sprites.y[i], true;
+    case H_LASER:
+        return *x = b->laser_heads.x[i], *y = b->laser_heads.y[i], true;
     default:
         return false;
     }

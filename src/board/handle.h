@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-/* The last three are groups: of bullets, of shots, of enemies. Their slot is a tag, 0: all. */
+/* GROUP, SHOTS, ENEMIES and LASERS are groups: of bullets, of shots and so on. Their slot is a tag, 0: all. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,
@@ -22,6 +22,8 @@ enum handle_kind {
     H_GROUP,
     H_SHOTS,
     H_ENEMIES,
+    H_LASER,
+    H_LASERS,
     HANDLES
 };
 
@@ -42,7 +44,7 @@ static inline enum handle_kind handle_kind(int64_t h)
 
 static inline bool handle_kind_group(enum handle_kind kind)
 {
-    return kind >= H_GROUP && kind <= H_ENEMIES;
+    return (kind >= H_GROUP && kind <= H_ENEMIES) || kind == H_LASERS;
 }
 
 static inline uint32_t handle_gen(int64_t h)

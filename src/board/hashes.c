@@ -16,7 +16,7 @@ static const uint8_t *chip_at(const struct board *b, int i)
 
 uint64_t board_part_hash(const struct board *b, int i)
 {
-    return slots_hash(machine_parts[i].chip, chip_at(b, i));
+    return board_has(b, i) ? slots_hash(machine_parts[i].chip, chip_at(b, i)) : 0;
 }
 
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
@@ -30,7 +30,7 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS])
     uint64_t h = HASH_START;
 
     for (int i = 0; i < PARTS; i++)
-        if (!machine_parts[i].chip->unhashed)
+        if (!machine_parts[i].chip->unhashed && (i < PARTS_ALWAYS || hashes[i]))
             h = hash_fold(h, hashes[i]);
     return h;
 }
@@ -82,7 +82,7 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return machine_parts[i].chip->list
+    return machine_parts[i].chip->list && board_has(b, i)
                ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
                : 0;
 }
@@ -119,7 +119,9 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
     for (int i = 0; i < PARTS; i++)
         room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
-        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
+        if (!board_has(b, i))
+            hashes[i] = 0;
+        else if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

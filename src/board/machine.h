@@ -19,6 +19,7 @@
 #include "../chips/events.h"
 #include "../chips/fix.h"
 #include "../chips/input.h"
+#include "../chips/lasers.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
 #include "../chips/pal.h"
@@ -109,6 +110,10 @@ struct board {
     struct nvram nvram;
     struct sparks sparks;
     struct spark_kinds spark_kinds;
+    struct lasers lasers;
+    struct bullets laser_heads;
+    struct laser_kinds laser_kinds;
+    struct laser_points laser_points;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -116,8 +121,14 @@ struct part {
     const struct chip *chip;
     size_t at, size; /* of the struct, in struct board */
 };
-enum { PARTS = 20 };
+enum {
+    PARTS = 24,
+    PARTS_ALWAYS = 20 /* the parts from here on are there only in games whose rom.lua gives them room */
+};
 extern const struct part machine_parts[PARTS];
+
+/* Is the part there? What is not has a hash of 0, and no share in the combined one. */
+bool board_has(const struct board *b, int part);
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
 struct motion_world board_world(const struct board *b, bool shots);

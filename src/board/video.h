@@ -34,6 +34,9 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
+/* Lasers: those that hurt enemies, or the others. By slot. */
+void video_lasers(struct draw_target *c, bool shoot);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);
 

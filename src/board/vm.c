@@ -332,6 +332,8 @@ static int undeclared(lua_State *L)
 
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (!strcmp(name, "laser"))
+        return vm_fault(L, FAULT_SCRIPT, "laser: %s", NO_LASERS);
     if (std_of(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);

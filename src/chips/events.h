@@ -18,7 +18,8 @@ enum event_kind {
     EV_LEAVE,  /* a: enemy handle */
     EV_EXTEND, /* a: player */
     EV_SCRIPT, /* a: index of what sys.emit queued */
-    EV_BLOCK   /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_LASER   /* a: handle of a player's laser that touches enemies */
 };
 
 struct event {

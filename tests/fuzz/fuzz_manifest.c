@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../src/base/bytes.h"
 #include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
 #include "../../src/cab/check/symbols.h"
@@ -34,8 +35,8 @@ static void binary(const uint8_t *data, size_t size)
         need_line(err);
         return;
     }
-    manifest_pack(&m, again);
-    need(memcmp(again, data, sizeof again) == 0);
+    const size_t n = manifest_pack(&m, again);
+    need(bytes_get32(data) == 1 || (n == size && memcmp(again, data, n) == 0));
 }
 
 static void text(const char *data, size_t size)
@@ -50,8 +51,8 @@ static void text(const char *data, size_t size)
         need_line(err);
         return;
     }
-    manifest_pack(&m, bytes);
-    need(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
+    const size_t n = manifest_pack(&m, bytes);
+    need(manifest_unpack(bytes, n, &back, err, sizeof err));
 }
 
 /* What the compiler takes, the lint reads to its end. */

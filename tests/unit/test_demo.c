@@ -55,8 +55,7 @@ static void make_rom(void)
     m.n_dips = 2;
     m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .values = 2, .value_name = { "free", "one" } };
     m.dips[1] = (struct dip){ .name = "lives", .number = true, .lo = 0, .hi = 9 };
-    manifest_pack(&m, manifest);
-    lumps[n++] = (struct lump){ "manifest", manifest, sizeof manifest };
+    lumps[n++] = (struct lump){ "manifest", manifest, (uint32_t)manifest_pack(&m, manifest) };
     lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[n++] = (struct lump){ "script/main.lua", (const uint8_t *)script, sizeof script - 1 };
     for (int i = 0; i < std_script_count; i++, n++) {

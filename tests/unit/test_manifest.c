@@ -474,14 +474,14 @@ static void test_pack(void **state)
     char err[256] = "";
 
     (void)state;
-    manifest_pack(&r->m, bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    const size_t size = manifest_pack(&r->m, bytes);
+    assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_string_equal(m.title, "Paper Lanterns");
     assert_int_equal(m.lua_kib, 512);
     assert_int_equal(m.dips[2].lo, -1);
     assert_true(m.extends[1] == INT64_C(9007199254740992));
     manifest_pack(&m, again);
-    assert_memory_equal(bytes, again, sizeof bytes);
+    assert_memory_equal(bytes, again, size);
     free(r);
 }
 
@@ -495,11 +495,11 @@ static void test_unpack_old(void **state)
 
     (void)state;
     assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.around && r->m.frozen);
-    manifest_pack(&r->m, bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    const size_t size = manifest_pack(&r->m, bytes);
+    assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_false(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     r->m.bullet_values = r->m.hp = r->m.frozen = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
@@ -516,16 +516,37 @@ static void test_unpack_refuses(void **state)
     char err[256] = "";
 
     (void)state;
-    manifest_pack(&r->m, bytes);
-    assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5203 bytes long, expected 5204");
+    const size_t size = manifest_pack(&r->m, bytes);
+    assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
+    assert_string_equal(err, "5203 bytes long, expected 5212");
     for (int format = 0; format < 5; format++) {
         bytes[0] = (uint8_t)format;
-        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 2);
+        assert_int_equal(manifest_unpack(bytes, size, &m, err, sizeof err), format == 2);
         assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
         if (format > 2)
             assert_string_equal(err, "its format is not known");
     }
+    free(r);
+}
+
+/* A game that asks for something of format 3 has a lump of that; the same, without, one of format 2. */
+static void test_format_3(void **state)
+{
+    struct result *r = read_good("return { board = { lasers = 64, curve_points = 4096 } }");
+    uint8_t bytes[MANIFEST_BYTES];
+    struct manifest m;
+    char err[256] = "";
+
+    (void)state;
+    assert_int_equal(manifest_pack(&r->m, bytes), 5212);
+    assert_true(manifest_unpack(bytes, 5212, &m, err, sizeof err));
+    assert_memory_equal(&m, &r->m, sizeof m);
+    assert_true(m.lasers == 64 && m.curve_points == 4096);
+    assert_false(manifest_unpack(bytes, 5204, &m, err, sizeof err));
+    memset(bytes + 5204, 0, 8); /* now it is one of format 2 in the form of 3 */
+    assert_false(manifest_unpack(bytes, 5212, &m, err, sizeof err));
+    r->m.lasers = r->m.curve_points = 0;
+    assert_int_equal(manifest_pack(&r->m, bytes), 5204);
     free(r);
 }
 
@@ -540,7 +561,7 @@ static void test_format_1(void **state)
     (void)state;
     manifest_default(&plain);
     assert_int_equal(r->m.nvram_kib, 3);
-    manifest_pack(&r->m, bytes);
+    const size_t size = manifest_pack(&r->m, bytes);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
     assert_int_equal(m.nvram_kib, plain.nvram_kib);
@@ -548,7 +569,7 @@ static void test_format_1(void **state)
     m.nvram_kib = 3;
     manifest_pack(&m, again);
     bytes[0] = 2;
-    assert_memory_equal(bytes, again, sizeof bytes);
+    assert_memory_equal(bytes, again, size);
     free(r);
 }
 
@@ -559,8 +580,8 @@ static void unpack_refused(const struct manifest *m, const char *line)
     struct manifest back;
     char err[256] = "";
 
-    manifest_pack(m, bytes);
-    assert_false(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
+    const size_t size = manifest_pack(m, bytes);
+    assert_false(manifest_unpack(bytes, size, &back, err, sizeof err));
     assert_string_equal(err, line);
 }
 
@@ -629,17 +650,17 @@ static void test_unpack_mutations(void **state)
     int good = 0;
 
     (void)state;
-    manifest_pack(&r->m, bytes);
+    const size_t size = manifest_pack(&r->m, bytes);
     rng_seed(&rng, 3);
-    for (int at = 0; at < MANIFEST_BYTES; at++) {
+    for (int at = 0; at < (int)size; at++) {
         struct manifest m;
         char err[256] = "";
         uint8_t was = bytes[at];
         bytes[at] = (uint8_t)(rng_below(&rng, 2) ? rng_next(&rng) : was ^ 1);
-        if (manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err)) {
+        if (manifest_unpack(bytes, size, &m, err, sizeof err)) {
             good++;
             manifest_pack(&m, again);
-            assert_memory_equal(bytes, again, sizeof bytes);
+            assert_memory_equal(bytes, again, size);
         } else {
             assert_string_not_equal(err, "");
         }
@@ -673,7 +694,8 @@ int main(void)
         cmocka_unit_test(test_art_errors), cmocka_unit_test(test_not_a_manifest),
         cmocka_unit_test(test_bombs),      cmocka_unit_test(test_many_sprites),
         cmocka_unit_test(test_pack),       cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old), cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_unpack_old), cmocka_unit_test(test_format_1), cmocka_unit_test(test_format_3),
+        cmocka_unit_test(test_format_3),
         cmocka_unit_test(test_check),      cmocka_unit_test(test_unpack_mutations),
         cmocka_unit_test(test_sizes),      cmocka_unit_test(test_paths),
     };

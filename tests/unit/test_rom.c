@@ -320,7 +320,7 @@ static void full_init(struct full *f)
 
     memset(f, 0, sizeof *f);
     manifest_default(&f->m);
-    manifest_pack(&f->m, f->manifest);
+    const size_t size = manifest_pack(&f->m, f->manifest);
     f->palette[3] = 0xaa;
     f->font[64] = 15;
     bytes_put16(g, 5); /* w h pitch ox oy frames every rotations bank */
@@ -339,7 +339,7 @@ static void full_init(struct full *f)
         { "font", f->font, sizeof f->font },
         { "gfx/a", f->gfx, sizeof f->gfx },
         { "gfx/orb", f->gfx, sizeof f->gfx },
-        { "manifest", f->manifest, sizeof f->manifest },
+        { "manifest", f->manifest, (uint32_t)size },
         { "palette/main", f->palette, sizeof f->palette },
         TEXT("script/main.lua", "return 1"),
     };
@@ -491,7 +491,7 @@ static void test_cart_lumps(void **state)
     full_refused(&f, 5, "no lump \"palette/main\"");
     full_refused(&f, 6, "no lump \"script/main.lua\", the entry script");
     f.lumps[4].size = 3;
-    full_refused(&f, -1, "lump \"manifest\": 3 bytes long, expected 5204");
+    full_refused(&f, -1, "lump \"manifest\": 3 bytes long, expected 5212");
     full_init(&f);
     f.m.bullets = 5000000;
     manifest_pack(&f.m, f.manifest);

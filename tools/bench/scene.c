@@ -74,7 +74,7 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
         bool kind = !strncmp(l->name, "gfx/kind", 8);
         if (!strcmp(l->name, "manifest")) {
             cart.m.bullets = want->bullets ? want->bullets : cart.m.bullets;
-            manifest_pack(&cart.m, manifest);
+            l->size = (uint32_t)manifest_pack(&cart.m, manifest);
             l->data = manifest;
         } else if (kind) {
             bool large = want->side && !strcmp(l->name, "gfx/kind1");

@@ -10,8 +10,8 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,     "a bullet", "a shot",  "an enemy",         "a player",          "a sprite",
-    "a task", "a motion", "a group", "a group of shots", "a group of enemies"
+    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
+    "a motion", "a group",  "a group of shots", "a group of enemies", "a laser",  "a group of lasers"
 };
 
 /* Pushes how a value looks in an error. */
@@ -250,12 +250,17 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
     v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
 
+/* By FIRES_. */
+static const char *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" };
+const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
+                                                  &api_fire_beam };
+
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind", "spark kind" };
     static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                              *const layers[] = { "back", "middle", "front" },
-                             *const aligns[] = { "left", "center", "right" }, *const fires[] = { "bullet", "shot" };
+                             *const aligns[] = { "left", "center", "right" };
 
     v->at = at;
     v->given = !lua_isnoneornil(L, at);
@@ -335,7 +340,10 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         check_word(L, entry, p, at, v, aligns, 3);
         break;
     case A_FIRE:
-        check_word(L, entry, p, at, v, fires, 2);
+        check_word(L, entry, p, at, v, fire_words, FIRES);
+        break;
+    case A_LASER_KIND:
+        check_name(L, entry, p, at, v, N_LASER, "laser kind");
         break;
     }
 }
@@ -381,11 +389,17 @@ static const struct api_entry *fires(lua_State *L, const struct api_entry *e, in
     if (!(e->flags & API_FIRE))
         return NULL;
     if (lua_type(L, at) != LUA_TTABLE)
-        return &api_fire[FIRES_BULLETS];
+        return api_fire[FIRES_BULLETS];
     lua_pushliteral(L, "fire");
-    bool shots = lua_rawget(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
+    const char *word = lua_rawget(L, at) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    int found = FIRES_BULLETS;
+    for (int k = 0; k < FIRES; k++)
+        if (!strcmp(word, fire_words[k]))
+            found = k;
     lua_pop(L, 1);
-    return &api_fire[shots ? FIRES_SHOTS : FIRES_BULLETS];
+    if (found >= FIRES_BOLTS && !vm_board(L)->lasers.s.cap)
+        api_error(L, e->name, "fire: %s", NO_LASERS);
+    return api_fire[found];
 }
 
 /* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
@@ -410,7 +424,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
 
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
-    if (fire == &api_fire[FIRES_BULLETS] && param_named(&api_fire[FIRES_SHOTS], NULL, name) >= 0)
+    if (fire == api_fire[FIRES_BULLETS] && param_named(api_fire[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
     for (int i = e->plain; i < api_param_count(e, fire); i++)
         api_suggest_nearer(name, api_param_at(e, fire, i)->name, &best, &found);

@@ -9,7 +9,8 @@ static const char methods_key[HANDLES] = { 0 }; /* registry: a table of methods 
 
 void api_push_methods(lua_State *L, int kind)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]) != LUA_TTABLE)
+        vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
 }
 
 static const struct api_prop *prop_named(const struct api_thing *t, const char *name, int *index)
@@ -92,6 +93,9 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
     case H_SHOT:
     case H_SHOTS:
         return &b->shots.s;
+    case H_LASER:
+    case H_LASERS:
+        return &b->laser_heads.s;
     default:
         return &b->enemies.s;
     }
@@ -146,7 +150,9 @@ static const struct {
     unsigned of; /* kinds of handles */
     int group;   /* of columns */
 } switched[] = {
-    { "frozen", 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES,
+    { "frozen",
+      1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES | 1 << H_LASER |
+          1 << H_LASERS,
       GROUP_FROZEN },
 };
 
@@ -248,6 +254,8 @@ static int set_property(lua_State *L)
 void api_open_handles(lua_State *L)
 {
     for (int i = 0; i < HANDLES; i++) {
+        if ((i == H_LASER || i == H_LASERS) && !vm_board(L)->lasers.s.cap)
+            continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[i]);
     }

@@ -34,7 +34,8 @@ static const char *type_words(const struct api_param *p)
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle or front",
         [A_ALIGN] = "left, center or right",
-        [A_FIRE] = "bullet or shot",
+        [A_FIRE] = "bullet, shot, bolt, curve or beam",
+        [A_LASER_KIND] = "name of a laser kind",
     };
 
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];

@@ -15,6 +15,8 @@ void api_open_names(lua_State *L)
 
     memset(b->names, 0, sizeof b->names);
     for (int i = 0; i < NAME_LISTS; i++) {
+        if (i == N_LASER && !b->lasers.s.cap)
+            continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
     }
@@ -42,8 +44,8 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
 
 void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
-    static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark",
-                                                   "motion", "tag",  "value", "value",  "value" };
+    static const char *const nouns[NAME_LISTS] = { "bullet", "shot",  "enemy", "player", "spark", "motion",
+                                                   "tag",    "value", "value", "value",  "laser" };
 
     if (api_names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);

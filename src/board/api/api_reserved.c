@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser item option bomb game talk say choose bg screen sound music unlock test" },
+    { "", '.', "item option bomb game talk say choose bg screen sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start take bomb continue" },
@@ -21,7 +21,7 @@ static const struct {
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bg bonus_to clear cut_in down drops last music safe talk" },
-    { "bullet.clear", '{', "items lasers" },
+    { "bullet.clear", '{', "items" },
     { "bullet.def", '{', "drops" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },

@@ -1,7 +1,8 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     back sprites, enemies, shots, middle sprites, players, bullets, sparks, front sprites, text
+ *     back sprites, enemies, shots, players' lasers, middle sprites, players, bullets, lasers, sparks, front sprites,
+ *     text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -118,9 +119,11 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     draw_sprites(&c, LAYER_BACK);
     draw_enemies(&c);
     video_bullets(&c, &b->shots, &b->shot_kinds);
+    video_lasers(&c, true);
     draw_sprites(&c, LAYER_MIDDLE);
     draw_players(&c);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
+    video_lasers(&c, false);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
     draw_text(&c);

@@ -11,11 +11,19 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../chips/enemies.h"
+#include "../../chips/lasers.h"
 #include "../../chips/motion.h"
 #include "../../chips/nvram.h"
 
-/* The first word of the lump. A lump of format 1, which core versions to 4 wrote, has the first numbers alone. */
-enum { FORMAT = 2, NUMBERS_1 = 17, BYTES_1 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_1) };
+/* The first word of the lump. One of format 1, which core versions to 4 wrote, has the first numbers alone; one of
+ * format 2 has not the last, which are then as by default: a game that does not use them has the lump it always had. */
+enum {
+    FORMAT = 3,
+    NUMBERS_1 = 17,
+    NUMBERS_2 = 24,
+    BYTES_1 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_1),
+    BYTES_2 = MANIFEST_BYTES - 4 * (MANIFEST_NUMBERS - NUMBERS_2)
+};
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -53,6 +61,8 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.around", around),
     FLAG("board.frozen", frozen),
     NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
+    NUMBER("board.lasers", lasers, 0, MAX_LASERS),
+    NUMBER("board.curve_points", curve_points, 0, 1 << 20),
 };
 
 void manifest_default(struct manifest *m)
@@ -324,16 +334,26 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
         walk_dip(w, &m->dips[i]);
     walk_32(w, &m->n_dips);
     if (format > 1)
-        walk_numbers(w, m, NUMBERS_1, MANIFEST_NUMBERS);
+        walk_numbers(w, m, NUMBERS_1, NUMBERS_2);
+    if (format > 2)
+        walk_numbers(w, m, NUMBERS_2, MANIFEST_NUMBERS);
 }
 
-void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
+/* Are the numbers that format 2 has not as by default? */
+static bool fits_format_2(const struct manifest *m)
+{
+    return m->lasers == 0 && m->curve_points == 0;
+}
+
+size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 {
     struct manifest copy = *m;
     struct walk w = { out, NULL, true };
+    const bool old = fits_format_2(m);
 
-    walk_manifest(&w, &copy, FORMAT);
-    assert(w.out == out + MANIFEST_BYTES);
+    walk_manifest(&w, &copy, old ? 2 : FORMAT);
+    assert(w.out == out + (old ? (int)BYTES_2 : (int)MANIFEST_BYTES));
+    return (size_t)(w.out - out);
 }
 
 static bool unused_dips_zero(const struct manifest *m)
@@ -351,12 +371,12 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
 {
     struct walk w = { NULL, data, true };
 
-    if (size != MANIFEST_BYTES && size != BYTES_1)
+    if (size != MANIFEST_BYTES && size != BYTES_2 && size != BYTES_1)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_KIB; /* of format 1 */
-    walk_manifest(&w, m, size == BYTES_1 ? 1 : FORMAT);
-    if (!w.good)
+    walk_manifest(&w, m, size == BYTES_1 ? 1 : size == BYTES_2 ? 2 : FORMAT);
+    if (!w.good || (size == MANIFEST_BYTES && fits_format_2(m)))
         return err_set(err, err_size, "its format is not known");
     if (!manifest_check(m, err, err_size))
         return false;

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5204,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5212,  /* the lump's most, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -43,6 +43,7 @@ struct manifest {
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* numbers of its own that each has room for */
     int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
+    int32_t lasers, curve_points; /* capacities; points: of all curves together, in pieces of 32 */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -106,7 +107,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 24 };
+enum { MANIFEST_NUMBERS = 26 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */
@@ -115,9 +116,9 @@ void manifest_default(struct manifest *m);
 /* Is every field in range? False and one sentence ("board.bullets: ...") else. */
 bool manifest_check(const struct manifest *m, char *err, size_t err_size);
 
-/* The lump and back. unpack refuses what is not exactly a lump that manifest_pack makes, or once made, of a manifest in
+/* The lump and back; pack returns its size, which depends on what the game asks for. unpack refuses what is not exactly a lump that manifest_pack makes, or once made, of a manifest in
  * range. */
-void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
+size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua. file is its name for messages, folder the id's default (other characters become _). work

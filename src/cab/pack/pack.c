@@ -140,8 +140,7 @@ static bool add_manifest(struct packer *p)
 {
     uint8_t bytes[MANIFEST_BYTES];
 
-    manifest_pack(&p->m, bytes);
-    return add_copy(p, "", "manifest", bytes, sizeof bytes);
+    return add_copy(p, "", "manifest", bytes, manifest_pack(&p->m, bytes));
 }
 
 /* A picture of the folder into *out (free rgba). */

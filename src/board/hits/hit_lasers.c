@@ -1,0 +1,131 @@
+/*
+ * hit_lasers.c - lasers against players, and players' lasers against enemies. See hit_parts.h.
+ *
+ * A laser's shape is what is drawn of it, but for the share of its width that its kind gives: all that is within half of
+ * that of its line. A piece of the line, and the player, move within the frame, the piece's ends each for itself
+ * (geom_swept_bar).
+ */
+#include "hit_parts.h"
+#include "../lasers_run.h"
+
+/* How far from its line it hits now; below 0: it hits nothing. */
+static int64_t reach_of(const struct board *b, uint32_t i)
+{
+    const struct lasers *l = &b->lasers;
+    const fx share = b->laser_kinds.share[b->laser_heads.kind[i]];
+    const uint32_t age = lasers_age(b, i);
+    const enum laser_state s = lasers_state_of(b, i, age);
+
+    if (share < 0 || s == LASER_WARN || s == LASER_FADE)
+        return -1;
+    return fx_mul(lasers_width(l, i, age) / 2, share);
+}
+
+/* The piece of line k seen from what was at (x, y) before it moved by (mx, my). */
+static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
+                                int64_t my)
+{
+    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
+    fx ax, ay, bx, by, cx, cy, dx, dy;
+
+    lasers_corner_was(b, i, k, &ax, &ay);
+    lasers_corner_was(b, i, next, &bx, &by);
+    lasers_corner(b, i, k, &cx, &cy);
+    lasers_corner(b, i, next, &dx, &dy);
+    return (struct geom_bar){ ax - x, ay - y, (int64_t)cx - ax - mx, (int64_t)cy - ay - my,
+                              bx - x, by - y, (int64_t)dx - bx - mx, (int64_t)dy - by - my };
+}
+
+bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
+{
+    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+
+    for (uint32_t k = 0; k < last; k++) {
+        struct geom_bar bar = piece_of(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
+        if (geom_swept_bar(&bar, reach + c->a))
+            return true;
+    }
+    return false;
+}
+
+/* A box, or a capsule, where both are at the frame's end. */
+static bool touches_where_it_is(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
+{
+    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+    fx ax, ay, bx, by;
+
+    for (uint32_t k = 0; k < last; k++) {
+        lasers_corner(b, i, k, &ax, &ay);
+        lasers_corner(b, i, k + 1 < n ? k + 1 : k, &bx, &by);
+        const int64_t dx = (int64_t)ax - e->x, dy = (int64_t)ay - e->y, wx = (int64_t)bx - ax, wy = (int64_t)by - ay;
+        const int64_t hx = e->b, hy = e->c;
+        const struct geom_bar bar = {
+            dx + hx, dy + hy, -2 * hx, -2 * hy, dx + wx + hx, dy + wy + hy, -2 * hx, -2 * hy
+        };
+        if (e->shape == SHAPE_BOX ? geom_swept_circle_box(dx, dy, wx, wy, reach, e->a, e->b)
+                                  : geom_swept_bar(&bar, reach + e->a))
+            return true;
+    }
+    return false;
+}
+
+bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe)
+{
+    const int64_t reach = reach_of(b, i);
+    struct body piece[SHAPE_PARTS];
+    const uint32_t n = hit_enemy_pieces(b, foe, piece);
+
+    for (uint32_t k = 0; k < n && reach >= 0; k++) {
+        if (piece[k].shape == SHAPE_NONE)
+            continue;
+        if (piece[k].shape == SHAPE_CIRCLE ? hit_laser_circle(b, i, &piece[k], reach)
+                                           : touches_where_it_is(b, i, &piece[k], reach))
+            return true;
+    }
+    return false;
+}
+
+/* A laser that hits does not graze too. */
+static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_t i)
+{
+    const struct laser_kinds *k = &b->laser_kinds;
+    const uint16_t kind = b->laser_heads.kind[i];
+    const int64_t reach = reach_of(b, i), laser = board_handle(b, H_LASER, (int32_t)i);
+    struct body ring = *c;
+
+    if (reach < 0 || k->flags[kind] & LASER_SHOOTS)
+        return;
+    b->counts.tested++;
+    if (hit_laser_circle(b, i, c, reach)) {
+        b->counts.hit++;
+        board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), laser);
+        return;
+    }
+    ring.a = b->player_kinds.graze[b->player.kind[p]];
+    if (!k->graze[kind] || b->core.clock < b->lasers.again[i * PADS + p] || !hit_laser_circle(b, i, &ring, reach))
+        return;
+    b->counts.grazed++;
+    board_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), laser);
+}
+
+void hit_lasers(struct board *b, uint32_t p, const struct body *c)
+{
+    EACH_LIVE (i, &b->lasers.s)
+        raise_hit(b, p, c, i);
+}
+
+static bool touches_any(const struct board *b, uint32_t i)
+{
+    EACH_LIVE (e, &b->enemies.s)
+        if (!(b->enemies.flags[e] & ENEMY_DYING) && hit_laser_enemy(b, i, e))
+            return true;
+    return false;
+}
+
+void hit_lasers_shoot(struct board *b)
+{
+    EACH_LIVE (i, &b->lasers.s)
+        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS && b->core.clock >= b->lasers.again[i * PADS] &&
+            touches_any(b, i))
+            board_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
+}
