@@ -96,7 +96,7 @@ static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int r
 
     if (b->s->dashed && (px & 4))
         return;
-    if (b->image->w > 1)
+    if (b->image->w > 1 && !b->s->dashed)
         px = (px % b->image->w + b->image->w) % b->image->w;
     else
         px = 0;

@@ -2,6 +2,7 @@
 require "kinds"
 require "glow"
 require "looks"
+require "rays"
 local try = require "try"
 
 stage.def("try", function()

@@ -1,8 +1,8 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
   title = "Sandbox", author = "The Curtain authors",
-  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true }, -- room for all that
-  -- chapters 3 and 4 show
+  board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true, -- room for all that
+    lasers = 64, curve_points = 4096 },                                                          -- the chapters show
   palette = "art/palette.png", font = "art/font.png",
   blends = { glow = "add", ghost = { mix = 50 } },
   sheets = {
@@ -23,6 +23,9 @@ return {
     glint = { sheet = "sparks",  x = 0,   y = 0,   w = 12, h = 12, frames = 4, every = 4 },
     halo  = { sheet = "sparks",  x = 0,   y = 16,  w = 48, h = 48, frames = 4, every = 5 },
     lamp  = { sheet = "glow",    x = 0,   y = 0,   w = 128, h = 128 },
+    ray   = { sheet = "glow",    x = 128, y = 32,  w = 1,   h = 16 },
+    shine = { sheet = "glow",    x = 132, y = 32,  w = 4,   h = 24 },
+    scale = { sheet = "glow",    x = 136, y = 32,  w = 16,  h = 12 },
     ember = { sheet = "glow",    x = 128, y = 0,   w = 24, h = 24 },
     ship  = { sheet = "heron",   x = 0,   y = 0,   w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },
     wisp  = { sheet = "enemies", x = 0,   y = 0,   w = 20, h = 22, frames = 4, every = 5 },

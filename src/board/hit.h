@@ -35,6 +35,9 @@ void hit_queries(struct board *b, struct bullets_query query[PADS]);
 /* Can a shot of this frame hit a bullet? Then what leaves the field must be held by the moves. */
 bool hit_solid_possible(const struct board *b);
 
+/* How far from its line laser i hits at that age; below 0: it hits nothing. */
+fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age);
+
 /* Does laser i, as it is now, touch that enemy in this frame? */
 bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe);
 

@@ -274,7 +274,8 @@ static bool move(struct board *b, const struct motion_world *w, uint32_t i)
         return false;
     else if (!fly(b, w, i, age))
         return false;
-    if (age == 0 || !dangerous(b, i, age - 1) || jumped(l, h, i))
+    const bool comes = l->form[i] == LASER_BEAM && (age == 0 || !dangerous(b, i, age - 1));
+    if (comes || jumped(l, h, i))
         l->flags[i] |= LASER_STILL;
     return true;
 }

@@ -40,6 +40,10 @@ static const struct home homes[] = {
     HOME("nvram", "chips/nvram.h", nvram),
     HOME("sparks", "chips/sparks.h", sparks),
     HOME("spark_kinds", "chips/sparks.h", spark_kinds),
+    HOME("lasers", "chips/lasers.h", lasers),
+    HOME("laser_heads", "chips/bullets.h", bullets),
+    HOME("laser_kinds", "chips/lasers.h", laser_kinds),
+    HOME("laser_points", "chips/lasers.h", laser_points),
 };
 
 /* A file without its comments. */

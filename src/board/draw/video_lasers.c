@@ -43,6 +43,7 @@ static int32_t on_surface(fx v, int corner)
     return (int32_t)(at > most ? most : at < -most ? -most : at);
 }
 
+/* The strip's picture looks where a beam points and where the others fly. */
 static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool dashed)
 {
     const struct laser_kinds *k = &c->b->laser_kinds;
@@ -61,7 +62,8 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
     for (uint32_t p = 0; p < n; p++) {
         fx x, y;
         lasers_corner(c->b, i, p, &x, &y);
-        corner[p] = (struct strip_corner){ on_surface(x, c->x), on_surface(y, c->y) };
+        corner[c->b->lasers.form[i] == LASER_BEAM ? p : n - 1 - p] =
+            (struct strip_corner){ on_surface(x, c->x), on_surface(y, c->y) };
     }
     strip_draw(c->fb, &s, corner, (int)n);
     c->drawn++;

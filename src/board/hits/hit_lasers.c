@@ -8,17 +8,20 @@
 #include "hit_parts.h"
 #include "../lasers_run.h"
 
-/* How far from its line it hits now; below 0: it hits nothing. */
-static int64_t reach_of(const struct board *b, uint32_t i)
+fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age)
 {
     const struct lasers *l = &b->lasers;
     const fx share = b->laser_kinds.share[b->laser_heads.kind[i]];
-    const uint32_t age = lasers_age(b, i);
     const enum laser_state s = lasers_state_of(b, i, age);
 
     if (share < 0 || s == LASER_WARN || s == LASER_FADE)
         return -1;
     return fx_mul(lasers_width(l, i, age) / 2, share);
+}
+
+static int64_t reach_of(const struct board *b, uint32_t i)
+{
+    return hit_laser_reach(b, i, lasers_age(b, i));
 }
 
 /* The piece of line k seen from what was at (x, y) before it moved by (mx, my). */
