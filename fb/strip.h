@@ -3,7 +3,7 @@
  * floor: fb
  *
  * Whole numbers alone, so every host draws the same pixels. No pixel is drawn twice where two pieces of the line meet
- * (but where they turn back, at more than a right angle), so blended strips show no seams.
+ * (but where they meet at more than half a right angle), so blended strips show no seams.
  */
 #ifndef FB_STRIP_H
 #define FB_STRIP_H
@@ -28,7 +28,8 @@ struct strip_corner {
 
 enum { STRIP_CORNERS = 512 };
 
-/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped. What is within half the width of the line is drawn. */
+/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped. What is within half the width of the line is drawn,
+ * and the corners outside of its bends. */
 void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner *corner, int n);
 
 #endif

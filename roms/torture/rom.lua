@@ -4,7 +4,8 @@ return {
   title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },
   board = { bullets = 200, shots = 40, enemies = 24, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
-            values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true },
+            values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
+            lasers = 12, curve_points = 128 },
   palette = "art/palette.png", font = "art/font.png",
   sheets = { card = { file = "art/card.png", bank = 0 } },
   sprites = {

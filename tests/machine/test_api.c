@@ -20,6 +20,9 @@ static const char world[] =
     "wait(9) end })\n"
     "value.def('heat', { start = 2 }) value.def('goal') value.def('mood', { of = 'enemy' })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
+    "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 }, vanish = 'glow' })\n"
+    "laser.def('lance', { strip = 'wink', width = 3, hit = { share = 0.5 }, damage = 2, head = 'arrow', blend = 'glow' "
+    "})\n"
     "local sys = string.sys\n"
     "string.route = path.def { { x = 1, y = 2 }, { x = 100, y = 90, over = 2, ease = 'both' } }\n"
     "string.tables = { values = { normal = 1 }, list = { { x = 1, y = 2 }, { x = 9, y = 9, over = 3 } }, spots = { { "
@@ -53,6 +56,10 @@ static const char world[] =
     "  t[#t + 1] = enemy.spawn { kind = i == 1 and 'brief' or 'foe', x = 20 + 9 * i, y = 20, tag = 't' }\n"
     "  t[#t + 1] = sprite.put { sprite = 'wink', x = i, y = i }\n"
     "  t[#t + 1] = task.go(function() wait(forever) end)\n"
+    "  t[#t + 1] = laser.beam { kind = i == 1 and 'lance' or 'ray', x = 9, y = 8 * i, length = 50, hold = 90, tag = "
+    "'t' }\n"
+    "  t[#t + 1] = laser.bolt { kind = 'ray', x = 90, y = 30 * i, speed = 0.25, length = 20, motion = 'm' }\n"
+    "  t[#t + 1] = i == 2 and laser.curve { kind = 'ray', x = 90, y = 60, speed = 1, points = 6 } or laser.group('t')\n"
     "  t[#t + 1] = player.get(i % 2 + 1)\n"
     "  t[#t + 1] = motion.def { { wait = i } }\n"
     "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
@@ -272,9 +279,9 @@ static void push_ranged(lua_State *L, const struct api_param *p, bool whole)
         lua_pushnumber(L, v);
 }
 
-static void push_hit(lua_State *L)
+static void push_hit(lua_State *L, bool share)
 {
-    const struct api_param p = { "hit", A_FX, REQ, 0, MAX_SPEED, NULL, NULL };
+    const struct api_param p = { "hit", A_FX, REQ, 0, share ? 1 : MAX_SPEED, NULL, NULL };
 
     if (one_in(4)) {
         lua_pushliteral(L, "none");
@@ -282,8 +289,8 @@ static void push_hit(lua_State *L)
     }
     lua_newtable(L);
     push_ranged(L, &p, false);
-    if (one_in(2)) {
-        lua_setfield(L, -2, "circle");
+    if (share || one_in(2)) {
+        lua_setfield(L, -2, share ? "share" : "circle");
         return;
     }
     lua_newtable(L);
@@ -308,8 +315,9 @@ static void push_value(lua_State *L, const struct api_param *p)
                              *const layers[] = { "back", "middle", "front" },
                              *const aligns[] = { "left", "center", "right" },
                              *const bullets[] = { "dot", "slab", "air" }, *const foes[] = { "foe", "brief" },
-                             *const sprites[] = { "dot", "arrow", "wink" }, *const fires[] = { "bullet", "shot" },
-                             *const pools[] = { "bullet", "shot", "enemy" };
+                             *const sprites[] = { "dot", "arrow", "wink" },
+                             *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" },
+                             *const lasers[] = { "ray", "lance" }, *const pools[] = { "bullet", "shot", "enemy" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -376,7 +384,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_thing(L, (unsigned)p->lo);
         break;
     case A_HIT:
-        push_hit(L);
+        push_hit(L, entry && !strcmp(entry->name, "laser.def"));
         break;
     case A_MOTION:
         if (one_in(3))
@@ -431,7 +439,10 @@ static void push_value(lua_State *L, const struct api_param *p)
         }
         break;
     case A_FIRE:
-        push_from(L, fires, 2);
+        push_from(L, fires, 5);
+        break;
+    case A_LASER_KIND:
+        push_from(L, lasers, 2);
         break;
     }
 }
@@ -918,6 +929,8 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
+    m.lasers = 12;
+    m.curve_points = 512;
     m.frozen = 1;
     rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
     rig_blends(&g);

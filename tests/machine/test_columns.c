@@ -336,16 +336,20 @@ static const char scene[] =
     "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = 2 } })\n"
     "spark.def('glow', { sprite = 'dot', life = 500 })\n"
+    "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 } })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
     "stage.def('s', function()\n"
     "  for i = 1, 20 do\n"
     "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"
     "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"
     "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"
+    "    local l = laser.beam { kind = 'ray', follow = e, length = 9, hold = 300, tag = 't' }\n"
+    "    local c = laser.curve { kind = 'ray', x = 50 + i, y = 60, speed = 0.5, motion = 'm', points = 40 }\n"
     "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"
     "    e:move { x = 100, y = 100, over = 100 }\n"
     "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"
-    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() end wait(i) "
+    "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() c:remove() end "
+    "wait(i) "
     "end)\n"
     "  end\n"
     "  text.put { col = 1, row = 1, text = 'words' }\n"
@@ -369,6 +373,8 @@ static void test_flips(void **state)
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
     m.hp = m.around = m.frozen = 1;
+    m.lasers = 128;
+    m.curve_points = 4096;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
@@ -394,13 +400,16 @@ static void test_flips(void **state)
 /* Columns of a group that the manifest does not ask for take no RAM. */
 static void test_groups(void **state)
 {
-    struct manifest m = rig_manifest(), all = m;
+    struct manifest m = rig_manifest(), all;
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game few, many;
     struct rig a, b;
     int there = 0;
 
     (void)state;
+    m.lasers = 128;
+    m.curve_points = 4096;
+    all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
     all.hp = all.around = all.frozen = 1;
     rig_script(&few, &m, scene);
@@ -433,18 +442,23 @@ static void test_groups(void **state)
 /* Derived columns are what they say: spoiling those that a frame rewrites changes no frame after. */
 static void test_derived(void **state)
 {
+    struct manifest m = rig_manifest();
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game g;
     struct rig a, b;
 
     (void)state;
-    rig_script(&g, NULL, scene);
+    m.lasers = 128;
+    m.curve_points = 4096;
+    rig_script(&g, &m, scene);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);
     for (int f = 0; f < 120; f++) {
         rig_run(&a, 1);
         b.b->bullets.moved = 77;
         b.b->shots.moved = 99;
+        b.b->laser_heads.moved = 11;
+        b.b->laser_heads.ran = 12;
         for (int p = 0; p < PADS; p++)
             b.b->player.was_x[p] = b.b->player.was_y[p] = (fx)(f * 65536);
         assert_int_equal(b.b->tasks.current, NO_SLOT);
