@@ -131,6 +131,24 @@ void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
     slots_trim(&l->s);
 }
 
+/* A ring that is not full has its points in the first entries. */
+void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box)
+{
+    fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;
+
+    for (uint32_t at = 0; at < l->count[i]; at += LASER_PIECE) {
+        const uint32_t first = l->piece[i * LASER_PIECES + at / LASER_PIECE] * (uint32_t)LASER_PIECE;
+        const uint32_t n = l->count[i] - at < LASER_PIECE ? l->count[i] - at : LASER_PIECE;
+        for (uint32_t k = first; k < first + n; k++) {
+            x0 = fx_min(x0, p->x[k]);
+            x1 = fx_max(x1, p->x[k]);
+            y0 = fx_min(y0, p->y[k]);
+            y1 = fx_max(y1, p->y[k]);
+        }
+    }
+    *box = (struct box){ x0, y0, x1, y1 };
+}
+
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y)
 {
     lasers_point(l, p, i, l->count[i] - 1u, &l->x0[i], &l->y0[i]);

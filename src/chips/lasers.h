@@ -116,6 +116,9 @@ static inline void lasers_point(const struct lasers *l, const struct laser_point
     *y = p->y[entry];
 }
 
+/* The least box round a curve's points, and round the one that it had before them. */
+void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box);
+
 /* Its head is at (x, y) now. */
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y);
 

@@ -24,6 +24,57 @@ static int64_t reach_of(const struct board *b, uint32_t i)
     return hit_laser_reach(b, i, lasers_age(b, i));
 }
 
+/* Where what moves from c's place of before to its present one may touch something within `reach` of its edge. */
+static struct box way_of(const struct body *c, int64_t reach)
+{
+    const int64_t far = reach + c->a;
+    const fx was_x = fx_sub(c->x, c->mx), was_y = fx_sub(c->y, c->my);
+
+    return (struct box){ fx_sat(fx_min(c->x, was_x) - far), fx_sat(fx_min(c->y, was_y) - far),
+                         fx_sat(fx_max(c->x, was_x) + far), fx_sat(fx_max(c->y, was_y) + far) };
+}
+
+struct spot {
+    fx x, y;
+};
+
+/* Are all of them beyond the same side of the box? Then so is all that lies between them. */
+static bool beyond(const struct box *w, const struct spot *p, int n)
+{
+    int left = 0, right = 0, above = 0, below = 0;
+
+    for (int k = 0; k < n; k++) {
+        left += p[k].x < w->x0;
+        right += p[k].x > w->x1;
+        above += p[k].y < w->y0;
+        below += p[k].y > w->y1;
+    }
+    return left == n || right == n || above == n || below == n;
+}
+
+/* Can a curve be near? By the box round all its points, and the one that has just gone. */
+static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w)
+{
+    struct box box;
+
+    lasers_box(&b->lasers, &b->laser_points, i, &box);
+    return box.x0 <= w->x1 && box.x1 >= w->x0 && box.y0 <= w->y1 && box.y1 >= w->y0;
+}
+
+static bool piece_is_near(const struct board *b, uint32_t i, uint32_t k, const struct box *w)
+{
+    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
+    struct spot p[4];
+
+    lasers_corner(b, i, k, &p[0].x, &p[0].y);
+    lasers_corner(b, i, next, &p[1].x, &p[1].y);
+    lasers_corner_was(b, i, next, &p[2].x, &p[2].y);
+    if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_STILL))
+        return !beyond(w, p, 3); /* it comes from where the next one was */
+    lasers_corner_was(b, i, k, &p[3].x, &p[3].y);
+    return !beyond(w, p, 4);
+}
+
 /* The piece of line k seen from what was at (x, y) before it moved by (mx, my). */
 static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
                                 int64_t my)
@@ -42,8 +93,13 @@ static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, i
 bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
 {
     const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+    const struct box way = way_of(c, reach);
 
+    if (b->lasers.form[i] == LASER_CURVE && !curve_is_near(b, i, &way))
+        return false;
     for (uint32_t k = 0; k < last; k++) {
+        if (!piece_is_near(b, i, k, &way))
+            continue;
         struct geom_bar bar = piece_of(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
         if (geom_swept_bar(&bar, reach + c->a))
             return true;
