@@ -37,33 +37,63 @@ struct brush {
     bool plain;               /* it is one, opaque and not dashed */
 };
 
-/* The edge through (x, y) that keeps what lies in the direction n, from the row `row` on. */
-static struct edge edge_at(int32_t x, int32_t y, struct unit n, int row)
-{
-    struct edge e = { .level = n.x == 0, .right = n.x == 0 ? n.y > 0 : n.x > 0, .y = y };
-    int64_t down = (int64_t)row * FX_ONE + HALF - y;
+/* Which way an edge runs that keeps what lies in the direction n. */
+struct slope {
+    struct unit n;
+    int64_t step;
+};
 
-    if (e.level)
-        return e;
-    e.step = -(int64_t)n.y * FX_ONE / n.x;
-    e.x = x + (e.step * down >> 16);
-    return e;
+static struct slope slope_of(struct unit n)
+{
+    return (struct slope){ n, n.x ? -(int64_t)n.y * FX_ONE / n.x : 0 };
 }
 
-/* Cuts the row's span [*lo, *hi) at the edge, which goes on to the next row. */
-static inline void cut(struct edge *e, int row, int64_t *lo, int64_t *hi)
+/* The edge through (x, y), from the row `row` on. */
+static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
 {
-    if (e->level) {
-        if (((int64_t)row * FX_ONE + HALF >= e->y) != e->right)
-            *hi = *lo;
-        return;
-    }
-    int64_t first = (e->x + HALF - 1) >> 16; /* the first pixel whose middle is not left of it */
-    e->x += e->step;
-    if (e->right)
-        *lo = first > *lo ? first : *lo;
+    const int64_t down = (int64_t)row * FX_ONE + HALF - y;
+
+    return (struct edge){ .x = x + (s->step * down >> 16),
+                          .step = s->step,
+                          .level = s->n.x == 0,
+                          .right = s->n.x == 0 ? s->n.y > 0 : s->n.x > 0,
+                          .y = y };
+}
+
+/* What a piece, or an end, keeps: rows first to last, and of each a span between edges. */
+struct span {
+    int first, last;
+    int64_t lo, hi; /* the clip */
+    struct edge edge[4];
+    int n;
+};
+
+static void cut(struct span *s, struct edge e)
+{
+    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first whose middle is not above it */
+
+    if (!e.level)
+        s->edge[s->n++] = e;
+    else if (e.right)
+        s->first = row > s->first ? row : s->first;
     else
-        *hi = first < *hi ? first : *hi;
+        s->last = row - 1 < s->last ? row - 1 : s->last;
+}
+
+/* The span [*lo, *hi) of a row; the edges go on to the next one. */
+static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
+{
+    *lo = s->lo;
+    *hi = s->hi;
+    for (int k = 0; k < s->n; k++) {
+        struct edge *e = &s->edge[k];
+        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose middle is not left of it */
+        e->x += e->step;
+        if (e->right)
+            *lo = at > *lo ? at : *lo;
+        else
+            *hi = at < *hi ? at : *hi;
+    }
 }
 
 static struct edge other_side(struct edge e)
@@ -80,37 +110,63 @@ static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
         *d = b->s->blend ? b->s->blend[(size_t)*d << 8 | c] : c;
 }
 
-/* The picture's row that lies `across` Q16 px from its first. */
+/* The picture's row, of one in Q32. */
 static inline int row_of(const struct brush *b, int64_t row)
 {
     const int most = b->image->h - 1;
 
-    row >>= 16;
+    row >>= 32;
     return row < 0 ? 0 : row > most ? most : (int)row;
+}
+
+/* v modulo n, 0 to n - 1. */
+static int64_t modulo(int64_t v, int64_t n)
+{
+    v %= n;
+    return v < 0 ? v + n : v;
 }
 
 /* The picture's pixel, `along` Q16 px from the line's beginning. */
 static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int row)
 {
-    int64_t px = along >> 16;
-
-    if (b->s->dashed && (px & 4))
+    if (b->s->dashed && (along >> 16 & 4))
         return;
-    if (b->image->w > 1 && !b->s->dashed)
-        px = (px % b->image->w + b->image->w) % b->image->w;
-    else
-        px = 0;
+    const int64_t px = b->s->dashed ? 0 : modulo(along >> 16, b->image->w);
     put(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
-/* A span of a piece whose picture is one pixel wide and opaque. */
-static inline void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
+/* A span of a piece that is not dashed. */
+static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
+                         int64_t row_step)
 {
-    const int64_t most = (int64_t)b->image->h * FX_ONE - 1;
+    const int64_t all = (int64_t)b->image->w << 32;
+    const uint8_t *pix = b->image->pix;
+    const ptrdiff_t pitch = b->image->pitch;
 
+    along = modulo(along, all);
     for (; n > 0; n--, d++, row += row_step) {
-        int64_t at = row < 0 ? 0 : row > most ? most : row;
-        uint8_t c = b->profile[at >> 16];
+        put(b, d, pix[row_of(b, row) * pitch + (along >> 32)]);
+        along += step; /* no further than a pixel */
+        along -= along >= all ? all : 0;
+        along += along < 0 ? all : 0;
+    }
+}
+
+/* A span of a piece whose picture is one pixel wide and opaque. Only what rounding carries beyond the picture's rows is
+ * brought back pixel by pixel. */
+static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
+{
+    const int64_t most = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
+
+    if ((row | last | (most - row) | (most - last)) >= 0) {
+        for (; n > 0; n--, d++, row += row_step) {
+            uint8_t c = b->profile[row >> 32];
+            *d = c ? c : *d;
+        }
+        return;
+    }
+    for (; n > 0; n--, d++, row += row_step) {
+        uint8_t c = b->profile[row_of(b, row)];
         *d = c ? c : *d;
     }
 }
@@ -121,20 +177,37 @@ struct piece {
     int64_t along; /* Q16 px of the line before it */
 };
 
-static void paint_span(const struct brush *b, const struct piece *p, int y, int lo, int hi)
+/* Where in the picture the first pixel of the clip's row is, Q32, and how that changes by a pixel and by a row. */
+struct place {
+    int64_t row, row_x, row_y; /* across */
+    int64_t along, along_x, along_y;
+};
+
+static struct place place_of(const struct brush *b, const struct piece *p, int y)
 {
-    const int64_t dx = (int64_t)lo * FX_ONE + HALF - p->from.x, dy = (int64_t)y * FX_ONE + HALF - p->from.y;
-    int64_t along = p->along + ((dx * p->dir.x + dy * p->dir.y) >> 16);
-    int64_t row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half) * b->scale >> 16;
-    const int64_t row_step = -(int64_t)p->dir.y * b->scale >> 16;
+    const int64_t dx = (int64_t)b->fb->x0 * FX_ONE + HALF - p->from.x, dy = (int64_t)y * FX_ONE + HALF - p->from.y;
+
+    return (struct place){ .row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half) * b->scale,
+                           .row_x = -p->dir.y * b->scale,
+                           .row_y = p->dir.x * b->scale,
+                           .along = p->along * FX_ONE + dx * p->dir.x + dy * p->dir.y,
+                           .along_x = (int64_t)p->dir.x * FX_ONE,
+                           .along_y = (int64_t)p->dir.y * FX_ONE };
+}
+
+static void paint_span(const struct brush *b, const struct place *at, int y, int lo, int hi)
+{
+    const int from = lo - b->fb->x0;
+    int64_t along = at->along + from * at->along_x, row = at->row + from * at->row_x;
     uint8_t *d = b->fb->pix + (ptrdiff_t)y * b->fb->pitch + lo;
 
-    if (b->plain) {
-        plain_span(b, d, hi - lo, row, row_step);
-        return;
-    }
-    for (int x = lo; x < hi; x++, d++, along += p->dir.x, row += row_step)
-        paint(b, d, along, row_of(b, row));
+    if (b->plain)
+        plain_span(b, d, hi - lo, row, at->row_x);
+    else if (!b->s->dashed)
+        picture_span(b, d, hi - lo, along, at->along_x, row, at->row_x);
+    else
+        for (int x = lo; x < hi; x++, d++, along += at->along_x, row += at->row_x)
+            paint(b, d, along >> 16, row_of(b, row));
 }
 
 /* Rows that may be within `reach` of what lies from y0 to y1, all in Q16 px. */
@@ -146,26 +219,33 @@ static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach
     *last = end < fb->y1 - 1 ? (int)end : fb->y1 - 1;
 }
 
-/* A straight piece to `to`, between its two cuts, each through a corner and keeping what lies in its direction. */
-static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, struct unit begin,
-                       struct unit end)
+/* A straight piece to `to`, between its two cuts, each through a corner and keeping what lies in its direction. A cut
+ * leans by a quarter of a right angle at most, so a piece reaches less than 5/12 of half the width beyond its ends. */
+static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
+                       const struct slope *end)
 {
     const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half >> 16), oy = (int32_t)((int64_t)p->dir.x * b->half >> 16);
-    const struct unit left = { p->dir.y, -p->dir.x }, right = { -p->dir.y, p->dir.x };
+    const struct slope right = slope_of((struct unit){ -p->dir.y, p->dir.x }),
+                       left = { { p->dir.y, -p->dir.x }, right.step };
     int first, last;
 
-    rows_near(b->fb, p->from.y, to.y, (int64_t)b->half * 3 / 2 + FX_ONE, &first, &last);
+    rows_near(b->fb, p->from.y, to.y, (oy < 0 ? -(int64_t)oy : oy) + (ox < 0 ? -(int64_t)ox : ox) * 5 / 12 + FX_ONE,
+              &first, &last);
     if (first > last)
         return;
-    struct edge edges[4] = { edge_at(p->from.x, p->from.y, begin, first), other_side(edge_at(to.x, to.y, end, first)),
-                             edge_at(p->from.x + ox, p->from.y - oy, right, first),
-                             edge_at(p->from.x - ox, p->from.y + oy, left, first) };
-    for (int y = first; y <= last; y++) {
-        int64_t lo = b->fb->x0, hi = b->fb->x1;
-        for (int k = 0; k < 4; k++)
-            cut(&edges[k], y, &lo, &hi);
+    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    cut(&s, edge_at(p->from.x, p->from.y, begin, first));
+    cut(&s, other_side(edge_at(to.x, to.y, end, first)));
+    cut(&s, edge_at(p->from.x + ox, p->from.y - oy, &right, first));
+    cut(&s, edge_at(p->from.x - ox, p->from.y + oy, &left, first));
+    for (int k = 0; k < s.n; k++)
+        s.edge[k].x += s.edge[k].step * (s.first - first);
+    struct place at = place_of(b, p, s.first);
+    for (int y = s.first; y <= s.last; y++, at.row += at.row_y, at.along += at.along_y) {
+        int64_t lo, hi;
+        next_span(&s, &lo, &hi);
         if (lo < hi)
-            paint_span(b, p, y, (int)lo, (int)hi);
+            paint_span(b, &at, y, (int)lo, (int)hi);
     }
 }
 
@@ -179,14 +259,17 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
     rows_near(b->fb, c.y, c.y, b->half, &first, &last);
     if (first > last)
         return;
-    struct edge edge = edge_at(c.x, c.y, dir, first);
-    if (half == BEHIND)
-        edge = other_side(edge);
-    for (int y = first; y <= last; y++) {
+    const struct slope slope = slope_of(dir);
+    const struct edge edge = edge_at(c.x, c.y, &slope, first);
+    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    if (half != WHOLE)
+        cut(&s, half == BEHIND ? other_side(edge) : edge);
+    for (int k = 0; k < s.n; k++)
+        s.edge[k].x += s.edge[k].step * (s.first - first);
+    for (int y = s.first; y <= s.last; y++) {
         const int64_t dy = (int64_t)y * FX_ONE + HALF - c.y, rest = (int64_t)b->half * b->half - dy * dy;
-        int64_t lo = b->fb->x0, hi = b->fb->x1;
-        if (half != WHOLE)
-            cut(&edge, y, &lo, &hi);
+        int64_t lo, hi;
+        next_span(&s, &lo, &hi);
         if (rest < 0)
             continue;
         const int64_t reach = (int64_t)fx_root((uint64_t)rest);
@@ -197,7 +280,7 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
             const int64_t dx = x * FX_ONE + HALF - c.x, far = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
             const bool left = dy * dir.x < dx * dir.y;
             paint(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
-                  row_of(b, (b->half + (left ? -far : far)) * b->scale >> 16));
+                  row_of(b, (b->half + (left ? -far : far)) * b->scale));
         }
     }
 }
@@ -220,7 +303,7 @@ static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
     b->s = s;
     b->image = s->image;
     b->half = s->width / 2;
-    if (b->half < 1 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
+    if (b->half < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
         return false;
     b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half);
     b->plain = s->image->w == 1 && s->image->h <= PROFILE && !s->blend && !s->dashed;
@@ -269,16 +352,21 @@ void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner 
         draw_end(&b, l.corner[0], (struct unit){ FX_ONE, 0 }, p.along, WHOLE);
         return;
     }
-    struct unit begin = l.dir[0], end;
-    draw_end(&b, l.corner[0], begin, p.along, BEHIND);
+    struct slope begin = slope_of(l.dir[0]), end;
+    draw_end(&b, l.corner[0], l.dir[0], p.along, BEHIND);
     for (int k = 0; k + 1 < l.n; k++) {
-        const bool last = k + 2 == l.n, smooth = !last && halved(l.dir[k], l.dir[k + 1], &end);
+        const bool last = k + 2 == l.n;
+        struct unit way;
+        const bool smooth = !last && halved(l.dir[k], l.dir[k + 1], &way);
         p.from = l.corner[k];
         p.dir = l.dir[k];
-        draw_piece(&b, &p, l.corner[k + 1], begin, smooth ? end : p.dir);
+        end = slope_of(smooth ? way : p.dir);
+        draw_piece(&b, &p, l.corner[k + 1], &begin, &end);
         p.along += l.far[k];
-        begin = smooth ? end : last ? p.dir : l.dir[k + 1];
+        begin = smooth || last ? end : slope_of(l.dir[k + 1]);
         if (!smooth)
             draw_end(&b, l.corner[k + 1], p.dir, p.along, AHEAD);
+        if (!smooth && !last)
+            draw_end(&b, l.corner[k + 1], l.dir[k + 1], p.along, BEHIND);
     }
 }

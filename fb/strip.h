@@ -16,9 +16,9 @@ struct strip {
     const struct image *image; /* its rows lie along the line, the first at the left of the way; it repeats along it */
     uint8_t bank;              /* as of blit_sprite */
     const uint8_t *blend;      /* a table as of blit_blended, or NULL: opaque */
-    int32_t width;             /* Q16 px, 0 to 4096 px: the picture's height is stretched to it */
-    uint32_t along;            /* px by which the picture is moved along the line */
-    bool dashed;               /* 4 px on, 4 px off, in the colours of the picture's first column */
+    int32_t width;  /* Q16 px, 0 to 4096 px, below 1/8 nothing is drawn: the picture's height is stretched to it */
+    uint16_t along; /* px by which the picture is moved along the line */
+    bool dashed;    /* 4 px on, 4 px off, in the colours of the picture's first column */
 };
 
 /* A corner: Q16 px on the surface, within +-32000 px. */

@@ -43,6 +43,40 @@ static int32_t on_surface(fx v, int corner)
     return (int32_t)(at > most ? most : at < -most ? -most : at);
 }
 
+enum { RUN = 12, SLACK = 65536 / 4 };
+
+/* Do all corners between two lie within SLACK of the way between them? The larger of dx and dy is no longer than that. */
+static bool is_straight(const struct strip_corner *c, int from, int to)
+{
+    const int64_t dx = (int64_t)c[to].x - c[from].x, dy = (int64_t)c[to].y - c[from].y;
+    const int64_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy, most = (ax > ay ? ax : ay) * SLACK;
+
+    if (ax > 1 << 29 || ay > 1 << 29) /* the products stay below 2^62 */
+        return false;
+    for (int k = from + 1; k < to; k++) {
+        const int64_t ex = (int64_t)c[k].x - c[from].x, ey = (int64_t)c[k].y - c[from].y, out = dx * ey - dy * ex;
+        if (out > most || out < -most || ex * dx + ey * dy < 0)
+            return false;
+    }
+    return true;
+}
+
+/* Leaves out corners of what is nearly straight, and far shorter than the pieces could be drawn: a curve has one for
+ * each frame. Returns how many are left. */
+static uint32_t thin_out(struct strip_corner *c, uint32_t n)
+{
+    uint32_t kept = 0, from = 0;
+
+    while (from + 1 < n) {
+        uint32_t to = from + 1;
+        while (to + 1 < n && to - from < RUN && is_straight(c, (int)from, (int)to + 1))
+            to++;
+        c[++kept] = c[to];
+        from = to;
+    }
+    return kept + 1;
+}
+
 /* The strip's picture looks where a beam points and where the others fly. */
 static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool dashed)
 {
@@ -56,7 +90,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
                              .bank = c->b->laser_heads.bank[i],
                              .blend = blend ? c->b->cart.blend[blend - 1] : NULL,
                              .width = width,
-                             .along = dashed ? UINT32_MAX / 2 + 1 - age / 2 : 0,
+                             .along = dashed ? 8 - age / 2 % 8 : 0,
                              .dashed = dashed };
 
     for (uint32_t p = 0; p < n; p++) {
@@ -65,7 +99,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
         corner[c->b->lasers.form[i] == LASER_BEAM ? p : n - 1 - p] =
             (struct strip_corner){ on_surface(x, c->x), on_surface(y, c->y) };
     }
-    strip_draw(c->fb, &s, corner, (int)n);
+    strip_draw(c->fb, &s, corner, (int)thin_out(corner, n));
     c->drawn++;
 }
 
