@@ -1,9 +1,4 @@
 -- rays.lua - a stage to look at lasers: beams that turn, bolts that bounce, curves that weave, and a player's own.
-laser.def("ray",   { strip = "ray",   width = 12, hit = { share = 0.5 }, vanish = "glint" })
-laser.def("shine", { strip = "shine", width = 18, hit = { share = 0.4 }, blend = "glow", head = "ember" })
-laser.def("scale", { strip = "scale", width = 9,  hit = { share = 0.6 }, vanish = "glint" })
-laser.def("lance", { strip = "ray",   width = 8,  hit = { share = 1 },   damage = 2, bank = 5 })
-
 local weave = motion.def { { wave = 26, every = 70, over = forever } }
 local bank = motion.def { { bounce = 3, walls = "left right" } }
 
