@@ -2,10 +2,10 @@
  * strip.c - see strip.h.
  *
  * Each piece of the line is the part of the plane between four edges: two along it, half the width away, and a cut at
- * either end. Where two pieces meet they share the cut, which halves the angle between them, and every pixel's middle is
- * on one side of it: so they leave no gap and do not overlap. A row of a piece is what its edges leave of the clip; an
- * edge is followed from row to row by one addition. In a piece the picture is found by two steps a pixel, one along the
- * line and one across.
+ * either end. Where two pieces meet they share the cut, which halves the angle between them, and every pixel's middle
+ * is on one side of it: so they leave no gap and do not overlap. A row of a piece is what its edges leave of the clip;
+ * an edge is followed from row to row by one addition. In a piece the picture is found by two steps a pixel, one along
+ * the line and one across.
  */
 #include "strip.h"
 #include <string.h>
@@ -331,8 +331,8 @@ static void take_line(struct line *l, const struct strip_corner *corner, int n)
             l->corner[l->n++] = corner[k];
 }
 
-/* Do two ways meet at half a right angle or less? Then the cut between them halves it, and the corner outside is at most
- * a twelfth further from the line than half the width. */
+/* Do two ways meet at half a right angle or less? Then the cut between them halves it, and the corner outside is at
+ * most a twelfth further from the line than half the width. */
 static bool halved(struct unit a, struct unit b, struct unit *cut_at)
 {
     *cut_at = (struct unit){ a.x + b.x, a.y + b.y };

@@ -285,8 +285,8 @@ static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t 
     return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
 }
 
-/* A player's laser hurts all enemies that it touches, in slot order; a handler may have moved or removed any of them, or
- * the laser. */
+/* A player's laser hurts all enemies that it touches, in slot order; a handler may have moved or removed any of them,
+ * or the laser. */
 static void apply_laser(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t i = handle_slot(e->a);

@@ -4,11 +4,11 @@
  * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then lasers by slot (the same), then enemies by slot;
- * then the shots by slot, each
- * with the enemy it touches, or the bullet that shots can hit: of several, the one that was nearest to it before they
- * moved, and of those an enemy, then the lowest slot; then the players' lasers that touch enemies; then the live bullets by slot, each with the enemy that blocks
- * it, if any does; then the enemies that left the field, by slot. Bullets, shots and enemies that end this frame's move
- * outside of the field and its margin are tested as all others.
+ * then the shots by slot, each with the enemy it touches, or the bullet that shots can hit: of several, the one that
+ * was nearest to it before they moved, and of those an enemy, then the lowest slot; then the players' lasers that
+ * touch enemies; then the live bullets by slot, each with the enemy that blocks it, if any does; then the enemies that
+ * left the field, by slot. Bullets, shots and enemies that end this frame's move outside of the field and its margin
+ * are tested as all others.
  */
 #ifndef BOARD_HIT_H
 #define BOARD_HIT_H

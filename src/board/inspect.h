@@ -28,12 +28,12 @@ struct inspect_body {
         int32_t x, y, r;
     } circle[SHAPE_PARTS];
     int32_t graze; /* radius of a player's graze ring; else 0 */
-    bool spent;    /* a bullet or laser that no player in the game can graze (any more), an enemy whose touch is harmless or that
+    bool spent;    /* a bullet or laser that no player can graze (any more), an enemy whose touch is harmless or that
                       is dying, a player that is safe */
 };
 
-/* Calls each for all bodies, in the order enemies, shots, bullets, lasers, players; each by slot. A laser has a body for
- * each piece of its line. */
+/* Calls each for all bodies, in the order enemies, shots, bullets, lasers, players; each by slot. A laser has a body
+ * for each piece of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
 /* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */

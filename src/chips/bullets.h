@@ -201,8 +201,8 @@ void bullets_release_all(struct bullets *b);
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
                   const struct bullets_query query[PADS], bool hold_all);
 
-/* The same one by one, and nothing leaves: bullets_begin once, then bullets_go_on of each that is live. False: its program
- * has removed it. */
+/* The same one by one, and nothing leaves: bullets_begin once, then bullets_go_on of each that is live. False: its
+ * program has removed it. */
 void bullets_begin(struct bullets *b);
 bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i);
 

@@ -27,10 +27,10 @@ enum {
     LASER_BLEND_ONE = 1 << 2,
 
     /* in the column `flags` */
-    LASER_LEFT = 1 << 0,  /* a curve's head is outside: it stands, and the body follows */
-    LASER_GONE = 1 << 1,  /* it goes at the end of this frame */
-    LASER_STILL = 1 << 2, /* it stands, it jumped, or it is a beam that comes up: this frame it passes nothing */
-    LASER_TURNS = 1 << 3, /* it turns with what it follows */
+    LASER_LEFT = 1 << 0,   /* a curve's head is outside: it stands, and the body follows */
+    LASER_GONE = 1 << 1,   /* it goes at the end of this frame */
+    LASER_STILL = 1 << 2,  /* it stands, it jumped, or it is a beam that comes up: this frame it passes nothing */
+    LASER_TURNS = 1 << 3,  /* it turns with what it follows */
     LASER_TURNED = 1 << 4, /* `followed` is where that one looked */
 
     LASER_PIECE = 32, /* points of a piece */

@@ -1,6 +1,6 @@
 /*
- * test_lasers.c - beams, bolts and curves: what they are frame by frame, whom they hit and when, how they end; and a game
- * that has none.
+ * test_lasers.c - beams, bolts and curves: what they are frame by frame, whom they hit and when, how they end; and a
+ * game that has none.
  */
 #include "../../src/board/api.h"
 #include "../../src/board/lasers_run.h"
@@ -108,8 +108,8 @@ static void test_states(void **state)
     end();
 }
 
-/* It passes what lies between two frames, but not in the first one in which it is dangerous, and not when a script turns
- * it. 10 degrees a frame at 180 px are 31 px. */
+/* It passes what lies between two frames, but not in the first one in which it is dangerous, and not when a script
+ * turns it. 10 degrees a frame at 180 px are 31 px. */
 static void test_spin(void **state)
 {
     int frames = 0;
@@ -226,6 +226,10 @@ static void test_curve(void **state)
         one_frame();
         if (!l()->s.live) {
             assert_true(frame > 60 + 40);
+            x = xs[frame - 39], y = ys[frame - 39]; /* it left with its last point, and not before */
+            assert_true(x < -(64 << 16) || x > 304 << 16 || y < -(64 << 16) || y > 384 << 16);
+            x = xs[frame - 40], y = ys[frame - 40];
+            assert_true(x >= -(64 << 16) && x <= 304 << 16 && y >= -(64 << 16) && y <= 384 << 16);
             assert_int_equal(r.b->laser_points.s.live, 0);
             assert_int_equal(r.b->laser_heads.s.live, 0);
             end();

@@ -1,7 +1,7 @@
 /*
- * test_strip.c - the strip drawer: every pixel that is well within half the width of the line is drawn and none that is
- * well outside, with the picture's row by its distance; no pixel is blended twice at a bend; nothing is drawn outside of
- * the clip. The oracle measures with doubles.
+ * test_strip.c - the strip drawer: every pixel that is well within half the width of the line is drawn and none that
+ * is well outside, with the picture's row by its distance; no pixel is blended twice at a bend; nothing is drawn
+ * outside of the clip. The oracle measures with doubles.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -292,8 +292,8 @@ static inline bool oracle_in_triangle(const int64_t p[2], const int64_t q[2], co
 /*
  * A bar from p[0] to p[1] whose ends go straight to p[3] and p[2], within r of the origin: the four sides, or the
  * origin inside of a triangle of three of the four corners, and not of the one that has the fourth and the same
- * diagonal: a quadrilateral is the two, or where it has a notch or crosses itself, what is in one of them alone. A point
- * on a diagonal is in neither, but seen along the other diagonal.
+ * diagonal: a quadrilateral is the two, or where it has a notch or crosses itself, what is in one of them alone. A
+ * point on a diagonal is in neither, but seen along the other diagonal.
  */
 static inline bool oracle_turned_bar(int64_t p[4][2], int64_t r)
 {

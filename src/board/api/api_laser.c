@@ -1,6 +1,6 @@
 /*
- * api_laser.c - laser: kinds, beams, bolts and curves, their properties and verbs. A game without room for lasers has no
- * table `laser` (api.c).
+ * api_laser.c - laser: kinds, beams, bolts and curves, their properties and verbs. A game without room for lasers has
+ * no table `laser` (api.c).
  */
 #include <string.h>
 #include "../../base/trig.h"

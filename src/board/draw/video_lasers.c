@@ -45,7 +45,7 @@ static int32_t on_surface(fx v, int corner)
 
 enum { RUN = 12, SLACK = 65536 / 4 };
 
-/* Do all corners between two lie within SLACK of the way between them? The larger of dx and dy is no longer than that. */
+/* Do all corners between two lie within SLACK of the way between them? The larger of dx and dy is at most as long. */
 static bool is_straight(const struct strip_corner *c, int from, int to)
 {
     const int64_t dx = (int64_t)c[to].x - c[from].x, dy = (int64_t)c[to].y - c[from].y;

@@ -1,8 +1,8 @@
 /*
  * hit_lasers.c - lasers against players, and players' lasers against enemies. See hit_parts.h.
  *
- * A laser's shape is what is drawn of it, but for the share of its width that its kind gives: all that is within half of
- * that of its line. A piece of the line, and the player, move within the frame, the piece's ends each for itself
+ * A laser's shape is what is drawn of it, but for the share of its width that its kind gives: all that is within half
+ * of that of its line. A piece of the line, and the player, move within the frame, the piece's ends each for itself
  * (geom_swept_bar).
  */
 #include "hit_parts.h"

@@ -42,7 +42,7 @@ struct manifest {
     int32_t margin;                             /* px the keep box is larger than the field on every side */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* numbers of its own that each has room for */
-    int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
+    int32_t hp, around, frozen;   /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
     int32_t lasers, curve_points; /* capacities; points: of all curves together, in pieces of 32 */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
@@ -116,8 +116,8 @@ void manifest_default(struct manifest *m);
 /* Is every field in range? False and one sentence ("board.bullets: ...") else. */
 bool manifest_check(const struct manifest *m, char *err, size_t err_size);
 
-/* The lump and back; pack returns its size, which depends on what the game asks for. unpack refuses what is not exactly a lump that manifest_pack makes, or once made, of a manifest in
- * range. */
+/* The lump and back; pack returns its size, which depends on what the game asks for. unpack refuses what is not
+ * exactly a lump that manifest_pack makes, or once made, of a manifest in range. */
 size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
