@@ -485,11 +485,6 @@ const char *board_part(const struct board *b, int i)
     return machine_parts[i].chip->name;
 }
 
-bool board_has(const struct board *b, int part)
-{
-    return part < PARTS_ALWAYS || ((const struct slots *)chip_at(b, part))->cap > 0;
-}
-
 size_t board_snapshot_size(const struct board *b)
 {
     size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));

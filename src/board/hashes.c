@@ -71,6 +71,8 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
                                                        : N_ENEMY_VALUE;
     struct renamed r = { b, names, visit, context };
 
+    if (!board_has(b, i))
+        return;
     if (chip == &bullets_chip || chip == &shots_chip || chip == &enemies_chip)
         slots_values(chip, chip_at(b, i), visit_renamed, &r);
     else
@@ -82,7 +84,7 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return machine_parts[i].chip->list && board_has(b, i)
+    return machine_parts[i].chip->list
                ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
                : 0;
 }
@@ -92,7 +94,7 @@ size_t board_hash_cache_size(const struct board *b)
     size_t sum = 0, most = 0;
 
     for (int i = 0; i < PARTS; i++) {
-        size_t n = copy_size(b, i);
+        size_t n = board_has(b, i) ? copy_size(b, i) : 0;
         sum += n;
         most = n > most ? n : most;
     }
@@ -117,11 +119,13 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
     uint8_t *copy = cache, *room = copy;
 
     for (int i = 0; i < PARTS; i++)
-        room += copy_size(b, i);
+        if (board_has(b, i))
+            room += copy_size(b, i);
     for (int i = 0; i < PARTS; i++) {
+        hashes[i] = board_has(b, i) ? hashes[i] : 0;
         if (!board_has(b, i))
-            hashes[i] = 0;
-        else if (!machine_parts[i].chip->list || !same(b, i, copy, room))
+            continue;
+        if (!machine_parts[i].chip->list || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

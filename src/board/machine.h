@@ -128,7 +128,10 @@ enum {
 extern const struct part machine_parts[PARTS];
 
 /* Is the part there? What is not has a hash of 0, and no share in the combined one. */
-bool board_has(const struct board *b, int part);
+static inline bool board_has(const struct board *b, int part)
+{
+    return part < PARTS_ALWAYS || ((const struct slots *)((const uint8_t *)b + machine_parts[part].at))->cap > 0;
+}
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
 struct motion_world board_world(const struct board *b, bool shots);

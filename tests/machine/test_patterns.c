@@ -450,7 +450,8 @@ static void test_errors(void **state)
     says(RING "skip = { 1, 65536 } }", PLAIN "a table");
     says(RING "skip = { 5, 2 } }", SPAN "5 is after 2 (did you mean { 2, 5 }?)");
     says(RING "skp = { 1, 2 } }", "main.lua:2: pattern.ring: unknown argument \"skp\" (did you mean \"skip\"?)");
-    says(RING "fire = 'bolt' }", "main.lua:2: pattern.ring: fire: expected bullet or shot, got \"bolt\"");
+    says(RING "fire = 'bomb' }",
+         "main.lua:2: pattern.ring: fire: expected bullet, shot, bolt, curve or beam, got \"bomb\"");
     says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: shot kind \"dot\" is not declared");
     says(RING "by = player.get(1) }",
          "main.lua:2: pattern.ring: by is an argument of shots (did you mean to add fire = \"shot\"?)");

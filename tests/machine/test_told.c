@@ -75,6 +75,8 @@ static void test_read_only(void **state)
     for (int k = 1; k < HANDLES; k++) {
         const struct api_thing *t = api_things[k];
         char text[300], want[200];
+        if (!made[k]) /* lasers, which this game has no room for: test_lasers.c */
+            continue;
         for (int i = -1; i < t->n; i++) {
             const char *name = i < 0 ? "alive" : t->props[i].value.name;
             if (i < 0 ? k == H_MOTION || handle_kind_group((enum handle_kind)k) : t->props[i].write == PROP_WRITE)
@@ -133,8 +135,7 @@ static void test_later(void **state)
     (void)state;
     SAYS("sound.play('x')",
          "main.lua:2: undeclared global \"sound\" (sound is not there yet; the name is kept for it)");
-    SAYS("local f = laser",
-         "main.lua:2: undeclared global \"laser\" (laser is not there yet; the name is kept for it)");
+    SAYS("local f = item", "main.lua:2: undeclared global \"item\" (item is not there yet; the name is kept for it)");
     SAYS("local f = lasr", "main.lua:2: undeclared global \"lasr\"");
     SAYS("board.stop(3)", "main.lua:2: board.stop is not there yet; the name is kept for it");
     SAYS("on.start(print)", "main.lua:2: on.start is not there yet; the name is kept for it");
