@@ -13,22 +13,6 @@
 
 enum { HALF = 32768, PROFILE = 256 };
 
-/* The root of n, cut to a whole number, n < 4 * bit; bit is a power of 4. Doubles would do it sooner, but leave their
- * mark in the processor's flags, which drawing must not. */
-static int64_t root(uint64_t n, uint64_t bit)
-{
-    uint64_t r = 0;
-
-    while (bit > n)
-        bit >>= 2;
-    for (; bit; bit >>= 2) {
-        const uint64_t with = r + bit, fits = 0 - (uint64_t)(n >= with); /* no branch: nothing predicts it */
-        n -= with & fits;
-        r = (r >> 1) + (bit & fits);
-    }
-    return (int64_t)r;
-}
-
 /* A direction of length one, Q16. */
 struct unit {
     int32_t x, y;
@@ -48,7 +32,6 @@ struct brush {
     const struct strip *s;
     const struct image *image;
     int32_t half;             /* of the width */
-    uint64_t most_bit;        /* of root, for what is no further than that, Q8 squared */
     int64_t scale;            /* from px across to rows of the picture, Q16 */
     uint8_t profile[PROFILE]; /* of a picture one pixel wide: its colours, the bank added; 0: none */
     bool plain;               /* it is one, opaque and not dashed */
@@ -289,13 +272,12 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
         next_span(&s, &lo, &hi);
         if (rest < 0)
             continue;
-        const int64_t reach = root((uint64_t)rest >> 16, b->most_bit) * 256;
+        const int64_t reach = (int64_t)fx_root((uint64_t)rest);
         const int64_t x0 = (c.x - reach + HALF - 1) >> 16, x1 = ((c.x + reach - HALF) >> 16) + 1;
         lo = x0 > lo ? x0 : lo;
         hi = x1 < hi ? x1 : hi;
         for (int64_t x = lo; x < hi; x++) {
-            const int64_t dx = x * FX_ONE + HALF - c.x, ex = dx >> 8, ey = dy >> 8;
-            const int64_t far = root((uint64_t)(ex * ex + ey * ey), b->most_bit) * 256;
+            const int64_t dx = x * FX_ONE + HALF - c.x, far = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
             const bool left = dy * dir.x < dx * dir.y;
             paint(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
                   row_of(b, (b->half + (left ? -far : far)) * b->scale));
@@ -308,8 +290,7 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
 static bool direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *far)
 {
     const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
-    const uint64_t n = (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
-    const int64_t d = root(n, (uint64_t)1 << (n >> 32 ? 58 : 30));
+    const int64_t d = (int64_t)fx_root((uint64_t)(dx * dx) + (uint64_t)(dy * dy));
 
     *far = d * 16;
     if (d < FX_ONE / 16 / 4)
@@ -324,8 +305,6 @@ static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
     b->s = s;
     b->image = s->image;
     b->half = s->width / 2;
-    for (b->most_bit = 1; b->most_bit < (uint64_t)(b->half >> 6) * (uint64_t)(b->half >> 6);)
-        b->most_bit <<= 2;
     if (b->half < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
         return false;
     b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half);

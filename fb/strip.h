@@ -2,7 +2,8 @@
  * strip.h - a picture laid along a line of many corners, of any width and direction, with round ends.
  * floor: fb
  *
- * Whole numbers alone, so every host draws the same pixels. No pixel is drawn twice where two pieces of the line meet
+ * Places are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
+ * first guess is a double's: the caller puts the host's settings aside (host.h). No pixel is drawn twice where two pieces of the line meet
  * (but where they meet at more than half a right angle), so blended strips show no seams.
  */
 #ifndef FB_STRIP_H

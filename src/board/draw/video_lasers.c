@@ -2,6 +2,8 @@
  * video_lasers.c - draws lasers: the strip along their line, then pictures at its two ends.
  */
 #include "../../../fb/strip.h"
+#include "../../base/host.h"
+#include "../../base/trig.h"
 #include "../lasers_run.h"
 #include "../video.h"
 
@@ -106,7 +108,11 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
 void video_lasers(struct draw_target *c, bool shoot)
 {
     const struct board *b = c->b;
+    struct host host;
 
+    if (!b->lasers.s.live)
+        return;
+    host_enter(&host); /* roots and angles begin with a guess in doubles */
     EACH_LIVE (i, &b->lasers.s) {
         const uint32_t age = lasers_age_seen(b, i);
         if (!(b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS) == shoot)
@@ -119,4 +125,5 @@ void video_lasers(struct draw_target *c, bool shoot)
         draw_line(c, i, lasers_width(&b->lasers, i, age), false);
         draw_ends(c, i);
     }
+    host_leave(&host);
 }
