@@ -22,7 +22,7 @@ struct strip {
     bool dashed;    /* 4 px on, 4 px off, in the colours of the picture's first column */
 };
 
-/* A corner: Q16 px on the surface, within +-32000 px. */
+/* A corner: Q16 px on the surface, within +-30000 px. */
 struct strip_corner {
     int32_t x, y;
 };

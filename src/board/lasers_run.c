@@ -148,7 +148,7 @@ static bool looks(const struct board *b, int64_t h, ang *dir)
 
 static fx within_world(int64_t v)
 {
-    return (fx)int64_clamp(v, -(int64_t)WORLD << 16, (int64_t)WORLD << 16);
+    return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
 }
 
 /* The beam goes where what it follows is. False: that one is gone. */

@@ -159,7 +159,7 @@ void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, 
 
 static fx within(int64_t v)
 {
-    return (fx)int64_clamp(v, -(int64_t)WORLD << 16, (int64_t)WORLD << 16);
+    return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
 }
 
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy)

@@ -40,7 +40,7 @@ static void draw_ends(struct draw_target *c, uint32_t i)
 
 static int32_t on_surface(fx v, int corner)
 {
-    const int64_t most = 32000 * 65536ll, at = v + (int64_t)corner * 65536;
+    const int64_t most = 30000 * 65536ll, at = v + (int64_t)corner * 65536;
 
     return (int32_t)(at > most ? most : at < -most ? -most : at);
 }
