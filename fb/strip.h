@@ -3,8 +3,8 @@
  * floor: fb
  *
  * Places are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
- * first guess is a double's: the caller puts the host's settings aside (host.h). No pixel is drawn twice where two pieces of the line meet
- * (but where they meet at more than half a right angle), so blended strips show no seams.
+ * first guess is a double's: the caller puts the host's settings aside (host.h). No pixel is drawn twice where two
+ * pieces of the line meet (but where they meet at more than half a right angle), so blended strips show no seams.
  */
 #ifndef FB_STRIP_H
 #define FB_STRIP_H

@@ -124,7 +124,8 @@ task.go(function()
       laser.beam { kind = "ray", follow = mark, dir = i, length = 60, hold = 12, warn = 9, spin = 1.7, tag = "rays" }
       laser.beam { kind = "lance", follow = p, dir = 270, length = 50, hold = 9, warn = 0 }
       laser.bolt { kind = "ray", x = 32, y = 9, aim = true, speed = 2.3, length = 14, motion = "spin" }
-      pattern.fan { fire = "curve", kind = "ray", x = 32, y = 20, n = 2, spread = 50, speed = 1.7, points = 20, motion = "bloom" }
+      pattern.fan { fire = "curve", kind = "ray", x = 32, y = 20, n = 2, spread = 50, speed = 1.7, points = 20,
+        motion = "bloom" }
       laser.group("rays").width = 6.5
       laser.clear { x = 32, y = 60, radius = 9, spark = "pop", every = 5 }
       laser.each(nil, function(l) fold(l.state .. " " .. l.x .. " " .. l.length) if l.age > 70 then l:fade() end end)
