@@ -21,6 +21,7 @@
 #include "../chips/fix.h"
 #include "../chips/input.h"
 #include "../chips/items.h"
+#include "../chips/lasers.h"
 #include "../chips/lines.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
@@ -121,6 +122,10 @@ struct board {
     struct bg bg;
     struct bg_lines bg_lines;
     struct bg_shades bg_shades;
+    struct lasers lasers;
+    struct bullets laser_heads;
+    struct laser_kinds laser_kinds;
+    struct laser_points laser_points;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -129,7 +134,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 26,
+    PARTS = 30,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];
