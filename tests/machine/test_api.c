@@ -854,7 +854,7 @@ static void test_entries(void **state)
         entry = api_entry(i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 1000
+        int n = trials(entry->flags & API_FIRE ? 1800
                        : entry->count > 16     ? 1500
                        : entry->count > 8      ? 600
                        : entry->count > 4      ? 260

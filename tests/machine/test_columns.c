@@ -370,7 +370,9 @@ static bool has_room(struct board *b)
 static const char scene[] = SCENE(
     "item.def('gem', { sprite = 'dot', radius = 5, gives = { score = { 1, 5 }, lives = 2, a = 3 }, full = 'b' })\n",
     "    item.drop { kind = 'gem', x = 50 + i, y = 30, speed = 0.5, tag = 'gem' .. i % 2 }\n",
-    "  task.go(function() wait(12) item.group('gem0'):remove() end)\n");
+    "  task.go(function() wait(12) item.group('gem0'):remove() end)\n"
+    "  bg.lines(2, { 1, 2, 3 })\n"
+    "  bg.plane().fog = { to = 0, far = 9 }\n");
 static const char without_items[] = SCENE("", "", "");
 
 static void test_flips(void **state)
@@ -426,7 +428,7 @@ static void test_groups(void **state)
     m.curve_points = 4096;
     all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
-    all.hp = all.around = all.frozen = all.meet = 1;
+    all.hp = all.around = all.frozen = all.meet = all.bg = 1;
     all.items = 64;
     rig_script(&few, &m, without_items);
     rig_script(&many, &all, scene);
@@ -470,6 +472,7 @@ static void test_derived(void **state)
 
     (void)state;
     m.items = 64;
+    m.bg = 1;
     m.lines = 32;
     m.lasers = 128;
     m.curve_points = 4096;
