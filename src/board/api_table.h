@@ -47,9 +47,10 @@ enum api_type {
     A_LAYER,
     A_DEPTH, /* which side of all things a layer of the background is on */
     A_ALIGN,
-    A_FIRE, /* what a pattern fires */
-    A_MEET, /* which of two bullets that meet goes */
-    A_EMIT, /* a pattern of the step emit */
+    A_FIRE,  /* what a pattern fires */
+    A_SHOOT, /* what the step emit fires */
+    A_MEET,  /* which of two bullets that meet goes */
+    A_EMIT,  /* a pattern of the step emit */
 };
 
 /* What is declared under a name. */

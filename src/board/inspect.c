@@ -291,8 +291,8 @@ static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 static void find_owner(const struct board *b, int64_t owner, struct inspect_task *out)
 {
     static const enum inspect_owner owners[HANDLES] = {
-        [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT,     [H_ENEMY] = OWNER_ENEMY,
-        [H_PLAYER] = OWNER_PLAYER, [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK
+        [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT, [H_ENEMY] = OWNER_ENEMY, [H_PLAYER] = OWNER_PLAYER,
+        [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK, [H_LASER] = OWNER_LASER
     };
     uint32_t slot = handle_slot(owner);
 

@@ -70,7 +70,16 @@ uint64_t inspect_drawn(const struct board *b);
 
 enum { INSPECT_PLACE = 80 };
 
-enum inspect_owner { OWNER_BOARD, OWNER_BULLET, OWNER_SHOT, OWNER_ENEMY, OWNER_PLAYER, OWNER_SPRITE, OWNER_TASK };
+enum inspect_owner {
+    OWNER_BOARD,
+    OWNER_BULLET,
+    OWNER_SHOT,
+    OWNER_ENEMY,
+    OWNER_PLAYER,
+    OWNER_SPRITE,
+    OWNER_TASK,
+    OWNER_LASER
+};
 
 struct inspect_task {
     uint32_t serial;

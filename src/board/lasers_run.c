@@ -382,6 +382,50 @@ static uint32_t pieces(const struct board *b, uint32_t i)
     return n > 1 ? n - 1 : 1;
 }
 
+enum { NEAR = 256 /* differences are in 256ths of a px, so that products fit */ };
+
+/* How far (x, y) is from (to_x, to_y), squared, in those units. */
+static int64_t apart(fx x, fx y, fx to_x, fx to_y)
+{
+    const int64_t dx = ((int64_t)to_x - x) / NEAR, dy = ((int64_t)to_y - y) / NEAR;
+
+    return dx * dx + dy * dy;
+}
+
+/* The place of the piece from (ax, ay) to (*to_x, *to_y) that is nearest to (x, y), into the latter. */
+static void nearest_of_piece(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
+{
+    const int64_t wx = ((int64_t)*to_x - ax) / NEAR, wy = ((int64_t)*to_y - ay) / NEAR;
+    const int64_t dx = ((int64_t)x - ax) / NEAR, dy = ((int64_t)y - ay) / NEAR;
+    const int64_t whole = wx * wx + wy * wy, part = int64_clamp(dx * wx + dy * wy, 0, whole);
+
+    if (part == whole)
+        return;
+    const int64_t share = part * 65536 / whole; /* whole > part >= 0 */
+    *to_x = (fx)(ax + ((int64_t)*to_x - ax) * share / 65536);
+    *to_y = (fx)(ay + ((int64_t)*to_y - ay) * share / 65536);
+}
+
+void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y)
+{
+    const uint32_t n = lasers_corners(b, i);
+    fx ax, ay, px, py, bx, by;
+
+    lasers_corner(b, i, 0, &ax, &ay);
+    *to_x = ax;
+    *to_y = ay;
+    for (uint32_t k = 1; k < n; k++, ax = bx, ay = by) {
+        lasers_corner(b, i, k, &bx, &by);
+        px = bx;
+        py = by;
+        nearest_of_piece(x, y, ax, ay, &px, &py);
+        if (apart(px, py, x, y) < apart(*to_x, *to_y, x, y)) {
+            *to_x = px;
+            *to_y = py;
+        }
+    }
+}
+
 /* Half of its width as it is drawn now. */
 static int64_t half_width(const struct board *b, uint32_t i)
 {

@@ -43,6 +43,9 @@ void lasers_corner_was(const struct board *b, uint32_t i, uint32_t k, fx *x, fx 
 uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struct board *b, fx x, fx y, void *context),
                        void *context);
 
+/* The place of its line that is nearest to (x, y), to a 256th of a px. */
+void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
+
 /* Is what is within half its width of its line, as it is drawn now, anywhere in the circle, box or line? Line: from
  * (x, y) to (to_x, to_y), all within a. */
 bool lasers_in_circle(const struct board *b, uint32_t i, fx x, fx y, fx a);

@@ -480,6 +480,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_from(L, depths, 2);
         break;
     case A_FIRE:
+    case A_SHOOT:
         push_from(L, fires, 5);
         break;
     case A_LASER_KIND:

@@ -2,6 +2,7 @@
  * test_lasers.c - beams, bolts and curves: what they are frame by frame, whom they hit and when, how they end; and a
  * game that has none.
  */
+#include <math.h>
 #include "../../src/board/api.h"
 #include "../../src/board/lasers_run.h"
 #include "rig.h"
@@ -15,6 +16,7 @@ static const char kinds[] =
     "laser.def('mist', { strip = 'dot', width = 8, hit = 'none' })\n"
     "laser.def('lance', { strip = 'dot', width = 6, hit = { share = 1 }, damage = 3, every = 4 })\n"
     "spark.def('glint', { sprite = 'dot', life = 50 })\n"
+    "item.def('gem', { sprite = 'dot', radius = 3, gravity = 0 })\n"
     "bullet.def('orb', { sprite = 'dot', hit = 'none' })\n"
     "enemy.def('fly', { sprite = 'dot', hp = 100, hit = { circle = 5 }, touch = false })\n"
     "enemy.def('box', { sprite = 'dot', hp = 100, hit = { box = { 10, 10 } }, touch = false })\n"
@@ -28,6 +30,7 @@ static struct manifest manifest(void)
 
     m.lasers = 8;
     m.curve_points = 256;
+    m.items = 64;
     m.frozen = 1;
     return m;
 }
@@ -466,6 +469,177 @@ static void test_clear(void **state)
     end();
 }
 
+/* Items lie at rest on the line from (x, y) on, each (dx, dy) from the one before, from slot `from` on. */
+static void row_of_items(uint32_t from, uint32_t n, double x, double y, double dx, double dy)
+{
+    const struct items *s = &r.b->items;
+
+    assert_int_equal(s->s.live, from + n);
+    for (uint32_t k = 0; k < n; k++) {
+        assert_true(abs((int)(s->x[from + k] - (fx)((x + k * dx) * 65536))) < 4);
+        assert_true(abs((int)(s->y[from + k] - (fx)((y + k * dy) * 65536))) < 4);
+        assert_true(s->vx[from + k] == 0 && s->vy[from + k] == 0);
+    }
+}
+
+/* A laser that a clear turns into items leaves them each so many px along its line, the first half of that from its
+ * head; no chance is drawn. */
+static void test_items(void **state)
+{
+    uint64_t chance[4];
+
+    (void)state;
+    begin("laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever, warn = 0 }\n"
+          "wait(2) print('took', bullet.clear { items = 'gem' })\n"
+          "wait(2) laser.beam { kind = 'ray', x = 10, y = 90, dir = 90, length = 100, hold = forever, tag = 't' }\n"
+          "wait(2) print('took', laser.group('t'):clear { items = 'gem', every = 25 })\n"
+          "wait(2) laser.beam { kind = 'ray', x = 10, y = 20, length = 3, hold = forever }:clear { items = 'gem' }\n"
+          "wait(2) laser.beam { kind = 'wall', x = 30, y = 200, dir = 0, length = 50, hold = forever, warn = 0 }\n"
+          "wait(1) bullet.sweep { x = 30, y = 200, radius = 4, radius_to = 9, over = 1, items = 'gem' }\n"
+          "wait(1) bullet.sweep { x = 30, y = 200, radius = 4, radius_to = 9, over = 1, items = 'gem', all = true }");
+    rig_run(&r, 2);
+    memcpy(chance, r.b->core.random, sizeof chance);
+    one_frame();
+    assert_int_equal(said("took\t1\n"), 1);
+    assert_int_equal(l()->s.live, 0);
+    row_of_items(0, 10, 16, 50, 12, 0);
+    rig_run(&r, 3);
+    one_frame();
+    assert_int_equal(said("took\t1\n"), 1);
+    row_of_items(10, 4, 10, 102.5, 0, 25);
+    rig_run(&r, 2);
+    row_of_items(14, 1, 10, 20, 0, 0);
+    rig_run(&r, 3);
+    row_of_items(14, 1, 10, 20, 0, 0); /* a wall is not clearable */
+    assert_int_equal(l()->s.live, 1);
+    rig_run(&r, 2);
+    row_of_items(15, 4, 36, 200, 12, 0);
+    assert_int_equal(l()->s.live, 0);
+    assert_memory_equal(chance, r.b->core.random, sizeof chance);
+    end();
+}
+
+/* A curve leaves them along its body, round its bends; where there is no room, they are counted. */
+static void test_items_of_curves(void **state)
+{
+    (void)state;
+    begin("local m = motion.def { { wait = 9 }, { dir = 90 } }\n"
+          "laser.curve { kind = 'ray', x = 20, y = 40, dir = 0, speed = 4, points = 31, motion = m }\n"
+          "wait(31) laser.clear { items = 'gem', every = 20 }\n"
+          "wait(2) laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever }\n"
+          "wait(1) laser.clear { items = 'gem', every = 1 }");
+    rig_run(&r, 31);
+    assert_int_equal(lasers_corners(r.b, 0), 31);
+    const fx x = r.b->laser_heads.x[0], y = r.b->laser_heads.y[0];
+    assert_true(x == 56 << 16 || x == 60 << 16);
+    one_frame();
+    /* 120 px: down to the bend, and back to where it came from */
+    const struct items *s = &r.b->items;
+    const fx down = y - (40 << 16);
+    assert_int_equal(s->s.live, 6);
+    for (int k = 0; k < 6; k++) {
+        const fx at = (10 + 20 * k) << 16;
+        assert_int_equal(s->x[k], at < down ? x : x - (at - down));
+        assert_int_equal(s->y[k], at < down ? y - at : 40 << 16);
+    }
+    rig_run(&r, 3);
+    assert_int_equal(s->s.live, 64);
+    assert_int_equal(board_refused(r.b, "items"), 120 + 6 - 64);
+    assert_null(rig_fault(&r));
+    end();
+}
+
+/* A phase that is beaten turns the lasers it leaves into items as well. */
+static void test_phase(void **state)
+{
+    static const char boss[] =
+        "boss.def('b', { title = 'B', kind = 'fly', x = 100, y = 60, phases = { { id = 'p', hp = 5, time = 30, rest = "
+        "0,\n"
+        "  clear = { items = 'gem', spark = 'glint' }, run = function(e)\n"
+        "    laser.beam { kind = 'wall', x = 20, y = 90, dir = 0, length = 60, hold = forever }\n"
+        "    laser.bolt { kind = 'ray', x = 20, y = 120, dir = 0, speed = 30, length = 24 }\n"
+        "    wait(5) e:hurt(9) wait(forever) end } } })\n";
+    static char text[8192];
+    struct manifest m = manifest();
+
+    (void)state;
+    snprintf(text, sizeof text, "%s%stask.go(function() boss.fight('b') end)\n", kinds, boss);
+    rig_with_sys(&g, &m, text);
+    rig_power(&r, &g, NULL);
+    for (int i = 0; i < 200 && !r.b->items.s.live; i++)
+        one_frame();
+    assert_int_equal(r.b->items.s.live, 60 / 12 + 24 / 12);
+    assert_int_equal(r.b->sparks.s.live, 7);
+    assert_int_equal(l()->s.live, 0);
+    end();
+}
+
+/* ---- questions ---- */
+
+/* A query finds a laser by what is drawn of it, and sorts by the place of its line that is nearest. */
+static void test_queries(void **state)
+{
+    (void)state;
+    begin(
+        "local function names(list) local t = {} for i, x in ipairs(list) do t[i] = x.tag end\n"
+        "  return table.concat(t, ' ') end\n"
+        "laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever, warn = 0, grow = 0, tag = "
+        "'a' }\n"
+        "laser.beam { kind = 'mist', x = 100, y = 90, dir = 90, length = 60, hold = forever, warn = 0, grow = 0, tag = "
+        "'b' }\n"
+        "laser.bolt { kind = 'ray', x = 200, y = 60, dir = 180, speed = 20, length = 20, tag = 'c' }\n"
+        "wait(2)\n"
+        "print('1', names(query.near { what = 'laser', x = 100, y = 75, radius = 16 }))\n" /* b at 15 - 4, a at 25 - 5 */
+        "print('2', names(query.near { what = 'laser', x = 100, y = 75, radius = 20 }))\n"
+        "print('3', names(query.near { what = 'laser', x = 150, y = 60, radius = 90 }))\n" /* c at 10, a at 22, b at 58 */
+        "print('4', names(query.near { what = 'laser', x = 150, y = 60, radius = 90, tag = 'b' }))\n"
+        "print('5', names(query.box { what = 'laser', x = 100, y = 200, w = 6, h = 105 }))\n" /* to 147.5; b to 154 */
+        "print('6', names(query.box { what = 'laser', x = 100, y = 207, w = 6, h = 105 }))\n"
+        "print('7', names(query.line { what = 'laser', x = 0, y = 0, to_x = 240, to_y = 0, width = 89 }))\n"
+        "print('8', names(query.line { what = 'laser', x = 0, y = 150, to_x = 240, to_y = 150, width = 2 }))\n"
+        "laser.group():remove() print('9', #query.near { what = 'laser', x = 0, y = 0, radius = 32767 })");
+    rig_run(&r, 2);
+    one_frame();
+    static const char *const lines[] = { "1\tb\n", "2\tb a\n", "3\tc a b\n", "4\tb\n", "5\tb\n",
+                                         "6\t\n",  "7\t\n",    "8\tb\n",     "9\t0\n" };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        if (said(lines[i]) != 1)
+            fail_msg("expected %s among %s", lines[i], board_last(r.b)->log);
+    end();
+}
+
+/* The place found is nearer than all others of the line, but for a 256th of a px. */
+static void test_nearest(void **state)
+{
+    struct rng rng;
+
+    (void)state;
+    begin("local m = motion.def { { turn = 7, over = forever } }\n"
+          "laser.curve { kind = 'ray', x = 90, y = 40, dir = 20, speed = 9, points = 60, motion = m }\n"
+          "laser.beam { kind = 'ray', x = 20, y = 300, dir = 320, length = 250, hold = forever }\n"
+          "laser.beam { kind = 'ray', x = 20, y = 300, dir = 320, length = 0, hold = forever }");
+    rig_run(&r, 70);
+    rng_seed(&rng, 8);
+    for (uint32_t i = 0; i < 3; i++)
+        for (int n = 0; n < 2000; n++) {
+            const fx x = (fx)rng_below(&rng, 400 << 16) - (80 << 16), y = (fx)rng_below(&rng, 400 << 16) - (40 << 16);
+            fx at_x, at_y, ax, ay, bx, by;
+            lasers_nearest(r.b, i, x, y, &at_x, &at_y);
+            const double d = hypot((double)at_x - x, (double)at_y - y);
+            double best = 1e18;
+            for (uint32_t k = 0; k + 1 < lasers_corners(r.b, i); k++) {
+                lasers_corner(r.b, i, k, &ax, &ay);
+                lasers_corner(r.b, i, k + 1, &bx, &by);
+                const double wx = (double)bx - ax, wy = (double)by - ay, all = wx * wx + wy * wy;
+                double t = all > 0 ? (((double)x - ax) * wx + ((double)y - ay) * wy) / all : 0;
+                t = t < 0 ? 0 : t > 1 ? 1 : t;
+                best = fmin(best, hypot(ax + t * wx - x, ay + t * wy - y));
+            }
+            assert_true(d > best - 2 && d < best + 512);
+        }
+    end();
+}
+
 /* ---- properties, verbs, pools ---- */
 
 static void test_properties(void **state)
@@ -637,11 +811,16 @@ static void test_without_curves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_states),         cmocka_unit_test(test_spin),      cmocka_unit_test(test_follow),
-        cmocka_unit_test(test_bolt),           cmocka_unit_test(test_bolt_hits), cmocka_unit_test(test_curve),
-        cmocka_unit_test(test_curve_moves),    cmocka_unit_test(test_hits),      cmocka_unit_test(test_graze),
-        cmocka_unit_test(test_shoots),         cmocka_unit_test(test_clear),     cmocka_unit_test(test_properties),
-        cmocka_unit_test(test_patterns),       cmocka_unit_test(test_faults),    cmocka_unit_test(test_without),
+        cmocka_unit_test(test_states),          cmocka_unit_test(test_spin),
+        cmocka_unit_test(test_follow),          cmocka_unit_test(test_bolt),
+        cmocka_unit_test(test_bolt_hits),       cmocka_unit_test(test_curve),
+        cmocka_unit_test(test_curve_moves),     cmocka_unit_test(test_hits),
+        cmocka_unit_test(test_graze),           cmocka_unit_test(test_shoots),
+        cmocka_unit_test(test_clear),           cmocka_unit_test(test_items),
+        cmocka_unit_test(test_items_of_curves), cmocka_unit_test(test_phase),
+        cmocka_unit_test(test_queries),         cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_properties),      cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_faults),          cmocka_unit_test(test_without),
         cmocka_unit_test(test_without_curves),
     };
 

@@ -269,6 +269,7 @@ static const struct word_list {
               [A_DEPTH] = { depths, 2 },
               [A_ALIGN] = { aligns, 3 },
               [A_FIRE] = { fire_words, FIRES },
+              [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
               [A_MEET] = { meets, 4 },
               [A_EMIT] = { emits, EMIT_PATTERNS } };
 
@@ -402,6 +403,7 @@ static check *const CHECKS[] = {
     [A_DEPTH] = check_word,
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
+    [A_SHOOT] = check_word,
     [A_MEET] = check_word,
     [A_EMIT] = check_word,
 };

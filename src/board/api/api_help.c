@@ -39,6 +39,7 @@ static const char *type_words(const struct api_param *p)
         [A_LAYER] = "back, middle or front",
         [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
+        [A_SHOOT] = "bullet or shot",
         [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",

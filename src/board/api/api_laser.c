@@ -575,6 +575,17 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
+/* What waits for the group's tag need not have it. */
+static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct motion_world w = board_world(b, false);
+
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        bullets_signal(&b->laser_heads, &w, i, (uint16_t)handle_slot(v[ARG_SELF].i));
+    return 0;
+}
+
 enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
 static const struct api_param self_add[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
                                              { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
@@ -584,6 +595,7 @@ static const struct api_param self_shift[] = { { "self", A_THING, REQ, EITHER, 0
                                                { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
                                                { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
 static const struct api_param self_only[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL } };
+static const struct api_param self_group[] = { { "self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL } };
 
 static int group(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -644,6 +656,8 @@ static const struct api_entry entries[] = {
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
       "removes those in the shape, or all, each leaving the named spark and item along it" },
+    API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
+             "every laser whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
     { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

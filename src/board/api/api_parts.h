@@ -222,6 +222,9 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
 /* Is the point in it? Exactly, its edge included. */
 bool api_region_has(const struct api_region *r, fx x, fx y);
 
+/* Is laser i, as it is drawn, anywhere in it? */
+bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i);
+
 /* bullet.clear and the clears of bullets, shots and their groups. */
 enum {
     CLEAR_PARAMS = 16,

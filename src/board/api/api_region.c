@@ -77,6 +77,20 @@ bool api_region_has(const struct api_region *r, fx x, fx y)
     }
 }
 
+bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i)
+{
+    switch (r->shape) {
+    case REGION_CIRCLE:
+        return lasers_in_circle(b, i, r->x, r->y, r->a);
+    case REGION_BOX:
+        return lasers_in_box(b, i, r->x, r->y, r->a, r->b);
+    case REGION_LINE:
+        return lasers_in_line(b, i, r->x, r->y, r->to_x, r->to_y, r->a);
+    default:
+        return true;
+    }
+}
+
 /* ---- clears ---- */
 
 static const struct bullet_kinds *kinds_of(const struct board *b, const struct bullets *s)
@@ -209,20 +223,6 @@ static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct 
     lasers_remove(b, i);
 }
 
-static bool in_region(const struct board *b, const struct api_region *r, uint32_t i)
-{
-    switch (r->shape) {
-    case REGION_CIRCLE:
-        return lasers_in_circle(b, i, r->x, r->y, r->a);
-    case REGION_BOX:
-        return lasers_in_box(b, i, r->x, r->y, r->a, r->b);
-    case REGION_LINE:
-        return lasers_in_line(b, i, r->x, r->y, r->to_x, r->to_y, r->a);
-    default:
-        return true;
-    }
-}
-
 /* Removes the lasers that the clear takes; returns how many. shooting: players' lasers too. */
 static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clearing *c, fx every, bool shooting)
 {
@@ -233,7 +233,7 @@ static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clea
         const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
         vm_charge(L, lasers_corners(b, i));
         if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_SHOOTS && !shooting) ||
-            (flags & LASER_FIXED && !c->all) || !in_region(b, &c->region, i))
+            (flags & LASER_FIXED && !c->all) || !api_region_laser(b, &c->region, i))
             continue;
         clear_laser(L, b, i, c->spark, c->items, every);
         n++;
