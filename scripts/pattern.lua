@@ -12,7 +12,11 @@ local OWN = { "n", "spread", "sweep", "speed_to", "width", "step", "every", "arm
 local function open(name, args, aim)
   local a, own = sys.check(name, args), {}
   for _, key in ipairs(OWN) do own[key], a[key] = a[key], nil end
+  own.fire = own.fire or "bullet"
   own.shots = own.fire == "shot"
+  if own.fire == "beam" and not a.speed and (own.speed_to or own.sides or own.inner) then
+    sys.fail(name, "fire: a beam has no speed, of which this figure is made")
+  end
   if own.skip then own.first, own.last = own.skip[1], own.skip[2] end
   a.aim = aim or a.aim
   a.dir = args.dir or (a.aim and 0 or own.shots and 270 or 90)
@@ -20,8 +24,9 @@ local function open(name, args, aim)
 end
 
 local function fire(own, a)
+  if own.fire == "bullet" then return bullet.fire(a) end
   if own.shots then return shot.fire(a) end
-  return bullet.fire(a)
+  return laser[own.fire](a)
 end
 
 -- Fires bullet i with the arguments a, or hands them to `each`.

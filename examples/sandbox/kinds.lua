@@ -8,6 +8,10 @@ shot.def("dart",   { sprite = "dart", hit = { box = { 6, 12 } }, damage = 2, tur
 enemy.def("wisp",  { sprite = "wisp",  hit = { box = { 16, 16 } }, hp = 8, score = 200, spark = "glint" })
 enemy.def("jelly", { sprite = "jelly", hit = { box = { 28, 26 } }, hp = 40, score = 1000, spark = "glint" })
 enemy.def("queen", { sprite = "queen", hit = { box = { 52, 56 } }, score = 50000, spark = "glint" })
+laser.def("ray",   { strip = "ray",   width = 12, hit = { share = 0.5 }, vanish = "glint" })
+laser.def("shine", { strip = "shine", width = 18, hit = { share = 0.4 }, blend = "glow", head = "ember" })
+laser.def("scale", { strip = "scale", width = 9,  hit = { share = 0.6 }, vanish = "glint" })
+laser.def("lance", { strip = "ray",   width = 8,  hit = { share = 1 },   damage = 2, bank = 5 })
 
 player.def("ship", { sprite = "ship", hit = { circle = 2 }, registers = { power = { start = 1, max = 32 }, bombs = 3 },
   collect_line = 90, collect_full = "power", run = function(p)

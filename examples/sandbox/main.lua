@@ -6,6 +6,7 @@ require "moves"
 require "treasure"
 require "words"
 require "scenes"
+require "rays"
 local try = require "try"
 
 stage.def("try", function()

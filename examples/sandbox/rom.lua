@@ -2,7 +2,8 @@
 return {
   title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
-            meet = true, items = 256, lines = 32, wide = true }, -- room for all that chapters 3, 4, 12 and 22 show
+            meet = true, items = 256, lines = 32, wide = true,
+            lasers = 64, curve_points = 4096 }, -- room for all that chapters 3, 4, 12, 22 and 23 show
   palette = "art/palette.png", font = "art/font.png",
   fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
     " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },
@@ -30,6 +31,9 @@ return {
     life  = { sheet = "items",   x = 32,  y = 0,   w = 14, h = 14 },
     shard = { sheet = "items",   x = 64,  y = 0,   w = 10, h = 10 },
     lamp  = { sheet = "glow",    x = 0,   y = 0,   w = 128, h = 128 },
+    ray   = { sheet = "glow",    x = 128, y = 32,  w = 1,   h = 16 },
+    shine = { sheet = "glow",    x = 132, y = 32,  w = 4,   h = 24 },
+    scale = { sheet = "glow",    x = 136, y = 32,  w = 16,  h = 12 },
     ember = { sheet = "glow",    x = 128, y = 0,   w = 24, h = 24 },
     ship  = { sheet = "heron",   x = 0,   y = 0,   w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },
     wisp  = { sheet = "enemies", x = 0,   y = 0,   w = 20, h = 22, frames = 4, every = 5 },

@@ -16,6 +16,10 @@ bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order =
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
 bullet.def("late", { sprite = "steps", hit = { circles = { { -1.5, 0.5, 2.5 }, { 2.5, 0, 1.5 } } }, bank = 6, swept = false })
 
+laser.def("ray", { strip = "steps", width = 6, hit = { share = 0.5 }, head = "arrow", tail = "letter", vanish = "ping" })
+laser.def("bar", { strip = "letter", width = 9, hit = "none", clearable = false, graze = 0, bank = 2 })
+laser.def("lance", { strip = "box", width = 5, hit = { share = 1 }, damage = 1, every = 6 })
+
 bullet.def("nut", { sprite = "box", hit = { box = { 12, 12 } }, hp = 5, score = 30, spark = "ping", cloud = "steps", drops = { coin = 2 },
   on_death = function(b, p) board.note(b.x + b.y + b.hp + (p and p.index or 0) + (b.alive and 9 or 0)) end })
 bullet.def("shield", { sprite = "letter", hit = { circle = 6 }, hp = forever, clearable = false, bank = 2 })

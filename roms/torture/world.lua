@@ -127,6 +127,44 @@ local function groups()
   end
 end
 
+local function lasers()
+  for n = 0, forever do
+    local p, e = player.nearest(9, 9), query.near { what = "enemy", x = 112, y = 60, radius = 300 }[1]
+    local b = laser.beam { kind = n % 3 == 0 and "ray" or "bar", x = 40 + n * 13 % 150, y = 30, dir = 70 + n % 40, length = 90 + n % 120,
+      hold = 20 + n % 9, warn = n % 12, grow = n % 5, fade = n % 7, spin = n % 3 - 1, tag = "beam", bank = n % 5 }
+    if e then laser.beam { kind = "ray", follow = e, dx = 2, dy = 3, length = 60, hold = 30, aim = true, width = 8 } end
+    if n % 5 == 2 and p.alive then
+      laser.beam { kind = "lance", follow = p, dy = -9, dir = 270, length = 120, hold = 25, warn = 0, by = p }
+    end
+    local o = laser.bolt { kind = "ray", x = 112, y = 40, dir = 13 * n, speed = 2, length = 30, motion = "bouncing", delay = n % 4 }
+    local c = laser.curve { kind = "ray", x = 112, y = 60, dir = 29 * n, speed = 3, points = 8 + n * 7 % 50, motion = "spin", tag = "worm" }
+    pattern.fan { fire = n % 2 == 0 and "bolt" or "curve", kind = "ray", x = 100, y = 50, n = 2, spread = 60, speed = 2,
+      [n % 2 == 0 and "length" or "points"] = 12 }
+    board.note((b.state or "") .. (b.form or "") .. (b.kind or "") .. (b.tag or "") .. (b.bank or ""))
+    if b.alive then
+      board.note(b.x + b.y + b.dir + b.length + b.width + b.spin + b.age + b.frozen + b.dx + b.dy + (b.follow and 1 or 0))
+      board.note(b.speed + b.vx + b.vy + (b.motion and 1 or 0) + (b.around and 1 or 0) + (b.by and 1 or 0))
+      b.x, b.y, b.dir, b.length, b.width = b.x + 1, b.y + 2, b.dir + 3, b.length - 4, b.width + 1
+      b.spin, b.bank, b.tag, b.dx, b.dy = 0.5, 3, n % 2 == 0 and "beam" or nil, 1, 1
+    end
+    if n % 4 == 1 then o.speed, c.speed = 3, 1.5 end
+    if n % 4 == 2 then o.vx, o.vy, c.motion, c.around = 1, 2, "spin", e end
+    if n % 4 == 3 then o:aim(10) c:turn(20) c:shift(3, -2) c.frozen = 4 end
+    if n % 7 == 5 then c:fade() o:clear { spark = "ping", every = 8 } b:remove() end
+    local all, worms = laser.group(), laser.group("worm")
+    board.note(all.count)
+    if n % 6 == 0 then worms.dir, worms.width, worms.spin = 100, 5, 1 worms:turn(4) worms:aim() worms:shift(1, 1) end
+    if n % 6 == 1 then worms.x, worms.y, worms.speed, worms.vx, worms.vy = 100, 70, 1, 0.5, 1 end
+    if n % 6 == 2 then worms.bank, worms.motion, worms.around, worms.frozen, worms.tag = 4, "spin", p, 3, "old" end
+    if n % 6 == 3 then local beams = laser.group("beam") beams.length, beams.dx, beams.dy = 70, 2, 2 end
+    if n % 6 == 4 then laser.group("old"):fade() laser.each("beam", function(x) if x.age > 30 then x:fade() end end) end
+    if n % 11 == 9 then worms:clear { x = 112, y = 60, radius = 50, every = 20 } laser.group("old"):remove() end
+    if n % 13 == 7 then board.note(laser.clear { x = 20, y = 20, to_x = 200, to_y = 190, width = 9, spark = "ping", all = true }) end
+    if n % 17 == 3 then board.note(bullet.clear { tag = "beam", lasers = true }) end
+    wait(6)
+  end
+end
+
 local function shots()
   while true do
     local near = query.near { what = "shot", x = 112, y = 112, radius = 80, tag = "volley" }
@@ -445,7 +483,7 @@ local function items()
   end
 end
 
-local corners = { items, bullets, groups, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures, scenery }
+local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures, scenery }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end

@@ -151,3 +151,36 @@ bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t
            geom_swept_capsule(dx - gx, dy - gy, 2 * gx, 2 * gy, hx, hy, r, 0, 0) ||
            geom_swept_capsule(dx + wx - gx, dy + wy - gy, 2 * gx, 2 * gy, hx, hy, r, 0, 0);
 }
+
+static bool both_beyond(int64_t a, int64_t b, int64_t c, int64_t d, int64_t r)
+{
+    return (a > r && b > r && c > r && d > r) || (a < -r && b < -r && c < -r && d < -r);
+}
+
+/* How often the way from p to q goes round the origin, in halves: it counts where it crosses the ray to the right, down
+ * 1, up -1. Which side of it the origin is on decides a product; the callers' are below 2^63. */
+static int crosses(int64_t px, int64_t py, int64_t qx, int64_t qy)
+{
+    if ((py <= 0) == (qy <= 0))
+        return 0;
+    if (py <= 0)
+        return px * qy > qx * py;
+    return -(px * qy < qx * py);
+}
+
+/*
+ * The four sides, and is the origin inside? Past the box test a corner is no further than 2^31.4 from the origin on
+ * each axis, so the products are below 2^62.8.
+ */
+bool geom_swept_bar(const struct geom_bar *b, int64_t r)
+{
+    const int64_t cx = b->ax + b->ux, cy = b->ay + b->uy, dx = b->bx + b->vx, dy = b->by + b->vy;
+
+    if (r < 0 || both_beyond(b->ax, b->bx, cx, dx, r) || both_beyond(b->ay, b->by, cy, dy, r))
+        return false;
+    return geom_swept_circles(b->ax, b->ay, b->bx - b->ax, b->by - b->ay, r) ||
+           geom_swept_circles(cx, cy, dx - cx, dy - cy, r) || geom_swept_circles(b->ax, b->ay, b->ux, b->uy, r) ||
+           geom_swept_circles(b->bx, b->by, b->vx, b->vy, r) ||
+           crosses(b->ax, b->ay, b->bx, b->by) + crosses(b->bx, b->by, dx, dy) + crosses(dx, dy, cx, cy) +
+               crosses(cx, cy, b->ax, b->ay);
+}

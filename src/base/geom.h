@@ -69,6 +69,22 @@ bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
 bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t gx, int64_t gy,
                          int64_t r);
 
+/* A bar within a frame, seen from the centre of a circle: one end runs straight from (ax, ay) by (ux, uy), the other
+ * from (bx, by) by (vx, vy). */
+struct geom_bar {
+    int64_t ax, ay, ux, uy, bx, by, vx, vy;
+};
+
+/*
+ * Does all within r of the bar touch the circle's centre on the way, both ends of the way included? What it passes is
+ * the quadrilateral of its places at the beginning and at the end and of its ends' ways; of one that crosses itself,
+ * both halves. That is exact for a bar that turns about no point of its own, and never more than the bar passes. One
+ * that does turns about points of a short curve, and what lies between that curve and the sides, a splinter, is left
+ * out. Exact, in this sense, for |ax|, |ay|, |bx|, |by| <= 2^60, |ux|, |uy|, |vx|, |vy| <= 2^30, a bar that is at the
+ * beginning and at the end no longer than 2^29 on each axis, r <= 2^30.
+ */
+bool geom_swept_bar(const struct geom_bar *bar, int64_t r);
+
 /*
  * A capsule, which is all within r of the way from (x1, y1) to (x2, y2), and a circle. Exact for coordinates in +-2^30
  * and radii <= 2^29: 16384 and 8192 pixels.

@@ -29,6 +29,7 @@ struct api_value {
 
 /* Said when board.nvram is full; a number of KiB. */
 #define NO_NVRAM "no room: all %d KiB of nvram are taken (board.nvram in rom.lua)"
+
 enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price of a VM instruction */ };
 
 #define PARAMS(list) list, sizeof list / sizeof *list
@@ -80,8 +81,8 @@ enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
         "dy", A_FX, OPT, -WORLD, WORLD, "px", "0"                                                                      \
     }
 enum {
-    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM,
-    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK,
+    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER,
+    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK | 1 << H_LASER,
 };
 
 /* Reads a place from the values of PLACE. False: from is dead. */

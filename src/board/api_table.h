@@ -36,6 +36,7 @@ enum api_type {
     A_PLAYER_KIND,
     A_SPARK_KIND,
     A_ITEM_KIND,
+    A_LASER_KIND,
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_FACE,  /* a font of rom.lua, the same way */
@@ -46,9 +47,10 @@ enum api_type {
     A_LAYER,
     A_DEPTH, /* which side of all things a layer of the background is on */
     A_ALIGN,
-    A_FIRE, /* what a pattern fires */
-    A_MEET, /* which of two bullets that meet goes */
-    A_EMIT, /* a pattern of the step emit */
+    A_FIRE,  /* what a pattern fires */
+    A_SHOOT, /* what the step emit fires */
+    A_MEET,  /* which of two bullets that meet goes */
+    A_EMIT,  /* a pattern of the step emit */
 };
 
 /* What is declared under a name. */
@@ -59,6 +61,7 @@ enum api_names {
     N_PLAYER,
     N_SPARK,
     N_ITEM,
+    N_LASER,
     N_MOTION,
     N_TAG,
     N_BULLET_VALUE, /* value.def: by the number of the column */

@@ -9,6 +9,7 @@
 #include "../base/ieee.h"
 #include "events_run.h"
 #include "hit.h"
+#include "lasers_run.h"
 #include "../base/host.h"
 
 static const struct column core_columns[] = {
@@ -55,6 +56,11 @@ static uint32_t enemy_groups(const struct manifest *m)
     return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
 }
 
+static uint32_t laser_groups(const struct manifest *m)
+{
+    return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
 /* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
  * board, the number of slots, and the groups of columns, by manifest m. */
 #define PART_LIST(PART)                                                                                                \
@@ -84,7 +90,11 @@ static uint32_t enemy_groups(const struct manifest *m)
     PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
     PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
     PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)                                                          \
-    PART(screen_chip, screen, 0, 0)
+    PART(screen_chip, screen, 0, 0)                                                                                    \
+    PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
+    PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
+    PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
+    PART(laser_points_chip, laser_points, m->lasers ? m->curve_points / LASER_PIECE : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -119,11 +129,12 @@ static struct layout layout_of(const struct manifest *m)
 }
 
 /* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, an enemy
- * may touch, die and leave, an item is taken once and may give lives. */
+ * may touch, die and leave, an item is taken once and may give lives, a laser may graze or hit both players, or
+ * shoot. */
 static uint64_t event_room(const struct manifest *m)
 {
     return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
-           2 * (uint64_t)m->items + 1024;
+           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -410,6 +421,8 @@ void board_move(struct board *b)
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     if (b->items.s.top)
         move_items(b);
+    if (b->lasers.s.live)
+        lasers_move(b);
     sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
     b->counts.moved = b->bullets.moved;
 }
@@ -420,7 +433,7 @@ static int move_and_hit(lua_State *L)
     struct board *b = vm_board(L);
 
     board_move(b);
-    vm_charge(L, b->bullets.ran + b->shots.ran);
+    vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
     vm_charge(L, WORK_FIRE * emit_run(b));
@@ -461,6 +474,7 @@ static void next_frame(struct board *b)
     b->core.clock++;
     bullets_stay(&b->bullets);
     bullets_stay(&b->shots);
+    bullets_stay(&b->laser_heads);
     enemies_stay(&b->enemies);
     items_stay(&b->items);
 }
@@ -475,6 +489,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
+    b->laser_heads.ran = 0;
     input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count_down(&b->player);
@@ -747,6 +762,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->sprites.s;
     case H_ITEM:
         return &b->items.s;
+    case H_LASER:
+        return &b->lasers.s;
     case H_TASK:
         return &b->tasks.s;
     case H_LINE:
@@ -836,6 +853,8 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
         return sprite_where(b, i, x, y), true;
     case H_ITEM:
         return *x = b->items.x[i], *y = b->items.y[i], true;
+    case H_LASER:
+        return *x = b->laser_heads.x[i], *y = b->laser_heads.y[i], true;
     default:
         return false;
     }

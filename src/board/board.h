@@ -111,7 +111,7 @@ struct board_marker {
 };
 
 /* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
-enum { FULLS = 8 /* pools that can be full */, LOG_BYTES = 4096 };
+enum { FULLS = 12 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];
@@ -179,7 +179,7 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
 uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
 
 /* Visits every value that part i's hash is made of, in its order: live things, refused ones, registers, then each live
- * slot's columns. */
+ * slot's columns. Nothing of a part that the game has no room for, whose hash is 0. */
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context);
 
 /* Snapshots, only between frames. save copies the used part of RAM into buf (board_snapshot_size bytes); restore puts

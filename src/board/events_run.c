@@ -12,6 +12,8 @@
 #include "../base/int.h"
 #include "../chips/sparks.h"
 #include "api.h"
+#include "hit.h"
+#include "lasers_run.h"
 
 const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
                                      "leave", "extend", "take", "phase", "stage" };
@@ -322,6 +324,39 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
+/* Player or 0 of a laser, or of a shot. */
+static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t i)
+{
+    return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
+}
+
+/* A player's laser hurts all enemies that it touches, in slot order; a handler may have moved or removed any of them,
+ * or the laser. */
+static void apply_laser(struct board *b, lua_State *L, const struct event *e)
+{
+    const uint32_t i = handle_slot(e->a);
+
+    if (!board_alive(b, e->a))
+        return;
+    const uint16_t kind = b->laser_heads.kind[i];
+    const int32_t damage = b->laser_kinds.damage[kind];
+    b->lasers.again[i * PADS] = b->core.clock + b->laser_kinds.every[kind];
+    EACH_LIVE (k, &b->enemies.s) {
+        if (!board_alive(b, e->a))
+            return;
+        if (b->enemies.flags[k] & ENEMY_DYING || !hit_laser_enemy(b, i, k))
+            continue;
+        b->counts.hit++;
+        if (events_enemy_hurt(b, L, k, damage, b->laser_heads.player[i]) ||
+            !events_push_function(L, b->enemies.kind[k], "on_hit"))
+            continue;
+        push_thing(L, board_handle(b, H_ENEMY, (int32_t)k));
+        push_thing(L, shooter(b, &b->laser_heads, i));
+        lua_pushinteger(L, damage);
+        call_own(b, L, k, 3);
+    }
+}
+
 /* The blocker takes it, unless a shot of this frame killed that. */
 static void apply_block(struct board *b, const struct event *e)
 {
@@ -371,7 +406,10 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 
     if (!counts(b, e->b) || !board_alive(b, e->a))
         return;
-    b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
+    if (handle_kind(e->b) == H_LASER)
+        b->lasers.again[i * PADS + p] = b->core.clock + b->laser_kinds.graze[b->laser_heads.kind[i]];
+    else
+        b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
     tell(L, e);
 }
@@ -538,6 +576,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_MEET:
         apply_meet(b, L, e);
         break;
+    case EV_LASER:
+        apply_laser(b, L, e);
+        break;
     case EV_DEATH:
         apply_death(b, L, e);
         break;
@@ -570,5 +611,7 @@ int events_run(lua_State *L)
     b->events.n = 0;
     bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */
     bullets_release_all(&b->shots);
+    if (b->lasers.s.live)
+        lasers_end_frame(b);
     return 0;
 }

@@ -26,6 +26,8 @@ static const struct wording wordings[] = {
     { &items_chip, "items", "items", gone },
     { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
     { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
+    { &lasers_chip, "lasers", "lasers", gone },
+    { &laser_points_chip, "curve points", "curve_points", gone },
     { &steps_chip, "motion steps", "motions", "what is given a program that finds no room flies straight" },
 };
 

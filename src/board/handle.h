@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include "../chips/slots.h"
 
-/* H_GROUP, H_SHOTS, H_ENEMIES and H_ITEMS are groups: of bullets, shots, enemies, items. Their slot is a tag, 0:
+/* H_GROUP, H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups: of bullets, shots and so on. Their slot is a tag, 0:
  * all. */
 enum handle_kind {
     H_BULLET = 1,
@@ -28,6 +28,8 @@ enum handle_kind {
     H_LINE,
     H_LAYER, /* of the background; its slot is that of struct bg */
     H_PLANE,
+    H_LASER,
+    H_LASERS,
     HANDLES
 };
 
@@ -48,7 +50,7 @@ static inline enum handle_kind handle_kind(int64_t h)
 
 static inline bool handle_kind_group(enum handle_kind kind)
 {
-    const unsigned groups = 1u << H_GROUP | 1u << H_SHOTS | 1u << H_ENEMIES | 1u << H_ITEMS;
+    const unsigned groups = 1u << H_GROUP | 1u << H_SHOTS | 1u << H_ENEMIES | 1u << H_ITEMS | 1u << H_LASERS;
 
     return groups >> kind & 1;
 }

@@ -6,6 +6,7 @@
 #include "../base/int.h"
 #include "api.h"
 #include "hit.h"
+#include "lasers_run.h"
 #include "machine.h"
 
 static int32_t to_screen(fx v, int corner)
@@ -111,6 +112,50 @@ static struct inspect_body player_body(const struct board *b, uint32_t i)
     return body;
 }
 
+static bool laser_can_be_grazed(const struct board *b, uint32_t i)
+{
+    const uint16_t kind = b->laser_heads.kind[i];
+
+    if (b->laser_kinds.flags[kind] & LASER_SHOOTS || !b->laser_kinds.graze[kind])
+        return false;
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p] && b->core.clock >= b->lasers.again[i * PADS + p])
+            return true;
+    return false;
+}
+
+/* The piece of line from corner k on, as it was in the last frame. */
+static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_t k)
+{
+    const fx reach = hit_laser_reach(b, i, lasers_age_seen(b, i));
+    fx x, y, to_x, to_y;
+
+    lasers_corner(b, i, k, &x, &y);
+    lasers_corner(b, i, k + 1 < lasers_corners(b, i) ? k + 1 : k, &to_x, &to_y);
+    const fx half_x = (fx)(((int64_t)to_x - x) / 2), half_y = (fx)(((int64_t)to_y - y) / 2);
+    struct inspect_body body = body_at(b, INSPECT_LASER, i, x + half_x, y + half_y);
+    if (reach >= 0) {
+        body.shape = INSPECT_CAPSULE;
+        body.a = reach;
+        body.b = half_x;
+        body.c = half_y;
+    }
+    body.spent = !laser_can_be_grazed(b, i);
+    return body;
+}
+
+static void laser_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body),
+                         void *context)
+{
+    EACH_LIVE (i, &b->lasers.s) {
+        const uint32_t n = lasers_corners(b, i);
+        for (uint32_t k = 0; k + 1 < n || k == 0; k++) {
+            struct inspect_body body = laser_body(b, i, k);
+            each(context, &body);
+        }
+    }
+}
+
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context)
 {
     struct inspect_body body;
@@ -127,6 +172,7 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
         body = flying_body(b, INSPECT_BULLET, i);
         each(context, &body);
     }
+    laser_bodies(b, each, context);
     for (uint32_t i = 0; i < PADS; i++) {
         body = player_body(b, i);
         if (b->player.in[i])
@@ -245,8 +291,8 @@ static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 static void find_owner(const struct board *b, int64_t owner, struct inspect_task *out)
 {
     static const enum inspect_owner owners[HANDLES] = {
-        [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT,     [H_ENEMY] = OWNER_ENEMY,
-        [H_PLAYER] = OWNER_PLAYER, [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK
+        [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT, [H_ENEMY] = OWNER_ENEMY, [H_PLAYER] = OWNER_PLAYER,
+        [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK, [H_LASER] = OWNER_LASER
     };
     uint32_t slot = handle_slot(owner);
 
@@ -371,6 +417,21 @@ static void describe_flying(const struct board *b, struct inspect_thing *out)
     describe_motion(b, s, i, out);
 }
 
+static void describe_laser(const struct board *b, struct inspect_thing *out)
+{
+    const struct bullets *s = &b->laser_heads;
+    uint32_t i = out->body.slot;
+
+    out->name = api_names_at(b, N_LASER, s->kind[i]);
+    out->tag = s->tag[i] ? api_names_at(b, N_TAG, s->tag[i]) : NULL;
+    out->age = lasers_age(b, i);
+    out->speed = s->speed[i];
+    out->dir = trig_to_degrees(s->dir[i]);
+    out->by = s->by[i];
+    out->player = s->player[i];
+    describe_motion(b, s, i, out);
+}
+
 static void describe_enemy(const struct board *b, struct inspect_thing *out)
 {
     const struct enemies *e = &b->enemies;
@@ -407,6 +468,8 @@ bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_
         describe_enemy(b, out);
     else if (s.found.kind == INSPECT_PLAYER)
         describe_player(b, out);
+    else if (s.found.kind == INSPECT_LASER)
+        describe_laser(b, out);
     else if (s.found.kind != INSPECT_NOTHING)
         describe_flying(b, out);
     return s.found.kind != INSPECT_NOTHING;

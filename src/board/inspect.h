@@ -12,7 +12,7 @@
 #include "board.h"
 #include "../chips/motion.h"
 
-enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER };
+enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER, INSPECT_LASER };
 enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
 
 /* A thing as the hit tests see it. */
@@ -28,11 +28,12 @@ struct inspect_body {
         int32_t x, y, r;
     } circle[SHAPE_PARTS];
     int32_t graze; /* radius of a player's graze ring; else 0 */
-    bool spent;    /* a bullet that no player in the game can graze (any more), an enemy whose touch is harmless or that
+    bool spent;    /* a bullet or laser that no player can graze (any more), an enemy whose touch is harmless or that
                       is dying, a player that is safe */
 };
 
-/* Calls each for all bodies, in the order enemies, shots, bullets, players; each by slot. */
+/* Calls each for all bodies, in the order enemies, shots, bullets, lasers, players; each by slot. A laser has a body
+ * for each piece of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
 /* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */
@@ -69,7 +70,16 @@ uint64_t inspect_drawn(const struct board *b);
 
 enum { INSPECT_PLACE = 80 };
 
-enum inspect_owner { OWNER_BOARD, OWNER_BULLET, OWNER_SHOT, OWNER_ENEMY, OWNER_PLAYER, OWNER_SPRITE, OWNER_TASK };
+enum inspect_owner {
+    OWNER_BOARD,
+    OWNER_BULLET,
+    OWNER_SHOT,
+    OWNER_ENEMY,
+    OWNER_PLAYER,
+    OWNER_SPRITE,
+    OWNER_TASK,
+    OWNER_LASER
+};
 
 struct inspect_task {
     uint32_t serial;
@@ -97,7 +107,7 @@ struct inspect_thing {
     const char *tag;      /* NULL: none */
     uint32_t age;         /* frames of game time; of a player 0 */
     int32_t x, y;         /* on the field, Q15.16 px */
-    int32_t speed;        /* Q15.16 px/frame; of bullets and shots, as dir */
+    int32_t speed;        /* Q15.16 px/frame; of bullets, shots and lasers, as dir */
     double dir;           /* degrees */
     bool moves;           /* a motion program drives it */
     const char *motion;   /* its name; NULL: it has none */
@@ -105,7 +115,7 @@ struct inspect_thing {
     uint32_t step, steps; /* the one it is in, from 1; steps + 1: past the last */
     uint32_t left;        /* frames this step takes on, 0: it has not begun or takes no time */
     uint32_t by;          /* serial of the task that fired or spawned it, 0: none */
-    int player;           /* of a shot: 1 or 2, 0: nobody's */
+    int player;           /* of a shot or laser: 1 or 2, 0: nobody's */
     int32_t hp, safe;     /* of an enemy; safe: frames it takes no damage, -1 for ever; of a player too */
     int32_t lives;        /* of a player */
 };

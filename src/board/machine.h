@@ -21,6 +21,7 @@
 #include "../chips/fix.h"
 #include "../chips/input.h"
 #include "../chips/items.h"
+#include "../chips/lasers.h"
 #include "../chips/lines.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
@@ -123,6 +124,10 @@ struct board {
     struct bg_lines bg_lines;
     struct bg_shades bg_shades;
     struct screen screen;
+    struct lasers lasers;
+    struct bullets laser_heads;
+    struct laser_kinds laser_kinds;
+    struct laser_points laser_points;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -131,7 +136,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 27,
+    PARTS = 31,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];

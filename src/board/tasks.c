@@ -104,6 +104,7 @@ static int64_t scene_in(const struct board *b, int64_t owner)
         return b->lines.owner[i];
     case H_BULLET:
     case H_SHOT:
+    case H_LASER:
         return b->tasks.now_scene;
     default:
         return 0;
@@ -304,7 +305,7 @@ static bool owner_stood(const struct board *b, uint32_t slot)
 {
     int64_t h = b->tasks.owner[slot];
 
-    if (!(b->bullets.standing | b->shots.standing | b->enemies.standing))
+    if (!(b->bullets.standing | b->shots.standing | b->enemies.standing | b->laser_heads.standing))
         return false;
     while (h && handle_kind(h) == H_TASK)
         h = b->tasks.owner[handle_slot(h)];
@@ -315,6 +316,8 @@ static bool owner_stood(const struct board *b, uint32_t slot)
         return b->shots.stands[handle_slot(h)] & STOOD;
     case H_ENEMY:
         return b->enemies.stands[handle_slot(h)] & STOOD;
+    case H_LASER:
+        return b->laser_heads.stands[handle_slot(h)] & STOOD;
     default:
         return false;
     }

@@ -53,6 +53,9 @@ void video_bg(struct draw_target *c, bool front);
 /* Does the background cover the whole field? Then nobody needs to clear it. */
 bool video_bg_covers(const struct board *b);
 
+/* Lasers: those that hurt enemies, or the others. By slot. */
+void video_lasers(struct draw_target *c, bool shoot);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct board *b);
 

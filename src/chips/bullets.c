@@ -93,6 +93,7 @@ static const struct column columns[] = {
 #define COUNT(table) (int)(sizeof table / sizeof *table)
 const struct chip bullets_chip = { "bullets", columns, COUNT(columns), false, false };
 const struct chip shots_chip = { "shots", columns, COUNT(columns), false, false };
+const struct chip laser_heads_chip = { "laser_heads", columns, COUNT(columns), false, false };
 const struct chip bullet_kinds_chip = { "bullet_kinds", kind_columns, COUNT(kind_columns), true, false };
 const struct chip shot_kinds_chip = { "shot_kinds", kind_columns, COUNT(kind_columns), true, false };
 
@@ -1319,4 +1320,29 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     }
     b->moved += b->s.live;
     slots_trim(&b->s);
+}
+
+void bullets_begin(struct bullets *b)
+{
+    b->moved = 0;
+    b->ran = 0;
+    if (b->standing)
+        stand(b);
+}
+
+bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    const uint32_t block = i / SLOTS_BLOCK;
+
+    if (b->busy[block] & bit(i) || (b->idle[block] & bit(i) && is_over(b, w, i))) {
+        enum program_state state = go_on(b, w, i);
+        if (!(b->s.used[block] & bit(i)))
+            return false;
+        set_busy(b, i, state == PROGRAM_RUNS);
+        b->idle[block] |= state == PROGRAM_WAITS ? bit(i) : 0;
+    }
+    b->x[i] += b->vx[i];
+    b->y[i] += b->vy[i];
+    b->moved++;
+    return true;
 }

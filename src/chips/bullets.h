@@ -190,7 +190,7 @@ static inline fx *bullets_begun(const struct bullets *b, int k)
     return begun[k];
 }
 
-extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip;
+extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip, laser_heads_chip;
 
 /* The kind that bullet i was declared to have: not its cloud, which `kind` names while a delay lasts. */
 static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
@@ -225,6 +225,11 @@ void bullets_release_all(struct bullets *b);
  * `near` or with hold_all; the caller releases them in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
                   const struct bullets_query query[PADS], bool hold_all);
+
+/* The same one by one, and nothing leaves: bullets_begin once, then bullets_go_on of each that is live. False: its
+ * program has removed it. */
+void bullets_begin(struct bullets *b);
+bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i);
 
 /* Sets `near` alone, from where the bullets are. */
 void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]);

@@ -21,6 +21,7 @@ enum event_kind {
     EV_TAKE,   /* a: player, b: item handle */
     EV_SCRIPT, /* a: index of what sys.emit queued */
     EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_LASER,  /* a: handle of a player's laser that touches enemies */
     EV_MEET    /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
 };
 

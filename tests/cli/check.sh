@@ -53,7 +53,7 @@ python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
 for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua page/words.lua page/scenes.lua
+    rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua page/words.lua page/scenes.lua page/rays.lua
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200", "power", "point", "life", "shard",'
@@ -156,13 +156,13 @@ lua 'names that are kept for later' <<'LUA'
 local sounds = {}
 on.start(function() sound.play("hit") end)
 board.stop(3)
-laser.def("beam", sounds)
+option.def("beam", sounds)
 sound = sounds
 ----
 main.lua:3: on.start is not there yet; the name is kept for it
 main.lua:3: undeclared global "sound" (sound is not there yet; the name is kept for it) (did you mean "sounds"?)
 main.lua:4: board.stop is not there yet; the name is kept for it
-main.lua:5: undeclared global "laser" (laser is not there yet; the name is kept for it)
+main.lua:5: undeclared global "option" (option is not there yet; the name is kept for it)
 main.lua:6: undeclared global "sound" (did you mean "sounds"?)
 5 problems
 LUA

@@ -22,6 +22,8 @@ bullet.def("spore", { sprite = "dart", hit = { circle = 2 }, cloud = "dot", spin
 bullet.def("pin", { sprite = "dart", hit = { capsule = { 5, 1.25 } }, turns = true })
 bullet.def("axe", { sprite = "dart", hit = { circles = { { -2, 0.5, 1 }, { 3, 0, 1.5 } } }, turns = true })
 bullet.def("ghost", { sprite = "dot", hit = "none", graze = false })
+laser.def("ray", { strip = "dart", width = 5, hit = { share = 0.7 }, vanish = "pop", head = "dot" })
+laser.def("lance", { strip = "dot", width = 3, hit = { share = 1 }, damage = 1 })
 motion.def { name = "bloom", { wait = 5 }, { speed = 0.1, over = 7 }, { bank = 5, aim = true }, { wait = 3 },
   { loop = 3, { turn = 11.7, over = 4 }, { accel = 0.13, over = 3 } }, { kind = "rice", home = 3.3, over = 20 },
   { speed = 4.75, over = 9 } }
@@ -138,6 +140,14 @@ task.go(function()
       mark.x, mark.y, mark.flip_x = p.x, p.y - 9.5, i % 2 == 0
     end
     if i % 40 == 20 then
+      laser.beam { kind = "ray", follow = mark, dir = i, length = 60, hold = 12, warn = 9, spin = 1.7, tag = "rays" }
+      laser.beam { kind = "lance", follow = p, dir = 270, length = 50, hold = 9, warn = 0 }
+      laser.bolt { kind = "ray", x = 32, y = 9, aim = true, speed = 2.3, length = 14, motion = "spin" }
+      pattern.fan { fire = "curve", kind = "ray", x = 32, y = 20, n = 2, spread = 50, speed = 1.7, points = 20,
+        motion = "bloom" }
+      laser.group("rays").width = 6.5
+      laser.clear { x = 32, y = 60, radius = 9, spark = "pop", every = 5 }
+      laser.each(nil, function(l) fold(l.state .. " " .. l.x .. " " .. l.length) if l.age > 70 then l:fade() end end)
       pattern.ellipse { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, tilt = 20, dir = i }
       pattern.scatter { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, spread = 77 }
       pattern.polygon { x = 32, y = 20, kind = "orb", speed = 1.1, n = 9, sides = 3, skip = { 2, 3 }, aim = true }

@@ -35,7 +35,7 @@ static void binary(const uint8_t *data, size_t size)
         return;
     }
     manifest_pack(&m, again);
-    need(memcmp(again, data, sizeof again) == 0);
+    need(size != sizeof again || memcmp(again, data, sizeof again) == 0); /* older formats are shorter */
 }
 
 static void text(const char *data, size_t size)

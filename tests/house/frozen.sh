@@ -26,7 +26,7 @@ mkdir -p "$scratch/game/std" "$scratch/game/art"
 cp tests/demos/whole/art/all.png "$scratch/game/art/"
 cat >"$scratch/game/rom.lua" <<'END'
 return { id = "names", title = "Names", screen = { w = 64, h = 64 }, sheets = { all = { file = "art/all.png" } },
-  board = { items = 8, lines = 8 },
+  board = { items = 8, lines = 8, lasers = 8, curve_points = 32 },
   sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 } } }
 END
 echo 'local all = true' >"$scratch/game/main.lua"

@@ -48,5 +48,10 @@ fault swept-capsule geom.c "passes(dx, wx, int64_abs(hx)) && passes(dy, wy, int6
 fault swept-capsule geom.c "side_touches(dx + wx - hx, dy + wy - hy" "side_touches(dx - hx, dy - hy"
 fault swept-capsule geom.c "difference(mx * hy, my * hx) <= area" "true"
 fault swept-capsules geom.c "hx, hy, r, 0, 0) ||" "hx, hy, r, 0, 0); return"
+fault turned-bar geom.c "px * qy > qx * py" "px * qy >= qx * py + 1000000"
+fault turned-bar geom.c "(py <= 0) == (qy <= 0)" "(py <= 0) != (qy <= 0)"
+fault turned-bar geom.c "crosses(cx, cy, b->ax, b->ay)" "0"
+fault turned-bar geom.c "geom_swept_circles(cx, cy, dx - cx, dy - cy, r) ||" ""
+fault turned-bar geom.c "both_beyond(b->ay, b->by, cy, dy, r)" "both_beyond(b->ay, b->by, cy, dy, r - 1)"
 check "the copy is as it was" shapes "-O1 -fwrapv" --only swept-boxes
 finish

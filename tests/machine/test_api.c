@@ -6,12 +6,29 @@
 #include <math.h>
 #include "rig.h"
 
+/* Before the world: its lasers. */
+static const char rays[] =
+    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
+    "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 }, vanish = 'glow' })\n"
+    "laser.def('lance', { strip = 'wink', width = 3, hit = { share = 0.5 }, damage = 2, head = 'arrow', blend = 'glow' "
+    "})\n"
+    "function string.rays(t, i)\n"
+    "  t[#t + 1] = laser.beam { kind = i == 1 and 'lance' or 'ray', x = 9, y = 8 * i, length = 50, hold = 90, tag = "
+    "'t' }\n"
+    "  t[#t + 1] = laser.bolt { kind = 'ray', x = 90, y = 30 * i, speed = 0.25, length = 20, motion = 'm' }\n"
+    "  t[#t + 1] = i == 2 and laser.curve { kind = 'ray', x = 90, y = 60, speed = 1, points = 6 } or laser.group('t')\n"
+    "end\n"
+    "function string.more_rays()\n"
+    "  laser.each('t', function(l) l:clear { items = 'gem' } end)\n"
+    "  for i = 1, 4 do laser.bolt { kind = 'lance', x = 9 * i, y = 9, speed = 1, length = 9, tag = 't' } end\n"
+    "  laser.curve { kind = 'ray', x = 90, y = 60, aim = true, speed = 3, points = 200, tag = 't' }\n"
+    "end\n";
+
 static const char world[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
     "bullet.def('slab', { sprite = 'arrow', hit = { box = { 8191, 1 } }, turns = true })\n"
     "bullet.def('air', { sprite = 'wink', hit = 'none' })\n"
     "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"
-    "spark.def('glow', { sprite = 'dot', life = 500 })\n"
     "item.def('gem', { sprite = 'dot', radius = 9, gives = { score = { 1, 9 }, lives = 1, a = 2 }, full = 'a',\n"
     "  on_take = function(p, i) string.chaos() i:remove() i:pull() item.group():remove() end })\n"
     "item.def('husk', { sprite = 'arrow', radius = 8191, gravity = 0, magnet = false })\n"
@@ -40,7 +57,7 @@ static const char world[] =
     "function string.chaos(...)\n" /* what a callback may do to those who iterate */
     "  if left == 0 then return end\n"
     "  left = left - 1\n"
-    "  bullet.clear()\n"
+    "  bullet.clear() string.more_rays()\n"
     "  for i = 1, 30 do bullet.fire { kind = 'dot', x = i, y = i, speed = 1, tag = 't' } end\n"
     "  enemy.each(nil, function(e) e:kill() end)\n"
     "  enemy.spawn { kind = 'foe', x = 5, y = 5, tag = 't' }\n"
@@ -62,6 +79,7 @@ static const char world[] =
     "  t[#t + 1] = sprite.put { sprite = 'wink', x = i, y = i }\n"
     "  t[#t + 1] = text.line { x = i, y = i, text = 'words', letter = i }\n"
     "  t[#t + 1] = task.go(function() wait(forever) end)\n"
+    "  string.rays(t, i)\n"
     "  t[#t + 1] = player.get(i % 2 + 1)\n"
     "  t[#t + 1] = motion.def { { wait = i } }\n"
     "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
@@ -285,9 +303,9 @@ static void push_ranged(lua_State *L, const struct api_param *p, bool whole)
         lua_pushnumber(L, v);
 }
 
-static void push_hit(lua_State *L)
+static void push_hit(lua_State *L, bool share)
 {
-    const struct api_param p = { "hit", A_FX, REQ, 0, MAX_SPEED, NULL, NULL };
+    const struct api_param p = { "hit", A_FX, REQ, 0, share ? 1 : MAX_SPEED, NULL, NULL };
 
     if (one_in(4)) {
         lua_pushliteral(L, "none");
@@ -295,8 +313,8 @@ static void push_hit(lua_State *L)
     }
     lua_newtable(L);
     push_ranged(L, &p, false);
-    if (one_in(2)) {
-        lua_setfield(L, -2, "circle");
+    if (share || one_in(2)) {
+        lua_setfield(L, -2, share ? "share" : "circle");
         return;
     }
     lua_newtable(L);
@@ -322,7 +340,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
                *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
                *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
-               *const fires[] = { "bullet", "shot" }, *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+               *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
+               *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
                *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
                *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
@@ -391,7 +410,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_thing(L, (unsigned)p->lo);
         break;
     case A_HIT:
-        push_hit(L);
+        push_hit(L, entry && !strcmp(entry->name, "laser.def"));
         break;
     case A_MOTION:
         if (one_in(3))
@@ -461,7 +480,11 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_from(L, depths, 2);
         break;
     case A_FIRE:
-        push_from(L, fires, 2);
+    case A_SHOOT:
+        push_from(L, fires, 5);
+        break;
+    case A_LASER_KIND:
+        push_from(L, lasers, 2);
         break;
     case A_EMIT:
         push_from(L, emits, 6);
@@ -1056,6 +1079,7 @@ static void test_start(void **state)
 
 static int setup(void **state)
 {
+    static char script[sizeof rays + sizeof world];
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
@@ -1070,7 +1094,10 @@ static int setup(void **state)
     m.lua_kib = 512;
     m.frozen = m.meet = m.bg = 1;
     m.items = 40;
-    rig_with_sys(&g, &m, world); /* the fuzz calls sys too */
+    m.lasers = 12;
+    m.curve_points = 512;
+    snprintf(script, sizeof script, "%s%s", rays, world);
+    rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_maps(&g);
     rig_power(&rig, &g, NULL);

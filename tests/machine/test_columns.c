@@ -47,6 +47,10 @@ static const struct home homes[] = {
     HOME("bg_lines", "chips/bg.h", bg_lines),
     HOME("bg_shades", "chips/bg.h", bg_shades),
     HOME("screen", "chips/screen.h", screen),
+    HOME("lasers", "chips/lasers.h", lasers),
+    HOME("laser_heads", "chips/bullets.h", bullets),
+    HOME("laser_kinds", "chips/lasers.h", laser_kinds),
+    HOME("laser_points", "chips/lasers.h", laser_points),
 };
 
 /* A file without its comments. */
@@ -340,17 +344,21 @@ static bool has_room(struct board *b)
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = { start = 2, max = 9 } } "    \
     "})\n"                                                                                                             \
     "spark.def('glow', { sprite = 'dot', life = 500 })\n" DEF                                                          \
+    "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 } })\n"                                            \
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"              \
     "stage.def('s', function()\n"                                                                                      \
     "  for i = 1, 20 do\n" DROP                                                                                        \
     "    local b = bullet.fire { kind = 'dot', x = 60 + i, y = 30, speed = 0.25, motion = 'm', tag = 't' }\n"          \
     "    local s = shot.fire { kind = 'bolt', x = 50 + i, y = 200, speed = 0.5 }\n"                                    \
     "    local e = enemy.spawn { kind = 'foe', x = 20 + 9 * i, y = 20 }\n"                                             \
+    "    local y = laser.beam { kind = 'ray', follow = e, length = 9, hold = 300, tag = 't' }\n"                       \
+    "    local c = laser.curve { kind = 'ray', x = 50 + i, y = 60, speed = 0.5, motion = 'm', points = 40 }\n"         \
     "    local p = sprite.put { sprite = 'wink', x = i, y = i }\n"                                                     \
     "    local l = text.line { x = i, y = i, text = 'words' .. i, letter = 1 }\n"                                      \
     "    e:move { x = 100, y = 100, over = 100 }\n"                                                                    \
     "    spark.burst { kind = 'glow', x = 100, y = 100, n = 2, speed = 0.5 }\n"                                        \
     "    task.go(function() wait(10 + i) if i % 2 == 0 then b:remove() s:remove() e:remove() p:remove() l:remove() "   \
+    "c:remove() "                                                                                                      \
     "end "                                                                                                             \
     "wait(i) "                                                                                                         \
     "end)\n"                                                                                                           \
@@ -383,7 +391,8 @@ static void test_flips(void **state)
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
     m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = 1;
-    m.items = m.lines = 128;
+    m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
+    m.curve_points = 96 * 64;
     rig_script(&g, &m, scene);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
@@ -409,13 +418,16 @@ static void test_flips(void **state)
 /* Columns of a group that the manifest does not ask for take no RAM. */
 static void test_groups(void **state)
 {
-    struct manifest m = rig_manifest(), all = m;
+    struct manifest m = rig_manifest(), all;
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct rig_game few, many;
     struct rig a, b;
     int there = 0;
 
     (void)state;
+    m.lasers = 128;
+    m.curve_points = 4096;
+    all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
     all.hp = all.around = all.frozen = all.meet = all.bg = 1;
     all.items = 64;
@@ -463,6 +475,8 @@ static void test_derived(void **state)
     m.items = 64;
     m.bg = 1;
     m.lines = 32;
+    m.lasers = 128;
+    m.curve_points = 4096;
     rig_script(&g, &m, scene);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);
@@ -470,6 +484,8 @@ static void test_derived(void **state)
         rig_run(&a, 1);
         b.b->bullets.moved = 77;
         b.b->shots.moved = 99;
+        b.b->laser_heads.moved = 11;
+        b.b->laser_heads.ran = 12;
         for (int p = 0; p < PADS; p++)
             b.b->player.was_x[p] = b.b->player.was_y[p] = (fx)(f * 65536);
         for (uint32_t i = 0; i < b.b->items.s.cap; i++)

@@ -276,7 +276,7 @@ static void test_parts(void **state)
 
     (void)state;
     memcpy(was, original.part[3], sizeof was);
-    snprintf(original.part[3], sizeof was, "lasers");
+    snprintf(original.part[3], sizeof was, "parrots");
     assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_DIFFERS && got.frame == 0 && got.parts == 1u << 3 && got.missing == 1u << 3);
     memcpy(original.part[3], was, sizeof was);

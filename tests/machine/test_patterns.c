@@ -467,7 +467,8 @@ static void test_errors(void **state)
         "task.own(enemy.spawn { kind = 'foe', x = 9, y = 9 }, pattern.ring, {" DOT "n = 3 })",
         "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy (a task's function gets its owner "
         "first: write function(e) ... end)");
-    says(RING "fire = 'bolt' }", "main.lua:2: pattern.ring: fire: expected bullet or shot, got \"bolt\"");
+    says(RING "fire = 'bomb' }",
+         "main.lua:2: pattern.ring: fire: expected bullet, shot, bolt, curve or beam, got \"bomb\"");
     says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: shot kind \"dot\" is not declared");
     says(RING "by = player.get(1) }",
          "main.lua:2: pattern.ring: by is an argument of shots (did you mean to add fire = \"shot\"?)");

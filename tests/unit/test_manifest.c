@@ -577,7 +577,7 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5223 bytes long, expected 5224");
+    assert_string_equal(err, "5231 bytes long, expected 5232");
     for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
         assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);

@@ -12,9 +12,9 @@
 
 static const struct report_part SECTIONS[] = {
     { "machine", section_machine }, { "crowd", section_crowd },       { "prices", section_prices },
-    { "battle", section_battle },   { "pictures", section_pictures }, { "game", section_game },
-    { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
-    { "guards", section_guards },
+    { "battle", section_battle },   { "pictures", section_pictures }, { "lasers", section_lasers },
+    { "game", section_game },       { "rewind", section_rewind },     { "replay", section_replay },
+    { "memory", section_memory },   { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

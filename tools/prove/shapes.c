@@ -164,6 +164,31 @@ static bool right_swept_capsules(const int64_t *v)
     return oracle_swept_bars(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]);
 }
 
+/* From d to d + h/2, and at the end from d + w to d + w + g/2. */
+static bool try_turned_bar(const int64_t *v)
+{
+    const struct geom_bar bar = { .ax = v[0],
+                                  .ay = v[1],
+                                  .ux = v[2],
+                                  .uy = v[3],
+                                  .bx = v[0] + v[4] / 2,
+                                  .by = v[1] + v[5] / 2,
+                                  .vx = v[2] + v[6] / 2 - v[4] / 2,
+                                  .vy = v[3] + v[7] / 2 - v[5] / 2 };
+
+    return geom_swept_bar(&bar, v[8]);
+}
+
+static bool right_turned_bar(const int64_t *v)
+{
+    int64_t p[4][2] = { { v[0], v[1] },
+                        { v[0] + v[4] / 2, v[1] + v[5] / 2 },
+                        { v[0] + v[2] + v[6] / 2, v[1] + v[3] + v[7] / 2 },
+                        { v[0] + v[2], v[1] + v[3] } };
+
+    return oracle_turned_bar(p, v[8]);
+}
+
 #define FAR   ((int64_t)1 << 61) /* as far as a start may be */
 #define FAST  ((int64_t)1 << 31)
 #define WORLD ((int64_t)1 << 30) /* 16384 pixels */
@@ -220,6 +245,16 @@ static const struct shape SHAPES[] = {
       -FAR / 4,
       FAR / 4,
       FAST,
+      WORLD,
+      0,
+      9,
+      { DX, DY, WX, WY, HX, HY, GX, GY, R } },
+    { "turned-bar",
+      try_turned_bar,
+      right_turned_bar,
+      -FAR / 4,
+      FAR / 4,
+      FAST / 4,
       WORLD,
       0,
       9,

@@ -275,4 +275,40 @@ static inline bool oracle_swept_bars(int64_t dx, int64_t dy, int64_t wx, int64_t
     return !flat && oracle_across(c, w, h, g) && oracle_across(c, h, w, g) && oracle_across(c, g, w, h);
 }
 
+/* Which way is it round the triangle of the origin, p and q: 1, -1, or 0 where they lie on a line? */
+static inline int oracle_turn(const int64_t p[2], const int64_t q[2])
+{
+    return wide_sign(wide_cross(p[0], p[1], q[0], q[1]));
+}
+
+/* Is the origin inside of the triangle, not on a side? */
+static inline bool oracle_in_triangle(const int64_t p[2], const int64_t q[2], const int64_t r[2])
+{
+    int turn = oracle_turn(p, q);
+
+    return turn != 0 && turn == oracle_turn(q, r) && turn == oracle_turn(r, p);
+}
+
+/*
+ * A bar from p[0] to p[1] whose ends go straight to p[3] and p[2], within r of the origin: the four sides, or the
+ * origin inside of a triangle of three of the four corners, and not of the one that has the fourth and the same
+ * diagonal: a quadrilateral is the two, or where it has a notch or crosses itself, what is in one of them alone. A
+ * point on a diagonal is in neither, but seen along the other diagonal.
+ */
+static inline bool oracle_turned_bar(int64_t p[4][2], int64_t r)
+{
+    if (r < 0)
+        return false;
+    for (int k = 0; k < 4; k++) {
+        const int64_t *a = p[k], *b = p[(k + 1) % 4];
+        if (oracle_swept_disc(a[0], a[1], b[0] - a[0], b[1] - a[1], r))
+            return true;
+    }
+    for (int k = 0; k < 2; k++)
+        if (oracle_turn(p[k], p[k + 2]) != 0)
+            return oracle_in_triangle(p[k], p[k + 1], p[k + 2]) != oracle_in_triangle(p[k + 2], p[(k + 3) % 4], p[k]);
+    /* where both diagonals meet */
+    return oracle_in_triangle(p[0], p[1], p[3]) || oracle_in_triangle(p[0], p[1], p[2]) || oracle_turn(p[0], p[1]) != 0;
+}
+
 #endif

@@ -267,6 +267,8 @@ static void install(lua_State *L, const struct api_entry *e)
     const char *split = strpbrk(e->name, ".:");
     char space[32];
 
+    if (!vm_board(L)->lasers.s.cap && !strncmp(e->name, "laser", 5))
+        return;
     if (!split) {
         push_function(L, e);
         lua_setglobal(L, e->name);

@@ -16,12 +16,12 @@ static int64_t q32(double v)
 }
 
 /* A number in Q32 for what is fine; for what is not, rounded to fx. */
-static int64_t units(bool fine, const struct api_value *v)
+int64_t api_units(bool fine, const struct api_value *v)
 {
     return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
 }
 
-static bool motion_fine(const struct board *b, uint16_t motion)
+bool api_motion_fine(const struct board *b, uint16_t motion)
 {
     return motion && b->motions.fine[motion - 1];
 }
@@ -42,6 +42,7 @@ const char *const api_hit_forms[] = {
     [HIT_PLAYERS] = "{ circle = r }",
     [HIT_ENEMIES] =
         "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
+    [HIT_LASERS] = "{ share = s }, of its width, 0 to 1, or \"none\"",
     [HIT_BULLETS] = "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_MANY " or \"none\"",
 };
 
@@ -376,7 +377,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
                               .kind = (uint16_t)v[F_KIND].i,
                               .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : kinds->bank[v[F_KIND].i],
                               .motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0,
-                              .fine = v[F_MOTION].given && motion_fine(b, (uint16_t)v[F_MOTION].i),
+                              .fine = v[F_MOTION].given && api_motion_fine(b, (uint16_t)v[F_MOTION].i),
                               .player = player,
                               .delay = shot ? 0 : (uint32_t)v[F_DELAY].i,
                               .by = tasks_serial(b) };
@@ -391,7 +392,7 @@ static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, c
         s.tag = api_tag(L, entry, v[F_TAG].at);
     api_check_around(L, pool, entry, &v[F_AROUND]);
     s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
-    int32_t i = emit_fire(b, shot, &s, units(true, &v[F_SPEED]), b->core.clock);
+    int32_t i = emit_fire(b, shot, &s, api_units(true, &v[F_SPEED]), b->core.clock);
     if (i != NO_SLOT)
         api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + F_VALUES);
     lua_pushinteger(L, board_handle(b, h, i));
@@ -484,28 +485,10 @@ static const struct api_param bullet_sweep[] = {
     { "by", A_PAD, OPT, 0, 0, NULL, NULL },
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    { "lasers", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
 /* ---- properties ---- */
-
-enum {
-    P_X,
-    P_Y,
-    P_DIR,
-    P_SPEED,
-    P_VX,
-    P_VY,
-    P_KIND,
-    P_BANK,
-    P_TAG,
-    P_MOTION,
-    P_AROUND,
-    P_AGE,
-    P_FROZEN,
-    P_LAST,
-    P_DELAY = P_LAST,
-    P_HP
-};
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
@@ -557,53 +540,53 @@ static void push_q32(lua_State *L, int64_t v)
     lua_pushnumber(L, (double)v / 4294967296.0);
 }
 
-static void get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
+void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
 {
     const struct bullet_kinds *kinds = names == N_SHOT ? &b->shot_kinds : &b->bullet_kinds;
     int64_t x, y;
 
     switch (p) {
-    case P_X:
-    case P_Y:
+    case FLIES_X:
+    case FLIES_Y:
         bullets_place(s, i, &x, &y);
-        push_q32(L, p == P_X ? x : y);
+        push_q32(L, p == FLIES_X ? x : y);
         break;
-    case P_DIR:
+    case FLIES_DIR:
         lua_pushnumber(L, trig_to_degrees(s->dir[i]));
         break;
-    case P_SPEED:
+    case FLIES_SPEED:
         push_q32(L, bullets_speed(s, i));
         break;
-    case P_VX:
-    case P_VY:
+    case FLIES_VX:
+    case FLIES_VY:
         bullets_velocity(s, i, &x, &y);
-        push_q32(L, p == P_VX ? x : y);
+        push_q32(L, p == FLIES_VX ? x : y);
         break;
-    case P_KIND:
+    case FLIES_KIND:
         api_names_push(L, names, bullets_kind(s, kinds, i));
         break;
-    case P_BANK:
+    case FLIES_BANK:
         lua_pushinteger(L, s->bank[i]);
         break;
-    case P_TAG:
+    case FLIES_TAG:
         api_push_tag(L, s->tag[i]);
         break;
-    case P_MOTION:
+    case FLIES_MOTION:
         if (s->motion[i])
             lua_pushinteger(L, handle_of(H_MOTION, 1, s->motion[i] - 1u));
         else
             lua_pushnil(L);
         break;
-    case P_AROUND:
+    case FLIES_AROUND:
         if (s->around && s->around[i])
             lua_pushinteger(L, s->around[i]);
         else
             lua_pushnil(L);
         break;
-    case P_AGE:
+    case FLIES_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
-    case P_FROZEN:
+    case FLIES_FROZEN:
         api_push_or_forever(L, s->frozen[i]);
         break;
     default:
@@ -615,7 +598,7 @@ static void get_flight(lua_State *L, struct board *b, const struct bullets *s, e
 }
 
 /* A script's write to dir or speed ends the running motion step's drive of it. */
-static void override(struct bullets *s, uint32_t i, unsigned what)
+void api_override(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->mute[i] & STEP_BEGUN)
         s->mute[i] |= (uint8_t)what;
@@ -626,12 +609,12 @@ static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 {
     int64_t x, y;
 
-    if (p == P_X || p == P_Y) {
+    if (p == FLIES_X || p == FLIES_Y) {
         bullets_place(s, i, &x, &y);
-        bullets_set_place(s, i, p == P_X ? v : x, p == P_Y ? v : y);
+        bullets_set_place(s, i, p == FLIES_X ? v : x, p == FLIES_Y ? v : y);
     } else {
         bullets_velocity(s, i, &x, &y);
-        bullets_set_velocity(s, i, p == P_VX ? v : x, p == P_VY ? v : y);
+        bullets_set_velocity(s, i, p == FLIES_VX ? v : x, p == FLIES_VY ? v : y);
     }
 }
 
@@ -641,55 +624,55 @@ static void let_go(const struct board *b, struct bullets *s, uint32_t i)
     if (!s->motion[i] || !(s->mute[i] & STEP_BEGUN))
         return;
     if (b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
-        override(s, i, OVERRIDE_PLACE);
+        api_override(s, i, OVERRIDE_PLACE);
         bullets_steer(s, i);
     }
 }
 
-static void set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
-                       int p, const struct api_value *v)
+void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                    int p, const struct api_value *v)
 {
     bool fine = s->flags[i] & BULLET_FINE;
 
     switch (p) {
-    case P_X:
-    case P_Y:
-        set_part(s, i, p, units(fine, v));
+    case FLIES_X:
+    case FLIES_Y:
+        set_part(s, i, p, api_units(fine, v));
         let_go(b, s, i);
         break;
-    case P_DIR:
+    case FLIES_DIR:
         s->dir[i] = v->a;
-        override(s, i, OVERRIDE_DIR);
+        api_override(s, i, OVERRIDE_DIR);
         bullets_steer(s, i);
         break;
-    case P_SPEED:
-        override(s, i, OVERRIDE_SPEED);
-        bullets_set_speed(s, i, units(fine, v));
+    case FLIES_SPEED:
+        api_override(s, i, OVERRIDE_SPEED);
+        bullets_set_speed(s, i, api_units(fine, v));
         break;
-    case P_VX:
-    case P_VY:
-        override(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
-        set_part(s, i, p, units(fine, v));
+    case FLIES_VX:
+    case FLIES_VY:
+        api_override(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
+        set_part(s, i, p, api_units(fine, v));
         break;
-    case P_KIND:
+    case FLIES_KIND:
         bullets_set_kind(s, kinds, i, (uint16_t)v->i);
         break;
-    case P_BANK:
+    case FLIES_BANK:
         s->bank[i] = (uint8_t)v->i;
         break;
-    case P_TAG:
+    case FLIES_TAG:
         s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
         break;
-    case P_FROZEN:
+    case FLIES_FROZEN:
         bullets_freeze(s, i, api_or_forever(v));
         break;
-    case P_AROUND:
-        api_check_around(L, s, s == &b->shots ? "shot" : "bullet", v);
+    case FLIES_AROUND:
+        api_check_around(L, s, s == &b->shots ? "shot" : s == &b->bullets ? "bullet" : "laser", v);
         if (s->around)
             s->around[i] = v->given ? v->i : 0;
         break;
-    case P_MOTION:
-        bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && motion_fine(b, (uint16_t)v->i));
+    case FLIES_MOTION:
+        bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && api_motion_fine(b, (uint16_t)v->i));
         break;
     default:
         break;
@@ -708,30 +691,30 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct bullets *s = &b->bullets;
 
-    if (p == P_DELAY)
+    if (p == FLIES_DELAY)
         lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
-    else if (p == P_HP)
+    else if (p == FLIES_HP)
         api_push_or_forever(L, hp_of(L, b)[i]);
     else
-        get_flight(L, b, &b->bullets, N_BULLET, i, p);
+        api_get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
 
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    if (p == P_HP)
+    if (p == FLIES_HP)
         hp_of(L, b)[i] = api_or_forever(v);
     else
-        set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
+        api_set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
 
 static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
 {
-    get_flight(L, b, &b->shots, N_SHOT, i, p);
+    api_get_flight(L, b, &b->shots, N_SHOT, i, p);
 }
 
 static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
+    api_set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
 }
 
 /* ---- groups' properties ---- */
@@ -756,14 +739,14 @@ static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
 
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
-    if (p != P_LAST)
+    if (p != FLIES_LAST)
         vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
     count_tagged(L, &b->bullets, tag);
 }
 
 static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
 {
-    if (p != P_LAST)
+    if (p != FLIES_LAST)
         vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read of a group (only count can)", shots_props[p].value.name);
     count_tagged(L, &b->shots, tag);
 }
@@ -784,10 +767,10 @@ static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const 
             set_shot(L, b, i, p, v);
 }
 
-const struct api_thing api_bullet_thing = { "bullet", bullet_props, P_HP + 1, get_bullet, set_bullet };
-const struct api_thing api_shot_thing = { "shot", shot_props, P_LAST + 1, get_shot, set_shot };
-const struct api_thing api_group_thing = { "group", group_props, P_HP + 1, get_group, set_group };
-const struct api_thing api_shots_thing = { "shots", shots_props, P_LAST + 1, get_shots, set_shots };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, FLIES_HP + 1, get_bullet, set_bullet };
+const struct api_thing api_shot_thing = { "shot", shot_props, FLIES_LAST + 1, get_shot, set_shot };
+const struct api_thing api_group_thing = { "group", group_props, FLIES_HP + 1, get_group, set_group };
+const struct api_thing api_shots_thing = { "shots", shots_props, FLIES_LAST + 1, get_shots, set_shots };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
@@ -808,7 +791,7 @@ static void shift(const struct board *b, struct bullets *s, uint32_t i, const st
     int64_t x, y;
 
     bullets_place(s, i, &x, &y);
-    bullets_set_place(s, i, shifted(x, units(fine, &v[ARG_DX])), shifted(y, units(fine, &v[ARG_DY])));
+    bullets_set_place(s, i, shifted(x, api_units(fine, &v[ARG_DX])), shifted(y, api_units(fine, &v[ARG_DY])));
     let_go(b, s, i);
 }
 
@@ -831,7 +814,7 @@ static void act(struct board *b, bool shot, uint32_t i, enum verb verb, const st
         bullets_drop(s, i);
         return;
     }
-    override(s, i, OVERRIDE_DIR);
+    api_override(s, i, OVERRIDE_DIR);
     bullets_steer(s, i);
 }
 
@@ -1216,7 +1199,7 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
     if (v[M_PHASE].given)
         s->dir = v[M_PHASE].a;
     if (v[M_POLAR].given)
-        s->speed = units(fine, &v[M_POLAR]);
+        s->speed = api_units(fine, &v[M_POLAR]);
     if (s->does & DOES_GO_TO) /* speed is its setting */
         s->does &= ~(uint32_t)DOES_SPEED;
     return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
@@ -1257,8 +1240,8 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->dir = v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
     trig_from_degrees(v[M_HOME].n, &s->home);
-    s->speed = units(fine, &v[M_SPEED]);
-    s->accel = units(fine, &v[M_ACCEL]);
+    s->speed = api_units(fine, &v[M_SPEED]);
+    s->accel = api_units(fine, &v[M_ACCEL]);
     named |= fill_lead(L, s, v, step, fine);
     s->named = named;
     s->does |= named ? DOES_NAMED : 0;
@@ -1533,7 +1516,7 @@ const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
 static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
-/* The entries that patterns take the parameters of: FIRES_BULLETS, FIRES_SHOTS. */
+/* Patterns take the parameters of these two, or of lasers. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
         "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
@@ -1544,7 +1527,7 @@ static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0,
         "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",                            \
             "fires a shot; with aim, dir counts from the nearest enemy"                                                \
     }
-const struct api_entry api_fire[2] = { BULLET_FIRE, SHOT_FIRE };
+const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
 
 #define CLEAR_ONE(thing)                                                                                               \
     API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark and item")

@@ -13,7 +13,7 @@
 const char *const api_thing_names[HANDLES] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text",
-    "a layer",  "a plane"
+    "a layer",  "a plane",  "a laser",          "a group of lasers"
 };
 
 /* Pushes how a value looks in an error. */
@@ -167,7 +167,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     v->i = api_names_find(L, what, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
-    const char *line = what == N_ITEM ? api_off(&vm_board(L)->cart.m, "item") : NULL;
+    const char *line = api_names_off(L, what);
     if (line)
         api_error(L, entry, "%s: " API_OFF, p->name, line);
     api_names_suggest(L, what, lua_tostring(L, at));
@@ -250,10 +250,15 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
 
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                          *const layers[] = { "back", "middle", "front" }, *const depths[] = { "back", "front" },
-                         *const aligns[] = { "left", "center", "right" }, *const what_fires[] = { "bullet", "shot" },
+                         *const aligns[] = { "left", "center", "right" },
+                         *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
                                                                                                     "stack", "line" };
+
+/* By FIRES_. */
+const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
+                                                  &api_fire_beam };
 
 static const struct word_list {
     const char *const *words;
@@ -263,7 +268,8 @@ static const struct word_list {
               [A_LAYER] = { layers, LAYERS },
               [A_DEPTH] = { depths, 2 },
               [A_ALIGN] = { aligns, 3 },
-              [A_FIRE] = { what_fires, 2 },
+              [A_FIRE] = { fire_words, FIRES },
+              [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
               [A_MEET] = { meets, 4 },
               [A_EMIT] = { emits, EMIT_PATTERNS } };
 
@@ -319,8 +325,8 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
 
 static void check_declared(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    static const char *const nouns[] = { "bullet kind", "shot kind",  "enemy kind",
-                                         "player kind", "spark kind", "item kind" };
+    static const char *const nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
+                                         "spark kind",  "item kind", "laser kind" };
     int k = (int)p->type - A_BULLET_KIND;
 
     check_name(L, entry, p, at, v, (enum api_names)k, nouns[k]);
@@ -385,6 +391,7 @@ static check *const CHECKS[] = {
     [A_PLAYER_KIND] = check_declared,
     [A_SPARK_KIND] = check_declared,
     [A_ITEM_KIND] = check_declared,
+    [A_LASER_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
     [A_FACE] = check_face,
@@ -396,6 +403,7 @@ static check *const CHECKS[] = {
     [A_DEPTH] = check_word,
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
+    [A_SHOOT] = check_word,
     [A_MEET] = check_word,
     [A_EMIT] = check_word,
 };
@@ -451,11 +459,21 @@ static const struct api_entry *fires(lua_State *L, const struct api_entry *e, in
     if (!(e->flags & API_FIRE))
         return NULL;
     if (lua_type(L, at) != LUA_TTABLE)
-        return &api_fire[FIRES_BULLETS];
+        return api_fire[FIRES_BULLETS];
     lua_pushliteral(L, "fire");
-    bool shots = lua_rawget(L, at) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
+    const char *word = lua_rawget(L, at) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    int found = FIRES_BULLETS;
+    for (int k = 0; k < FIRES; k++)
+        if (!strcmp(word, fire_words[k]))
+            found = k;
     lua_pop(L, 1);
-    return &api_fire[shots ? FIRES_SHOTS : FIRES_BULLETS];
+    const struct manifest *m = &vm_board(L)->cart.m;
+    const char *line = found < FIRES_BOLTS ? NULL : api_off(m, "laser");
+    if (!line)
+        line = api_off(m, api_fire[found]->name);
+    if (line)
+        api_error(L, e->name, "fire: " API_OFF, line);
+    return api_fire[found];
 }
 
 /* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
@@ -480,7 +498,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
 
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
-    if (fire == &api_fire[FIRES_BULLETS] && param_named(&api_fire[FIRES_SHOTS], NULL, name) >= 0)
+    if (fire == api_fire[FIRES_BULLETS] && param_named(api_fire[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
     if (api_step_word(name) && param_named(e, fire, "motion") >= 0)
         api_error(L, e->name,

@@ -116,6 +116,9 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
     case H_ITEM:
     case H_ITEMS:
         return &b->items.s;
+    case H_LASER:
+    case H_LASERS:
+        return &b->laser_heads.s;
     default:
         return &b->enemies.s;
     }
@@ -174,8 +177,8 @@ static const struct {
     int group;   /* of columns */
 } switched[] = {
     { "frozen",
-      1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_GROUP | 1 << H_SHOTS | 1 << H_ENEMIES |
-          1 << H_ITEMS,
+      1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_LASER | 1 << H_GROUP | 1 << H_SHOTS |
+          1 << H_ENEMIES | 1 << H_ITEMS | 1 << H_LASERS,
       GROUP_FROZEN },
 };
 

@@ -28,6 +28,7 @@ static const char *type_words(const struct api_param *p)
         [A_ENEMY_KIND] = "name of an enemy kind",
         [A_PLAYER_KIND] = "name of a player kind",
         [A_SPARK_KIND] = "name of a spark kind",
+        [A_LASER_KIND] = "name of a laser kind",
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
         [A_FACE] = "name of a font",
@@ -38,7 +39,8 @@ static const char *type_words(const struct api_param *p)
         [A_LAYER] = "back, middle or front",
         [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
-        [A_FIRE] = "bullet or shot",
+        [A_SHOOT] = "bullet or shot",
+        [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",
     };

@@ -9,10 +9,45 @@
 
 enum { MAX_PARAMS = 40 };
 
-/* The entries of bullet.fire and shot.fire. A pattern (API_FIRE) takes the parameters of one of them too: of what its
- * argument `fire` names, by FIRES_. */
-enum { FIRES_BULLETS, FIRES_SHOTS };
-extern const struct api_entry api_fire[2];
+/* The entries of bullet.fire, shot.fire, laser.bolt, laser.curve and laser.beam. A pattern (API_FIRE) takes the
+ * parameters of one of them too: of what its argument `fire` names, by FIRES_. */
+enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
+extern const struct api_entry *const api_fire[FIRES];
+extern const struct api_entry api_fire_bullet, api_fire_shot, api_fire_bolt, api_fire_curve, api_fire_beam;
+
+/* Properties of what flies, in their order. */
+enum {
+    FLIES_X,
+    FLIES_Y,
+    FLIES_DIR,
+    FLIES_SPEED,
+    FLIES_VX,
+    FLIES_VY,
+    FLIES_KIND,
+    FLIES_BANK,
+    FLIES_TAG,
+    FLIES_MOTION,
+    FLIES_AROUND,
+    FLIES_AGE,
+    FLIES_FROZEN,
+    FLIES_LAST,
+    FLIES_DELAY = FLIES_LAST,
+    FLIES_HP
+};
+
+/* Property p of bullet, shot or laser head i of s; those before FLIES_LAST. */
+void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p);
+void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                    int p, const struct api_value *v);
+
+/* Is the motion (index + 1, 0: none) a fine one? */
+bool api_motion_fine(const struct board *b, uint16_t motion);
+
+/* A number in Q32 for what is fine; for what is not, rounded to fx. */
+int64_t api_units(bool fine, const struct api_value *v);
+
+/* A script's write (OVERRIDE_) ends the running motion step's drive. */
+void api_override(struct bullets *s, uint32_t i, unsigned what);
 
 /* An entry by name; NULL: none. */
 const struct api_entry *api_find(const char *name);
@@ -60,7 +95,7 @@ void api_open_handles(lua_State *L);
 bool api_push_method(lua_State *L, int kind, const char *name);
 
 /* Whose hit shape it is: they may have different ones. */
-enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */ };
+enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */, HIT_LASERS };
 
 /* What they may be, in words. */
 extern const char *const api_hit_forms[];
@@ -187,13 +222,27 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
 /* Is the point in it? Exactly, its edge included. */
 bool api_region_has(const struct api_region *r, fx x, fx y);
 
+/* Is laser i, as it is drawn, anywhere in it? */
+bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i);
+
 /* bullet.clear and the clears of bullets, shots and their groups. */
-enum { CLEAR_PARAMS = 15, CLEAR_SELF_PARAMS = 3, CLEAR_GROUP_PARAMS = 4 + REGION_PARAMS };
+enum {
+    CLEAR_PARAMS = 16,
+    CLEAR_SELF_PARAMS = 3,
+    CLEAR_GROUP_PARAMS = 4 + REGION_PARAMS,
+    LASER_CLEAR_PARAMS = 16,
+    LASER_CLEAR_SELF_PARAMS = 4,
+    LASER_CLEAR_GROUP_PARAMS = 5 + REGION_PARAMS
+};
 extern const struct api_param api_clear_params[CLEAR_PARAMS], api_clear_self_params[CLEAR_SELF_PARAMS],
-    api_clear_group_params[CLEAR_GROUP_PARAMS];
+    api_clear_group_params[CLEAR_GROUP_PARAMS], api_laser_clear_params[LASER_CLEAR_PARAMS],
+    api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS], api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS];
 int api_clear(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v);
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
+int api_laser_clear(lua_State *L, struct board *b, struct api_value *v);
+int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v);
+int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v);
 
 /* bullet.meet. */
 enum { MEET_PARAMS = 6 };
@@ -244,6 +293,9 @@ void api_pictures_keep(lua_State *L, enum api_names of, int32_t kind, const stru
 unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const char *thing,
                            const struct api_value *name);
 void api_picture_push(lua_State *L, enum api_names of, int32_t kind, unsigned n);
+
+/* Where names of that sort cannot be declared: the line of rom.lua that it takes; else NULL. */
+const char *api_names_off(lua_State *L, enum api_names what);
 
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);

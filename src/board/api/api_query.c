@@ -2,6 +2,7 @@
  * api_query.c - query; and api_place, which reads the place of every fire, spawn and burst.
  */
 #include <string.h>
+#include "../lasers_run.h"
 #include "api_parts.h"
 
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y)
@@ -27,7 +28,7 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
     return true;
 }
 
-/* A pool to ask: its places and tags. */
+/* A pool to ask: its places and tags. Of lasers the places are those that found() sets. */
 struct field {
     enum handle_kind kind;
     const struct slots *s;
@@ -44,12 +45,14 @@ static struct field field_named(lua_State *L, struct board *b, const char *entry
         return (struct field){ H_SHOT, &b->shots.s, b->shots.x, b->shots.y, b->shots.tag, NULL };
     if (!strcmp(what, "enemy"))
         return (struct field){ H_ENEMY, &b->enemies.s, b->enemies.x, b->enemies.y, b->enemies.tag, NULL };
-    if (!strcmp(what, "item") && api_off(&b->cart.m, what))
+    if ((!strcmp(what, "item") || !strcmp(what, "laser")) && api_off(&b->cart.m, what))
         api_error(L, entry, "what: " API_OFF, api_off(&b->cart.m, what));
     if (!strcmp(what, "item"))
         return (struct field){ H_ITEM, &b->items.s, b->items.x, b->items.y, b->items.tag, NULL };
+    if (!strcmp(what, "laser"))
+        return (struct field){ H_LASER, &b->lasers.s, NULL, NULL, b->laser_heads.tag, NULL };
     if (strcmp(what, "player"))
-        api_error(L, entry, "what: expected bullet, enemy, item, shot or player, got \"%s\"", what);
+        api_error(L, entry, "what: expected bullet, enemy, item, laser, shot or player, got \"%s\"", what);
     return (struct field){ H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL, b->player.in };
 }
 
@@ -97,18 +100,38 @@ static void sort_near(lua_State *L, int list, lua_Integer n, const struct field 
     }
 }
 
+static bool in_region(const struct board *b, const struct field *f, const struct api_region *r, uint32_t i)
+{
+    return f->kind == H_LASER ? api_region_laser(b, r, i) : api_region_has(r, f->x[i], f->y[i]);
+}
+
+/* A laser's place is the one of its line that is nearest to the region's. Leaves a userdata on the stack. */
+static void place_lasers(lua_State *L, const struct board *b, struct field *f, const struct api_region *r)
+{
+    const uint32_t n = f->s->top;
+    fx *x = lua_newuserdatauv(L, 2 * (n ? n : 1) * sizeof *x, 0), *y = x + n;
+
+    EACH_LIVE (i, f->s) {
+        lasers_nearest(b, i, r->x, r->y, &x[i], &y[i]);
+        vm_charge(L, lasers_corners(b, i));
+    }
+    f->x = x;
+    f->y = y;
+}
+
 /* Pushes the list of what is in the region, nearest to its place first; `there` false: an empty one. */
-static int found(lua_State *L, struct board *b, const struct field *f, uint32_t tag, const struct api_region *r,
-                 bool there)
+static int found(lua_State *L, struct board *b, struct field *f, uint32_t tag, const struct api_region *r, bool there)
 {
     uint32_t end = there ? f->s->used ? f->s->top : f->s->live : 0;
     lua_Integer n = 0;
 
+    if (f->kind == H_LASER)
+        place_lasers(L, b, f, r);
     lua_newtable(L);
     int list = lua_gettop(L);
     for (uint32_t i = slots_next(f->s, 0); i < end; i = slots_next(f->s, i + 1)) {
         if ((f->in && !f->in[i]) || !board_alive(b, board_handle(b, f->kind, (int32_t)i)) ||
-            (tag && (!f->tag || f->tag[i] != tag)) || !api_region_has(r, f->x[i], f->y[i]))
+            (tag && (!f->tag || f->tag[i] != tag)) || !in_region(b, f, r, i))
             continue;
         lua_pushinteger(L, i);
         lua_rawseti(L, list, ++n);

@@ -3,6 +3,7 @@
  */
 #include "../../base/geom.h"
 #include "../../chips/sparks.h"
+#include "../lasers_run.h"
 #include "api_parts.h"
 
 static bool all_given(const struct api_value *v, int first, int n)
@@ -76,6 +77,20 @@ bool api_region_has(const struct api_region *r, fx x, fx y)
     }
 }
 
+bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i)
+{
+    switch (r->shape) {
+    case REGION_CIRCLE:
+        return lasers_in_circle(b, i, r->x, r->y, r->a);
+    case REGION_BOX:
+        return lasers_in_box(b, i, r->x, r->y, r->a, r->b);
+    case REGION_LINE:
+        return lasers_in_line(b, i, r->x, r->y, r->to_x, r->to_y, r->a);
+    default:
+        return true;
+    }
+}
+
 /* ---- clears ---- */
 
 static const struct bullet_kinds *kinds_of(const struct board *b, const struct bullets *s)
@@ -137,7 +152,25 @@ static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const
 }
 
 /* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
-enum { C_TAG, C_X, C_Y, C_RADIUS, C_SPARK, C_FROM, C_DX, C_DY, C_W, C_H, C_TO_X, C_TO_Y, C_WIDTH, C_ALL, C_ITEMS };
+enum {
+    C_TAG,
+    C_X,
+    C_Y,
+    C_RADIUS,
+    C_SPARK,
+    C_FROM,
+    C_DX,
+    C_DY,
+    C_W,
+    C_H,
+    C_TO_X,
+    C_TO_Y,
+    C_WIDTH,
+    C_ALL,
+    C_ITEMS,
+    C_LASERS,
+    C_EVERY = C_LASERS
+};
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },
@@ -152,7 +185,61 @@ const struct api_param api_clear_params[CLEAR_PARAMS] = {
     SHAPE_LINE_PARAMS(OPT),
     { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    { "lasers", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
+
+/* ---- lasers ---- */
+
+enum { EVERY = 12 /* px between what a laser leaves along its line */ };
+
+/* What that is. */
+struct remains {
+    bool spark;
+    uint16_t kind;
+    const struct api_value *items;
+};
+
+/* At each of its places. */
+static void leave_one(struct board *b, fx x, fx y, void *context)
+{
+    const struct remains *r = context;
+
+    if (r->spark)
+        board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->kind, .n = 1 });
+    if (r->items->given)
+        board_turn_into(b, (uint16_t)r->items->i, x, y);
+}
+
+/* Laser i is cleared: each so many px it leaves the spark that is given, or its kind's, and the item. It goes whole. */
+static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
+                        const struct api_value *items, fx every)
+{
+    const uint16_t vanish = b->laser_kinds.vanish[b->laser_heads.kind[i]];
+    struct remains r = { spark->given || vanish, (uint16_t)(spark->given ? spark->i : vanish - 1), items };
+
+    vm_charge(L, lasers_corners(b, i));
+    if (r.spark || items->given)
+        vm_charge(L, lasers_places(b, i, every, leave_one, &r));
+    lasers_remove(b, i);
+}
+
+/* Removes the lasers that the clear takes; returns how many. shooting: players' lasers too. */
+static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clearing *c, fx every, bool shooting)
+{
+    const struct laser_kinds *kinds = &b->laser_kinds;
+    lua_Integer n = 0;
+
+    EACH_LIVE (i, &b->lasers.s) {
+        const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
+        vm_charge(L, lasers_corners(b, i));
+        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_SHOOTS && !shooting) ||
+            (flags & LASER_FIXED && !c->all) || !api_region_laser(b, &c->region, i))
+            continue;
+        clear_laser(L, b, i, c->spark, c->items, every);
+        n++;
+    }
+    return n;
+}
 
 int api_clear(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -163,7 +250,10 @@ int api_clear(lua_State *L, struct board *b, struct api_value *v)
     if (v[C_TAG].given)
         c.tag = api_tag(L, "bullet.clear", v[C_TAG].at);
     bool there = api_region(L, b, "bullet.clear", place, &c.region);
-    lua_pushinteger(L, there ? clear(L, b, &b->bullets, &c) : 0);
+    lua_Integer n = there ? clear(L, b, &b->bullets, &c) : 0;
+    if (there && v[C_LASERS].i)
+        n += clear_lasers(L, b, &c, EVERY << 16, false);
+    lua_pushinteger(L, n);
     return 1;
 }
 
@@ -211,5 +301,78 @@ int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
     bool there = api_region(L, b, shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
 
     lua_pushinteger(L, there ? clear(L, b, shots ? &b->shots : &b->bullets, &c) : 0);
+    return 1;
+}
+
+/* ---- laser.clear ---- */
+
+#define EVERY_PARAM                                                                                                    \
+    {                                                                                                                  \
+        "every", A_FX, OPT, 1, LASER_LONGEST, "px", "12"                                                               \
+    }
+
+const struct api_param api_laser_clear_params[LASER_CLEAR_PARAMS] = {
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    SHAPE_BOX_PARAMS(OPT),
+    SHAPE_LINE_PARAMS(OPT),
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    EVERY_PARAM,
+};
+
+int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_value place[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
+                                                    v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
+    struct clearing c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .all = v[C_ALL].i };
+
+    if (v[C_TAG].given)
+        c.tag = api_tag(L, "laser.clear", v[C_TAG].at);
+    bool there = api_region(L, b, "laser.clear", place, &c.region);
+    lua_pushinteger(L, there ? clear_lasers(L, b, &c, v[C_EVERY].f, false) : 0);
+    return 1;
+}
+
+const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
+    { "self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    EVERY_PARAM,
+};
+
+int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (board_alive(b, v[ARG_SELF].i))
+        clear_laser(L, b, handle_slot(v[ARG_SELF].i), &v[ARG_SPARK], &v[SELF_ITEMS], v[SELF_ITEMS + 1].f);
+    return 0;
+}
+
+const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
+    { "self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL },
+    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    PLACE,
+    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
+    SHAPE_BOX_PARAMS(OPT),
+    SHAPE_LINE_PARAMS(OPT),
+    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    EVERY_PARAM,
+};
+
+int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct clearing c = {
+        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i
+    };
+    bool there = api_region(L, b, "lasers:clear", v + ARG_PLACE, &c.region);
+
+    lua_pushinteger(L, there ? clear_lasers(L, b, &c, v[ARG_ITEMS + 1].f, true) : 0);
     return 1;
 }

@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "laser option bomb game talk say choose sound music unlock test" },
+    { "", '.', "option bomb game talk say choose sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
@@ -20,7 +20,6 @@ static const struct {
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
-    { "bullet.clear", '{', "lasers" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
     { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
@@ -62,6 +61,8 @@ static const struct {
 } optional[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items), "board = { items = 512 }" },
     { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
+    { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
+    { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 

@@ -36,7 +36,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     { "speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
     { "width", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
     { "skip", A_SPAN, OPT, -65535, 65535, NULL, NULL },
-    { "fire", A_FIRE, OPT, 0, 0, NULL, "bullet" },
+    { "fire", A_SHOOT, OPT, 0, 0, NULL, "bullet" },
     { "kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL },
     { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
     { "dir", A_DIR, OPT, 0, 0, NULL, NULL },

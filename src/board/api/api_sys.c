@@ -6,6 +6,7 @@
 #include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
+#include "../lasers_run.h"
 
 /* Parameters by place; ARG_: the only one of its entry. */
 enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0 };
@@ -210,6 +211,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
     bullets_release_all(&b->shots);
     EACH_LIVE (i, &b->enemies.s)
         enemies_drop(&b->enemies, i);
+    EACH_LIVE (i, &b->lasers.s)
+        lasers_remove(b, i);
     EACH_LIVE (i, &b->items.s)
         slots_drop(&b->items.s, i);
     EACH_LIVE (i, &b->sparks.s)

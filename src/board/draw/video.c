@@ -1,8 +1,8 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     background, back sprites, items, enemies, shots, middle sprites, players, bullets, sparks, front
- *     sprites, the background's layers in front, bars, text, lines of text
+ *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
+ *     sparks, front sprites, the background's layers in front, bars, text, lines of text
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -261,6 +261,7 @@ static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint
     draw_items(&c);
     draw_enemies(&c);
     video_bullets(&c, &b->shots, &b->shot_kinds);
+    video_lasers(&c, true);
     draw_sprites(&c, LAYER_MIDDLE);
     draw_players(&c);
     return c;
@@ -277,6 +278,7 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
 
     draw_flash(b, rgb);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
+    video_lasers(&c, false);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
     video_bg(&c, true);

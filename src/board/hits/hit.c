@@ -125,9 +125,13 @@ void hit_run(struct board *b)
         if (!b->player.in[p])
             continue;
         raise_bullet_hits(b, p);
+        if (b->lasers.s.live)
+            hit_lasers(b, p, &c);
         raise_enemy_hits(b, p, &c);
     }
     hit_shots(b);
+    if (b->lasers.s.live)
+        hit_lasers_shoot(b);
     hit_blocks(b);
     if (b->bullets.meets)
         hit_meets(b);

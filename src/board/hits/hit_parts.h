@@ -152,4 +152,11 @@ void hit_meets(struct board *b);
 /* Players against items: raises an event for each that is taken; of the others, those that left the field are gone. */
 void hit_items(struct board *b);
 
+/* Does laser i, which hits within `reach` of its line, touch a circle on its path of the frame? */
+bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
+
+/* Lasers against player p, whose body c is, and players' against enemies: an event for each laser that touches. */
+void hit_lasers(struct board *b, uint32_t p, const struct body *c);
+void hit_lasers_shoot(struct board *b);
+
 #endif

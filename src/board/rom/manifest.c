@@ -11,6 +11,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../chips/enemies.h"
+#include "../../chips/lasers.h"
 #include "../../chips/motion.h"
 #include "../../chips/nvram.h"
 
@@ -60,6 +61,8 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.lines", lines, 0, 4096),
     FLAG("board.wide", wide),
     FLAG("board.bg", bg),
+    NUMBER("board.lasers", lasers, 0, MAX_LASERS),
+    NUMBER("board.curve_points", curve_points, 0, 1 << 20),
 };
 
 void manifest_default(struct manifest *m)

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5224,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5232,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -42,12 +42,13 @@ struct manifest {
     int32_t margin;                             /* px the keep box is larger than the field on every side */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* numbers of its own that each has room for */
-    int32_t hp, around, frozen; /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
-    int32_t meet;               /* 1: bullets may meet bullets */
-    int32_t items;              /* a capacity: 0 unless rom.lua asks for them */
-    int32_t lines;              /* the same of lines of text */
-    int32_t wide;               /* 1: a cell has room for any character, and for its font */
-    int32_t bg;                 /* 1: there are backgrounds, which need maps */
+    int32_t hp, around, frozen;   /* 1: bullets have it, and what else can; 0: nothing has, and it takes no room */
+    int32_t meet;                 /* 1: bullets may meet bullets */
+    int32_t items;                /* a capacity: 0 unless rom.lua asks for them */
+    int32_t lines;                /* the same of lines of text */
+    int32_t wide;                 /* 1: a cell has room for any character, and for its font */
+    int32_t bg;                   /* 1: there are backgrounds, which need maps */
+    int32_t lasers, curve_points; /* capacities; points: of all curves together, in pieces of 32 */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -135,7 +136,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 29 };
+enum { MANIFEST_NUMBERS = 31 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

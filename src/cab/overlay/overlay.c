@@ -267,6 +267,7 @@ static enum canvas_colour colour_of(const struct inspect_body *s)
 {
     switch (s->kind) {
     case INSPECT_BULLET:
+    case INSPECT_LASER:
         return s->shape == INSPECT_NONE ? CANVAS_GREY : s->spent ? CANVAS_MAGENTA : CANVAS_RED;
     case INSPECT_SHOT:
         return CANVAS_CYAN;
@@ -373,7 +374,7 @@ static const char *state_of(const struct inspect_task *t, char *buf, size_t size
 
 static const char *owner_of(const struct inspect_task *t, char *buf, size_t size)
 {
-    static const char *const names[] = { "", "bullet", "shot", "enemy", "player", "sprite", "task" };
+    static const char *const names[] = { "", "bullet", "shot", "enemy", "player", "sprite", "task", "laser" };
     snprintf(buf, size, t->owner == OWNER_BOARD ? "-" : "%s %u", names[t->owner], (unsigned)t->owner_number);
     return buf;
 }
@@ -447,13 +448,13 @@ static void add_health(struct panel *s, const struct inspect_thing *t)
 
 static void describe(struct panel *s, const struct board *b, const struct inspect_thing *t)
 {
-    static const char *const kinds[] = { "", "bullet", "shot", "enemy", "player" };
+    static const char *const kinds[] = { "", "bullet", "shot", "enemy", "player", "laser" };
     add(s, CANVAS_CYAN, "%s %u", kinds[t->body.kind], (unsigned)t->body.slot + (t->body.kind == INSPECT_PLAYER));
     add(s, CANVAS_WHITE, "kind   %s", t->name ? t->name : "?");
     if (t->tag)
         add(s, CANVAS_WHITE, "tag    %s", t->tag);
     add_place(s, t);
-    if (t->body.kind == INSPECT_BULLET || t->body.kind == INSPECT_SHOT)
+    if (t->body.kind == INSPECT_BULLET || t->body.kind == INSPECT_SHOT || t->body.kind == INSPECT_LASER)
         add_flight(s, t);
     else
         add_health(s, t);

@@ -1,0 +1,374 @@
+/*
+ * strip.c - see strip.h.
+ *
+ * Each piece of the line is the part of the plane between four edges: two along it, half the width away, and a cut at
+ * either end. Where two pieces meet they share the cut, which halves the angle between them, and every pixel's middle
+ * is on one side of it: so they leave no gap and do not overlap. A row of a piece is what its edges leave of the clip;
+ * an edge is followed from row to row by one addition. In a piece the picture is found by two steps a pixel, one along
+ * the line and one across.
+ */
+#include "strip.h"
+#include <string.h>
+#include "../src/base/fx.h"
+
+enum { HALF = 32768, PROFILE = 256 };
+
+/* A direction of length one, Q16. */
+struct unit {
+    int32_t x, y;
+};
+
+/* A straight edge, as the rows see it. */
+struct edge {
+    int64_t x, step; /* where it is on this row's middle, and how far on the next; Q16 px */
+    bool level;      /* it lies along the rows: all of a row is on one side */
+    bool right;      /* what is kept is to its right; level: below it */
+    int32_t y;       /* of a level one, Q16 px */
+};
+
+/* What the pixels need. */
+struct brush {
+    struct fb *fb;
+    const struct strip *s;
+    const struct image *image;
+    int32_t half;             /* of the width */
+    int64_t scale;            /* from px across to rows of the picture, Q16 */
+    uint8_t profile[PROFILE]; /* of a picture one pixel wide: its colours, the bank added; 0: none */
+    bool plain;               /* it is one, opaque and not dashed */
+};
+
+/* Which way an edge runs that keeps what lies in the direction n. */
+struct slope {
+    struct unit n;
+    int64_t step;
+};
+
+static struct slope slope_of(struct unit n)
+{
+    return (struct slope){ n, n.x ? -(int64_t)n.y * FX_ONE / n.x : 0 };
+}
+
+/* The edge through (x, y), from the row `row` on. */
+static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
+{
+    const int64_t down = (int64_t)row * FX_ONE + HALF - y;
+
+    return (struct edge){ .x = x + (s->step * down >> 16),
+                          .step = s->step,
+                          .level = s->n.x == 0,
+                          .right = s->n.x == 0 ? s->n.y > 0 : s->n.x > 0,
+                          .y = y };
+}
+
+/* What a piece, or an end, keeps: rows first to last, and of each a span between edges. */
+struct span {
+    int first, last;
+    int64_t lo, hi; /* the clip */
+    struct edge edge[4];
+    int n;
+};
+
+static void cut(struct span *s, struct edge e)
+{
+    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first whose middle is not above it */
+
+    if (!e.level)
+        s->edge[s->n++] = e;
+    else if (e.right)
+        s->first = row > s->first ? row : s->first;
+    else
+        s->last = row - 1 < s->last ? row - 1 : s->last;
+}
+
+/* The span [*lo, *hi) of a row; the edges go on to the next one. */
+static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
+{
+    *lo = s->lo;
+    *hi = s->hi;
+    for (int k = 0; k < s->n; k++) {
+        struct edge *e = &s->edge[k];
+        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose middle is not left of it */
+        e->x += e->step;
+        if (e->right)
+            *lo = at > *lo ? at : *lo;
+        else
+            *hi = at < *hi ? at : *hi;
+    }
+}
+
+static struct edge other_side(struct edge e)
+{
+    e.right = !e.right;
+    return e;
+}
+
+static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
+{
+    uint8_t c = (uint8_t)(texel + b->s->bank * 16);
+
+    if (texel)
+        *d = b->s->blend ? b->s->blend[(size_t)*d << 8 | c] : c;
+}
+
+/* The picture's row, of one in Q32. */
+static inline int row_of(const struct brush *b, int64_t row)
+{
+    const int most = b->image->h - 1;
+
+    row >>= 32;
+    return row < 0 ? 0 : row > most ? most : (int)row;
+}
+
+/* v modulo n, 0 to n - 1. */
+static int64_t modulo(int64_t v, int64_t n)
+{
+    v %= n;
+    return v < 0 ? v + n : v;
+}
+
+/* The picture's pixel, `along` Q16 px from the line's beginning. */
+static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int row)
+{
+    if (b->s->dashed && (along >> 16 & 4))
+        return;
+    const int64_t px = b->s->dashed ? 0 : modulo(along >> 16, b->image->w);
+    put(b, d, b->image->pix[row * b->image->pitch + px]);
+}
+
+/* A span of a piece that is not dashed. */
+static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
+                         int64_t row_step)
+{
+    const int64_t all = (int64_t)b->image->w << 32;
+    const uint8_t *pix = b->image->pix;
+    const ptrdiff_t pitch = b->image->pitch;
+
+    along = modulo(along, all);
+    for (; n > 0; n--, d++, row += row_step) {
+        put(b, d, pix[row_of(b, row) * pitch + (along >> 32)]);
+        along += step; /* no further than a pixel */
+        along -= along >= all ? all : 0;
+        along += along < 0 ? all : 0;
+    }
+}
+
+/* A span of a piece whose picture is one pixel wide and opaque. Only what rounding carries beyond the picture's rows is
+ * brought back pixel by pixel. */
+static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
+{
+    const int64_t most = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
+
+    if ((row | last | (most - row) | (most - last)) >= 0) {
+        for (; n > 0; n--, d++, row += row_step) {
+            uint8_t c = b->profile[row >> 32];
+            *d = c ? c : *d;
+        }
+        return;
+    }
+    for (; n > 0; n--, d++, row += row_step) {
+        uint8_t c = b->profile[row_of(b, row)];
+        *d = c ? c : *d;
+    }
+}
+
+struct piece {
+    struct strip_corner from;
+    struct unit dir;
+    int64_t along; /* Q16 px of the line before it */
+};
+
+/* Where in the picture the first pixel of the clip's row is, Q32, and how that changes by a pixel and by a row. */
+struct place {
+    int64_t row, row_x, row_y; /* across */
+    int64_t along, along_x, along_y;
+};
+
+static struct place place_of(const struct brush *b, const struct piece *p, int y)
+{
+    const int64_t dx = (int64_t)b->fb->x0 * FX_ONE + HALF - p->from.x, dy = (int64_t)y * FX_ONE + HALF - p->from.y;
+
+    return (struct place){ .row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half) * b->scale,
+                           .row_x = -p->dir.y * b->scale,
+                           .row_y = p->dir.x * b->scale,
+                           .along = p->along * FX_ONE + dx * p->dir.x + dy * p->dir.y,
+                           .along_x = (int64_t)p->dir.x * FX_ONE,
+                           .along_y = (int64_t)p->dir.y * FX_ONE };
+}
+
+static void paint_span(const struct brush *b, const struct place *at, int y, int lo, int hi)
+{
+    const int from = lo - b->fb->x0;
+    int64_t along = at->along + from * at->along_x, row = at->row + from * at->row_x;
+    uint8_t *d = b->fb->pix + (ptrdiff_t)y * b->fb->pitch + lo;
+
+    if (b->plain)
+        plain_span(b, d, hi - lo, row, at->row_x);
+    else if (!b->s->dashed)
+        picture_span(b, d, hi - lo, along, at->along_x, row, at->row_x);
+    else
+        for (int x = lo; x < hi; x++, d++, along += at->along_x, row += at->row_x)
+            paint(b, d, along >> 16, row_of(b, row));
+}
+
+/* Rows that may be within `reach` of what lies from y0 to y1, all in Q16 px. */
+static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach, int *first, int *last)
+{
+    int64_t top = ((y0 < y1 ? y0 : y1) - reach) >> 16, end = ((y0 < y1 ? y1 : y0) + reach) >> 16;
+
+    *first = top > fb->y0 ? (int)top : fb->y0;
+    *last = end < fb->y1 - 1 ? (int)end : fb->y1 - 1;
+}
+
+/* A straight piece to `to`, between its two cuts, each through a corner and keeping what lies in its direction. A cut
+ * leans by a quarter of a right angle at most, so a piece reaches less than 5/12 of half the width beyond its ends. */
+static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
+                       const struct slope *end)
+{
+    const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half >> 16), oy = (int32_t)((int64_t)p->dir.x * b->half >> 16);
+    const struct slope right = slope_of((struct unit){ -p->dir.y, p->dir.x }),
+                       left = { { p->dir.y, -p->dir.x }, right.step };
+    int first, last;
+
+    rows_near(b->fb, p->from.y, to.y, (oy < 0 ? -(int64_t)oy : oy) + (ox < 0 ? -(int64_t)ox : ox) * 5 / 12 + FX_ONE,
+              &first, &last);
+    if (first > last)
+        return;
+    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    cut(&s, edge_at(p->from.x, p->from.y, begin, first));
+    cut(&s, other_side(edge_at(to.x, to.y, end, first)));
+    cut(&s, edge_at(p->from.x + ox, p->from.y - oy, &right, first));
+    cut(&s, edge_at(p->from.x - ox, p->from.y + oy, &left, first));
+    for (int k = 0; k < s.n; k++)
+        s.edge[k].x += s.edge[k].step * (s.first - first);
+    struct place at = place_of(b, p, s.first);
+    for (int y = s.first; y <= s.last; y++, at.row += at.row_y, at.along += at.along_y) {
+        int64_t lo, hi;
+        next_span(&s, &lo, &hi);
+        if (lo < hi)
+            paint_span(b, &at, y, (int)lo, (int)hi);
+    }
+}
+
+enum half { BEHIND, AHEAD, WHOLE };
+
+/* The half of a circle that lies behind corner c of a piece along dir, or ahead, or all of it. */
+static void draw_end(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
+{
+    int first, last;
+
+    rows_near(b->fb, c.y, c.y, b->half, &first, &last);
+    if (first > last)
+        return;
+    const struct slope slope = slope_of(dir);
+    const struct edge edge = edge_at(c.x, c.y, &slope, first);
+    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    if (half != WHOLE)
+        cut(&s, half == BEHIND ? other_side(edge) : edge);
+    for (int k = 0; k < s.n; k++)
+        s.edge[k].x += s.edge[k].step * (s.first - first);
+    for (int y = s.first; y <= s.last; y++) {
+        const int64_t dy = (int64_t)y * FX_ONE + HALF - c.y, rest = (int64_t)b->half * b->half - dy * dy;
+        int64_t lo, hi;
+        next_span(&s, &lo, &hi);
+        if (rest < 0)
+            continue;
+        const int64_t reach = (int64_t)fx_root((uint64_t)rest);
+        const int64_t x0 = (c.x - reach + HALF - 1) >> 16, x1 = ((c.x + reach - HALF) >> 16) + 1;
+        lo = x0 > lo ? x0 : lo;
+        hi = x1 < hi ? x1 : hi;
+        for (int64_t x = lo; x < hi; x++) {
+            const int64_t dx = x * FX_ONE + HALF - c.x, far = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
+            const bool left = dy * dir.x < dx * dir.y;
+            paint(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
+                  row_of(b, (b->half + (left ? -far : far)) * b->scale));
+        }
+    }
+}
+
+/* The direction from a to b, and how far it is; false: it is nearly nothing. Squares are of Q12, so that those of all
+ * places fit. */
+static bool direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *far)
+{
+    const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
+    const int64_t d = (int64_t)fx_root((uint64_t)(dx * dx) + (uint64_t)(dy * dy));
+
+    *far = d * 16;
+    if (d < FX_ONE / 16 / 4)
+        return false;
+    *dir = (struct unit){ (int32_t)(dx * FX_ONE / d), (int32_t)(dy * FX_ONE / d) };
+    return true;
+}
+
+static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
+{
+    b->fb = fb;
+    b->s = s;
+    b->image = s->image;
+    b->half = s->width / 2;
+    if (b->half < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
+        return false;
+    b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half);
+    b->plain = s->image->w == 1 && s->image->h <= PROFILE && !s->blend && !s->dashed;
+    for (int y = 0; b->plain && y < s->image->h; y++) {
+        uint8_t texel = s->image->pix[y * s->image->pitch];
+        b->profile[y] = texel ? (uint8_t)(texel + s->bank * 16) : 0;
+    }
+    return true;
+}
+
+/* The corners that are far enough apart, and the ways between them: of n corners n - 1. */
+struct line {
+    struct strip_corner corner[STRIP_CORNERS];
+    struct unit dir[STRIP_CORNERS];
+    int64_t far[STRIP_CORNERS];
+    int n;
+};
+
+static void take_line(struct line *l, const struct strip_corner *corner, int n)
+{
+    l->corner[0] = corner[0];
+    l->n = 1;
+    for (int k = 1; k < n; k++)
+        if (direction(l->corner[l->n - 1], corner[k], &l->dir[l->n - 1], &l->far[l->n - 1]))
+            l->corner[l->n++] = corner[k];
+}
+
+/* Do two ways meet at half a right angle or less? Then the cut between them halves it, and the corner outside is at
+ * most a twelfth further from the line than half the width. */
+static bool halved(struct unit a, struct unit b, struct unit *cut_at)
+{
+    *cut_at = (struct unit){ a.x + b.x, a.y + b.y };
+    return (int64_t)a.x * b.x + (int64_t)a.y * b.y >= 3037000500; /* 2^32 cos 45 */
+}
+
+void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner *corner, int n)
+{
+    struct brush b;
+    struct line l;
+    struct piece p = { .along = (int64_t)s->along * FX_ONE };
+
+    if (!brush_of(&b, fb, s))
+        return;
+    take_line(&l, corner, n);
+    if (l.n == 1) {
+        draw_end(&b, l.corner[0], (struct unit){ FX_ONE, 0 }, p.along, WHOLE);
+        return;
+    }
+    struct slope begin = slope_of(l.dir[0]), end;
+    draw_end(&b, l.corner[0], l.dir[0], p.along, BEHIND);
+    for (int k = 0; k + 1 < l.n; k++) {
+        const bool last = k + 2 == l.n;
+        struct unit way;
+        const bool smooth = !last && halved(l.dir[k], l.dir[k + 1], &way);
+        p.from = l.corner[k];
+        p.dir = l.dir[k];
+        end = slope_of(smooth ? way : p.dir);
+        draw_piece(&b, &p, l.corner[k + 1], &begin, &end);
+        p.along += l.far[k];
+        begin = smooth || last ? end : slope_of(l.dir[k + 1]);
+        if (!smooth)
+            draw_end(&b, l.corner[k + 1], p.dir, p.along, AHEAD);
+        if (!smooth && !last)
+            draw_end(&b, l.corner[k + 1], l.dir[k + 1], p.along, BEHIND);
+    }
+}

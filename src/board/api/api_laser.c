@@ -1,0 +1,663 @@
+/*
+ * api_laser.c - laser: kinds, beams, bolts and curves, their properties and verbs. A game without room for lasers has
+ * no table `laser` (api_reserved.c).
+ */
+#include <string.h>
+#include "../../base/trig.h"
+#include "../lasers_run.h"
+#include "api_parts.h"
+
+enum { FRAMES = 1000000 /* most of a warning, growth or fade */ };
+
+/* ---- kinds ---- */
+
+enum {
+    D_NAME,
+    D_STRIP,
+    D_WIDTH,
+    D_HIT,
+    D_HEAD,
+    D_TAIL,
+    D_BANK,
+    D_BLEND,
+    D_GRAZE,
+    D_CLEARABLE,
+    D_VANISH,
+    D_DAMAGE,
+    D_EVERY
+};
+
+static const struct api_param laser_def[] = {
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },
+    { "strip", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },
+    { "hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL },
+    { "head", A_SPRITE, OPT, 0, 0, NULL, NULL },
+    { "tail", A_SPRITE, OPT, 0, 0, NULL, NULL },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "graze", A_INT, OPT, 0, 65535, "frames", "8" },
+    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },
+    { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    { "damage", A_INT, OPT, 0, 1000000, "hp", NULL },
+    { "every", A_INT, OPT, 1, 65535, "frames", "4" },
+};
+
+/* The share of its width that hits, or -1: nothing does. */
+static fx read_hit(lua_State *L, int at)
+{
+    static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL };
+    struct api_value v = { 0 };
+    int keys = 0;
+
+    if (lua_type(L, at) == LUA_TSTRING) {
+        if (strcmp(lua_tostring(L, at), "none"))
+            api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
+        return -1;
+    }
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
+        keys++;
+    if (lua_getfield(L, at, "share") == LUA_TNIL || keys != 1)
+        api_error(L, "laser.def", "hit: expected %s", api_hit_forms[HIT_LASERS]);
+    api_check(L, "laser.def", &share, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.f;
+}
+
+static uint16_t or_none(const struct api_value *v)
+{
+    return v->given ? (uint16_t)(v->i + 1) : 0;
+}
+
+static int define(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct laser_kinds *k = &b->laser_kinds;
+    const fx share = read_hit(L, v[D_HIT].at);
+
+    if (v[D_EVERY].given && !v[D_DAMAGE].given)
+        api_error(L, "laser.def", "every: only of a laser that has damage");
+    int32_t i = slots_append(&k->s);
+    if (i == NO_SLOT)
+        api_error(L, "laser.def", "no room: %d kinds are declared", MAX_LASER_KINDS);
+    api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
+    k->strip[i] = (uint16_t)v[D_STRIP].i;
+    k->head[i] = or_none(&v[D_HEAD]);
+    k->tail[i] = or_none(&v[D_TAIL]);
+    k->width[i] = v[D_WIDTH].f;
+    k->share[i] = share;
+    k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_SHOOTS : 0) |
+                            v[D_BLEND].i * LASER_BLEND_ONE);
+    k->graze[i] = (uint16_t)v[D_GRAZE].i;
+    k->every[i] = (uint16_t)v[D_EVERY].i;
+    k->damage[i] = (int32_t)v[D_DAMAGE].i;
+    k->vanish[i] = or_none(&v[D_VANISH]);
+    return 0;
+}
+
+/* ---- firing ---- */
+
+/* What all three have, in this order. */
+#define LASER_PARAMS                                                                                                   \
+    { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, "90" },                   \
+        { "aim", A_BOOL, OPT, 0, 0, NULL, "false" }, { "bank", A_INT, OPT, 0, 15, NULL, NULL },                        \
+        { "tag", A_STR, OPT, 0, 0, NULL, NULL }, { "width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL },                 \
+    {                                                                                                                  \
+        "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL                                                               \
+    }
+enum {
+    F_KIND,
+    F_PLACE,
+    F_DIR = F_PLACE + PLACE_PARAMS,
+    F_AIM,
+    F_BANK,
+    F_TAG,
+    F_WIDTH,
+    F_BY,
+    F_OWN, /* and what is of one alone */
+    F_SPEED = F_OWN,
+    F_MOTION,
+    F_DELAY,
+    F_AROUND,
+    F_LENGTH,
+    F_POINTS = F_LENGTH,
+    F_FOLLOW = F_OWN,
+    F_TURNS,
+    F_BEAM_LENGTH,
+    F_HOLD,
+    F_WARN,
+    F_GROW,
+    F_FADE,
+    F_SPIN
+};
+
+#define FLIGHT_PARAMS                                                                                                  \
+    { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },    \
+        { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },                                                                \
+    {                                                                                                                  \
+        "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
+    }
+
+static const struct api_param bolt_params[] = { LASER_PARAMS,
+                                                FLIGHT_PARAMS,
+                                                { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL } };
+static const struct api_param curve_params[] = { LASER_PARAMS,
+                                                 FLIGHT_PARAMS,
+                                                 { "points", A_INT, OPT, 2, LASER_POINTS, "frames", "32" } };
+static const struct api_param beam_params[] = {
+    LASER_PARAMS,
+    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },
+    { "hold", A_COUNT, REQ, 0, 1e9, "frames", NULL },
+    { "warn", A_INT, OPT, 0, FRAMES, "frames", "40" },
+    { "grow", A_INT, OPT, 0, FRAMES, "frames", "8" },
+    { "fade", A_INT, OPT, 0, FRAMES, "frames", "12" },
+    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },
+};
+
+static uint8_t player_of(const struct board *b, const struct api_value *v)
+{
+    if (v->given && handle_kind(v->i) == H_PLAYER && board_alive(b, v->i))
+        return (uint8_t)(handle_slot(v->i) + 1);
+    return 0;
+}
+
+/* What the common arguments say of the head, which is at (x, y). */
+static struct bullet_shape head_of(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
+                                   fx y)
+{
+    const struct laser_kinds *k = &b->laser_kinds;
+    const uint16_t kind = (uint16_t)v[F_KIND].i;
+    const uint8_t from = player_of(b, &v[F_PLACE + PLACE_FROM]);
+    struct bullet_shape s = { .x = x,
+                              .y = y,
+                              .dir = v[F_DIR].a,
+                              .kind = kind,
+                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
+                              .player = v[F_BY].given ? player_of(b, &v[F_BY]) : from,
+                              .by = tasks_serial(b) };
+
+    if (v[F_AIM].i)
+        s.dir = api_aim(b, k->flags[kind] & LASER_SHOOTS, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
+    if (v[F_TAG].given)
+        s.tag = api_tag(L, entry, v[F_TAG].at);
+    return s;
+}
+
+static fx width_of(const struct board *b, const struct api_value *v)
+{
+    return v[F_WIDTH].given ? v[F_WIDTH].f : b->laser_kinds.width[v[F_KIND].i];
+}
+
+static int push_laser(lua_State *L, const struct board *b, int32_t i)
+{
+    lua_pushinteger(L, board_handle(b, H_LASER, i));
+    return 1;
+}
+
+enum { FADE = 12 /* frames, of what flies */ };
+
+/* A bolt or a curve. */
+static int fly(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_shape *shape)
+{
+    fx x, y;
+
+    if (!api_place(L, b, entry, v + F_PLACE, &x, &y))
+        return push_laser(L, b, NO_SLOT);
+    struct bullet_shape s = head_of(L, b, entry, v, x, y);
+    s.speed = v[F_SPEED].f;
+    s.motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0;
+    s.fine = api_motion_fine(b, s.motion);
+    s.delay = (uint32_t)v[F_DELAY].i;
+    api_check_around(L, &b->laser_heads, entry, &v[F_AROUND]);
+    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
+    shape->width = width_of(b, v);
+    shape->hold = LASER_FOREVER;
+    shape->fade = FADE;
+    int32_t i = lasers_fire(b, &s, shape);
+    if (i != NO_SLOT && s.fine)
+        bullets_set_speed(&b->laser_heads, (uint32_t)i, api_units(true, &v[F_SPEED]));
+    return push_laser(L, b, i);
+}
+
+static int bolt(lua_State *L, struct board *b, struct api_value *v)
+{
+    return fly(L, b, "laser.bolt", v, &(struct laser_shape){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
+}
+
+static int curve(lua_State *L, struct board *b, struct api_value *v)
+{
+    return fly(L, b, "laser.curve", v, &(struct laser_shape){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
+}
+
+/* Where a beam begins. False: what it is placed by is gone. */
+static bool beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+{
+    struct api_value place[PLACE_PARAMS];
+
+    memcpy(place, v + F_PLACE, sizeof place);
+    if (v[F_FOLLOW].given) {
+        if (place[PLACE_X].given || place[PLACE_Y].given || place[PLACE_FROM].given)
+            api_error(L, "laser.beam", "follow stands in the place of x and y, or from");
+        place[PLACE_FROM] = v[F_FOLLOW];
+    }
+    return api_place(L, b, "laser.beam", place, x, y);
+}
+
+static int beam(lua_State *L, struct board *b, struct api_value *v)
+{
+    const bool follows = v[F_FOLLOW].given;
+    fx x, y;
+
+    if (v[F_TURNS].i && !follows)
+        api_error(L, "laser.beam", "turns: only of a beam that follows something");
+    if (!beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
+        return push_laser(L, b, NO_SLOT);
+    struct bullet_shape s = head_of(L, b, "laser.beam", v, x, y);
+    struct laser_shape shape = { .form = LASER_BEAM,
+                                 .flags = v[F_TURNS].i ? LASER_TURNS : 0,
+                                 .length = v[F_BEAM_LENGTH].f,
+                                 .width = width_of(b, v),
+                                 .dx = follows ? v[F_PLACE + PLACE_DX].f : 0,
+                                 .dy = follows ? v[F_PLACE + PLACE_DY].f : 0,
+                                 .spin = v[F_SPIN].a,
+                                 .warn = (int32_t)v[F_WARN].i,
+                                 .grow = (int32_t)v[F_GROW].i,
+                                 .hold = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
+                                 .fade = (int32_t)v[F_FADE].i,
+                                 .follow = follows ? v[F_FOLLOW].i : 0 };
+    if (follows && !v[F_BY].given)
+        s.player = player_of(b, &v[F_FOLLOW]);
+    return push_laser(L, b, lasers_fire(b, &s, &shape));
+}
+
+/* ---- properties ---- */
+
+enum {
+    L_X,
+    L_Y,
+    L_DIR,
+    L_SPEED,
+    L_VX,
+    L_VY,
+    L_KIND,
+    L_BANK,
+    L_TAG,
+    L_MOTION,
+    L_AROUND,
+    L_AGE,
+    L_FROZEN,
+    L_LENGTH,
+    L_WIDTH,
+    L_SPIN,
+    L_DX,
+    L_DY,
+    L_STATE,
+    L_FORM,
+    L_FOLLOW,
+    L_BY,
+    L_LAST
+};
+_Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first are those of what flies");
+
+#define LASER_PROPS                                                                                                    \
+    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },                                                                   \
+      PROP_WRITE,                                                                                                      \
+      "where its head is, px: where a beam begins, the front of a bolt or curve; a write moves all of it" },           \
+        { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where its head is, px" },                        \
+        { { "dir", A_DIR, REQ, 0, 0, NULL, NULL },                                                                     \
+          PROP_WRITE,                                                                                                  \
+          "where a beam points, where the others fly, degrees from 0 to 360" },                                        \
+        { { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },                                             \
+          PROP_WRITE,                                                                                                  \
+          "how fast a bolt or curve flies, px/frame" },                                                                \
+        { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
+        { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
+        { { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },                            \
+        { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
+        { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                            \
+        { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
+          PROP_WRITE,                                                                                                  \
+          "the motion that a bolt or curve runs, or nil; a write starts it anew" },                                    \
+        { { "around", A_THING, OPT, PLACES, 0, NULL, NULL },                                                           \
+          PROP_WRITE,                                                                                                  \
+          "the thing that its orbits go round, or nil" },                                                              \
+        { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired, without those it stood" },   \
+        { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },                                                    \
+          PROP_WRITE,                                                                                                  \
+          "frames it stands, or forever; 0: it goes on as it was" },                                                   \
+        { { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },                                                       \
+          PROP_WRITE,                                                                                                  \
+          "px, of a beam or bolt; a curve is as long as it has flown" },                                               \
+        { { "width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL }, PROP_WRITE, "px, when it has grown" },                 \
+        { { "spin", A_DIR, REQ, 0, 0, NULL, NULL },                                                                    \
+          PROP_WRITE,                                                                                                  \
+          "degrees that it turns a frame, clockwise, once its warning is over" },                                      \
+        { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },                                                              \
+          PROP_WRITE,                                                                                                  \
+          "of a beam that follows: how far from that thing's place" },                                                 \
+    {                                                                                                                  \
+        { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "the same downwards"                               \
+    }
+
+static const struct api_prop laser_props[] = {
+    LASER_PROPS,
+    { { "state", A_STR, REQ, 0, 0, NULL, NULL },
+      PROP_READ,
+      "\"warn\", \"grow\", \"on\" or \"fade\": only in \"grow\" and \"on\" it hits" },
+    { { "form", A_STR, REQ, 0, 0, NULL, NULL }, PROP_READ, "\"beam\", \"bolt\" or \"curve\"" },
+    { { "follow", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "what a beam follows, or nil" },
+    { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player whose it is, or nil" },
+};
+
+static const struct api_prop lasers_props[] = {
+    LASER_PROPS,
+    { { "count", A_INT, REQ, 0, 0, NULL, NULL },
+      PROP_READ,
+      "how many live lasers have the tag; the one thing to read" },
+};
+
+static void push_thing(lua_State *L, int64_t h)
+{
+    if (h)
+        lua_pushinteger(L, h);
+    else
+        lua_pushnil(L);
+}
+
+static fx length_of(const struct board *b, uint32_t i)
+{
+    int64_t sum = 0;
+    fx x, y, to_x, to_y;
+
+    if (b->lasers.form[i] != LASER_CURVE)
+        return b->lasers.length[i];
+    lasers_corner(b, i, 0, &x, &y);
+    for (uint32_t k = 1; k < lasers_corners(b, i); k++, x = to_x, y = to_y) {
+        lasers_corner(b, i, k, &to_x, &to_y);
+        sum += fx_hypot(fx_sub(to_x, x), fx_sub(to_y, y));
+    }
+    return fx_sat(sum);
+}
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    static const char *const states[LASER_STATES] = { "warn", "grow", "on", "fade" }, *const forms[] = { "beam", "bolt",
+                                                                                                         "curve" };
+    const struct lasers *l = &b->lasers;
+    const uint8_t player = b->laser_heads.player[i];
+
+    switch (p) {
+    case L_KIND:
+        api_names_push(L, N_LASER, b->laser_heads.kind[i]);
+        break;
+    case L_LENGTH:
+        vm_charge(L, lasers_corners(b, i));
+        lua_pushnumber(L, fx_to_double(length_of(b, i)));
+        break;
+    case L_WIDTH:
+        lua_pushnumber(L, fx_to_double(l->width[i]));
+        break;
+    case L_SPIN:
+        lua_pushnumber(L, trig_to_degrees(l->spin[i]));
+        break;
+    case L_DX:
+    case L_DY:
+        lua_pushnumber(L, fx_to_double((p == L_DX ? l->dx : l->dy)[i]));
+        break;
+    case L_STATE:
+        lua_pushstring(L, states[lasers_state_of(b, i, lasers_age(b, i))]);
+        break;
+    case L_FORM:
+        lua_pushstring(L, forms[l->form[i]]);
+        break;
+    case L_FOLLOW:
+        push_thing(L, l->follow[i]);
+        break;
+    case L_BY:
+        push_thing(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
+        break;
+    default:
+        api_get_flight(L, b, &b->laser_heads, N_LASER, i, p);
+    }
+}
+
+static void set_length(lua_State *L, struct board *b, uint32_t i, fx length)
+{
+    struct lasers *l = &b->lasers;
+
+    if (l->form[i] == LASER_CURVE)
+        vm_fault(L, FAULT_SCRIPT, "laser: length: a curve is as long as it has flown in its frames (points)");
+    l->length[i] = length;
+    l->grown[i] = fx_min(l->grown[i], length);
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct lasers *l = &b->lasers;
+    struct bullets *h = &b->laser_heads;
+
+    switch (p) {
+    case L_X:
+        lasers_place(b, i, v->f, h->y[i]);
+        api_set_flight(L, b, h, NULL, i, p, v); /* the part that is finer than an fx */
+        return;
+    case L_Y:
+        lasers_place(b, i, h->x[i], v->f);
+        api_set_flight(L, b, h, NULL, i, p, v);
+        return;
+    case L_SPEED:
+    case L_VX:
+    case L_VY:
+    case L_MOTION:
+        if (l->form[i] != LASER_BEAM) /* else it does not fly */
+            api_set_flight(L, b, h, NULL, i, p, v);
+        break;
+    case L_LENGTH:
+        set_length(L, b, i, v->f);
+        break;
+    case L_WIDTH:
+        l->width[i] = v->f;
+        return;
+    case L_SPIN:
+        l->spin[i] = v->a;
+        return;
+    case L_DX:
+        l->dx[i] = v->f;
+        return;
+    case L_DY:
+        l->dy[i] = v->f;
+        return;
+    default:
+        api_set_flight(L, b, h, NULL, i, p, v);
+    }
+    lasers_settle(b, i);
+}
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    lua_Integer n = 0;
+
+    if (p != L_STATE)
+        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read of a group (only count can)", lasers_props[p].value.name);
+    EACH_LIVE (i, &b->lasers.s)
+        n += api_has_tag(b->laser_heads.tag, i, tag);
+    vm_charge(L, b->lasers.s.live);
+    lua_pushinteger(L, n);
+}
+
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        if (api_has_tag(b->laser_heads.tag, i, tag))
+            set(L, b, i, p, v);
+}
+
+const struct api_thing api_laser_thing = { "laser", laser_props, L_LAST, get, set };
+const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1, get_group, set_group };
+
+/* ---- verbs ---- */
+
+enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
+enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
+
+static fx shifted(fx at, fx by)
+{
+    return fx_clamp(fx_add(at, by), -WORLD * 65536, WORLD * 65536);
+}
+
+static void act(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
+{
+    struct bullets *h = &b->laser_heads;
+
+    switch (verb) {
+    case V_AIM:
+        h->dir[i] = api_aim(b, b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS, h->x[i], h->y[i]) + v[ARG_BY].a;
+        break;
+    case V_TURN:
+        h->dir[i] += v[ARG_BY].a;
+        break;
+    case V_SHIFT:
+        lasers_place(b, i, shifted(h->x[i], v[ARG_DX].f), shifted(h->y[i], v[ARG_DY].f));
+        return;
+    case V_FADE:
+        lasers_fade(&b->lasers, i, lasers_age(b, i));
+        return;
+    case V_REMOVE:
+        lasers_remove(b, i);
+        return;
+    }
+    api_override(h, i, OVERRIDE_DIR);
+    bullets_steer(h, i);
+    lasers_settle(b, i);
+}
+
+static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
+{
+    int64_t h = v[ARG_SELF].i;
+
+    if (!handle_kind_group(handle_kind(h))) {
+        if (board_alive(b, h))
+            act(b, handle_slot(h), verb, v);
+        return 0;
+    }
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        if (api_has_tag(b->laser_heads.tag, i, handle_slot(h)))
+            act(b, i, verb, v);
+    return 0;
+}
+
+static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_AIM);
+}
+
+static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_TURN);
+}
+
+static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_SHIFT);
+}
+
+static int verb_fade(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_FADE);
+}
+
+static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_REMOVE);
+}
+
+/* What waits for the group's tag need not have it. */
+static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct motion_world w = board_world(b, false);
+
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        bullets_signal(&b->laser_heads, &w, i, (uint16_t)handle_slot(v[ARG_SELF].i));
+    return 0;
+}
+
+enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
+static const struct api_param self_add[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
+                                             { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
+static const struct api_param self_by[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
+                                            { "by", A_DIR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param self_shift[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
+                                               { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+                                               { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param self_only[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL } };
+static const struct api_param self_group[] = { { "self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL } };
+
+static int group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_group(L, H_LASERS, "laser.group", &v[EACH_TAG]);
+}
+
+static int each(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_each(L, b, H_LASER, "laser.each", &b->lasers.s, b->laser_heads.tag, v);
+}
+
+/* ---- entries ---- */
+
+#define BEAM                                                                                                           \
+    {                                                                                                                  \
+        "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
+            "a straight laser from a place, or with follow from where a thing is: warns, grows, holds, fades; with "   \
+            "turns it turns as that thing does"                                                                        \
+    }
+#define BOLT                                                                                                           \
+    {                                                                                                                  \
+        "laser.bolt", bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                              \
+            "a straight piece of so many px that flies as a bullet does; it comes out of where it was fired"           \
+    }
+#define CURVE                                                                                                          \
+    {                                                                                                                  \
+        "laser.curve", curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                           \
+            "a head that flies as a bullet does, and a body that follows on its way, points frames long"               \
+    }
+const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curve = CURVE;
+
+static const struct api_entry entries[] = {
+    { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
+      "declares a kind of laser; one that has damage is a player's: it hurts enemies and no player" },
+    BEAM,
+    BOLT,
+    CURVE,
+    API_GROUPS("laser", group, each),
+    { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
+      "removes lasers whole, as bullet.clear: those that the shape touches, as they are drawn, each leaving the named "
+      "spark and item every so many px" },
+    { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+      "points it at the nearest player, a player's at the nearest enemy, plus so many degrees" },
+    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+    { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "all of it is moved on by dx, dy at once" },
+    { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      "it begins to fade, and hits no more" },
+    { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
+      API_CHANGES | API_METHOD, NULL, "gone, leaving the named spark and item along it" },
+    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
+    { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points as laser:aim does" },
+    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
+    { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      "each is moved on by dx, dy at once" },
+    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "each begins to fade" },
+    { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
+      API_CHANGES | API_METHOD, "count",
+      "removes those in the shape, or all, each leaving the named spark and item along it" },
+    API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
+             "every laser whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
+    { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
+};
+const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

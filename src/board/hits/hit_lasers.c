@@ -1,0 +1,190 @@
+/*
+ * hit_lasers.c - lasers against players, and players' lasers against enemies. See hit_parts.h.
+ *
+ * A laser's shape is what is drawn of it, but for the share of its width that its kind gives: all that is within half
+ * of that of its line. A piece of the line, and the player, move within the frame, the piece's ends each for itself
+ * (geom_swept_bar).
+ */
+#include "hit_parts.h"
+#include "../lasers_run.h"
+
+fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age)
+{
+    const struct lasers *l = &b->lasers;
+    const fx share = b->laser_kinds.share[b->laser_heads.kind[i]];
+    const enum laser_state s = lasers_state_of(b, i, age);
+
+    if (share < 0 || s == LASER_WARN || s == LASER_FADE)
+        return -1;
+    return fx_mul(lasers_width(l, i, age) / 2, share);
+}
+
+static int64_t reach_of(const struct board *b, uint32_t i)
+{
+    return hit_laser_reach(b, i, lasers_age(b, i));
+}
+
+/* Where what moves from c's place of before to its present one may touch something within `reach` of its edge. */
+static struct box way_of(const struct body *c, int64_t reach)
+{
+    const int64_t far = reach + c->a;
+    const fx was_x = fx_sub(c->x, c->mx), was_y = fx_sub(c->y, c->my);
+
+    return (struct box){ fx_sat(fx_min(c->x, was_x) - far), fx_sat(fx_min(c->y, was_y) - far),
+                         fx_sat(fx_max(c->x, was_x) + far), fx_sat(fx_max(c->y, was_y) + far) };
+}
+
+struct spot {
+    fx x, y;
+};
+
+/* Are all of them beyond the same side of the box? Then so is all that lies between them. */
+static bool beyond(const struct box *w, const struct spot *p, int n)
+{
+    int left = 0, right = 0, above = 0, below = 0;
+
+    for (int k = 0; k < n; k++) {
+        left += p[k].x < w->x0;
+        right += p[k].x > w->x1;
+        above += p[k].y < w->y0;
+        below += p[k].y > w->y1;
+    }
+    return left == n || right == n || above == n || below == n;
+}
+
+/* Can a curve be near? By the box round all its points, and the one that has just gone. */
+static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w)
+{
+    struct box box;
+
+    lasers_box(&b->lasers, &b->laser_points, i, &box);
+    return box.x0 <= w->x1 && box.x1 >= w->x0 && box.y0 <= w->y1 && box.y1 >= w->y0;
+}
+
+static bool piece_is_near(const struct board *b, uint32_t i, uint32_t k, const struct box *w)
+{
+    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
+    struct spot p[4];
+
+    lasers_corner(b, i, k, &p[0].x, &p[0].y);
+    lasers_corner(b, i, next, &p[1].x, &p[1].y);
+    lasers_corner_was(b, i, next, &p[2].x, &p[2].y);
+    if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_STILL))
+        return !beyond(w, p, 3); /* it comes from where the next one was */
+    lasers_corner_was(b, i, k, &p[3].x, &p[3].y);
+    return !beyond(w, p, 4);
+}
+
+/* The piece of line k seen from what was at (x, y) before it moved by (mx, my). */
+static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
+                                int64_t my)
+{
+    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
+    fx ax, ay, bx, by, cx, cy, dx, dy;
+
+    lasers_corner_was(b, i, k, &ax, &ay);
+    lasers_corner_was(b, i, next, &bx, &by);
+    lasers_corner(b, i, k, &cx, &cy);
+    lasers_corner(b, i, next, &dx, &dy);
+    return (struct geom_bar){ ax - x, ay - y, (int64_t)cx - ax - mx, (int64_t)cy - ay - my,
+                              bx - x, by - y, (int64_t)dx - bx - mx, (int64_t)dy - by - my };
+}
+
+bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
+{
+    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+    const struct box way = way_of(c, reach);
+
+    if (b->lasers.form[i] == LASER_CURVE && !curve_is_near(b, i, &way))
+        return false;
+    for (uint32_t k = 0; k < last; k++) {
+        if (!piece_is_near(b, i, k, &way))
+            continue;
+        struct geom_bar bar = piece_of(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
+        if (geom_swept_bar(&bar, reach + c->a))
+            return true;
+    }
+    return false;
+}
+
+/* A box, or a capsule, where both are at the frame's end. */
+static bool touches_where_it_is(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
+{
+    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+    fx ax, ay, bx, by;
+
+    for (uint32_t k = 0; k < last; k++) {
+        lasers_corner(b, i, k, &ax, &ay);
+        lasers_corner(b, i, k + 1 < n ? k + 1 : k, &bx, &by);
+        const int64_t dx = (int64_t)ax - e->x, dy = (int64_t)ay - e->y, wx = (int64_t)bx - ax, wy = (int64_t)by - ay;
+        const int64_t hx = e->b, hy = e->c;
+        const struct geom_bar bar = {
+            dx + hx, dy + hy, -2 * hx, -2 * hy, dx + wx + hx, dy + wy + hy, -2 * hx, -2 * hy
+        };
+        if (e->shape == SHAPE_BOX ? geom_swept_circle_box(dx, dy, wx, wy, reach, e->a, e->b)
+                                  : geom_swept_bar(&bar, reach + e->a))
+            return true;
+    }
+    return false;
+}
+
+bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe)
+{
+    const int64_t reach = reach_of(b, i);
+    struct body piece[SHAPE_PARTS];
+    const uint32_t n = hit_enemy_pieces(b, foe, piece);
+
+    for (uint32_t k = 0; k < n && reach >= 0; k++) {
+        if (piece[k].shape == SHAPE_NONE)
+            continue;
+        if (piece[k].shape == SHAPE_CIRCLE ? hit_laser_circle(b, i, &piece[k], reach)
+                                           : touches_where_it_is(b, i, &piece[k], reach))
+            return true;
+    }
+    return false;
+}
+
+/* A laser that hits does not graze too. */
+static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_t i)
+{
+    const struct laser_kinds *k = &b->laser_kinds;
+    const uint16_t kind = b->laser_heads.kind[i];
+    const int64_t reach = reach_of(b, i), laser = board_handle(b, H_LASER, (int32_t)i);
+    struct body ring = *c;
+
+    if (reach < 0 || k->flags[kind] & LASER_SHOOTS)
+        return;
+    b->counts.tested++;
+    if (hit_laser_circle(b, i, c, reach)) {
+        b->counts.hit++;
+        board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), laser);
+        return;
+    }
+    ring.a = b->player_kinds.graze[b->player.kind[p]];
+    if (!k->graze[kind] || b->core.clock < b->lasers.again[i * PADS + p] || !hit_laser_circle(b, i, &ring, reach))
+        return;
+    b->counts.grazed++;
+    board_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), laser);
+}
+
+void hit_lasers(struct board *b, uint32_t p, const struct body *c)
+{
+    EACH_LIVE (i, &b->lasers.s)
+        raise_hit(b, p, c, i);
+}
+
+static bool touches_any(const struct board *b, uint32_t i)
+{
+    EACH_LIVE (e, &b->enemies.s)
+        if (!(b->enemies.flags[e] & ENEMY_DYING) && hit_laser_enemy(b, i, e))
+            return true;
+    return false;
+}
+
+void hit_lasers_shoot(struct board *b)
+{
+    EACH_LIVE (i, &b->lasers.s)
+        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS && b->core.clock >= b->lasers.again[i * PADS] &&
+            touches_any(b, i))
+            board_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
+}
