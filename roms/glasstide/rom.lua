@@ -17,8 +17,7 @@ return {
     enemies = { file = "art/enemies.png", bank = 10 },
     guard   = { file = "art/guard.png",   bank = 12 },
     queen   = { file = "art/queen.png",   bank = 12 },
-    floor   = { file = "art/floor.png",   bank = 13 },
-    reef    = { file = "art/reef.png",    bank = 13 },
+    finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
     logo    = { file = "art/logo.png",    bank = 15 },
   },
@@ -81,11 +80,15 @@ return {
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
 
-    floor    = { sheet = "floor", x = 0, y = 0,   w = 240, h = 320, origin = { 0, 0 } },
-    caustics = { sheet = "floor", x = 0, y = 320, w = 240, h = 320, origin = { 0, 0 } },
-    reef     = { sheet = "reef",  x = 0, y = 0,   w = 72,  h = 320, origin = { 36, 0 } },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
   },
+  maps = {
+    floor    = { tiles = "art/floor.png",  bank = 13, file = "maps/floor.csv" },
+    caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
+    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
+    reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
+  },
+  blends = { ghost = { mix = 50 } },
   difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
   players = 2, extends = { 100000, 300000 },
 }

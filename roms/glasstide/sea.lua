@@ -1,45 +1,32 @@
--- sea.lua - the scrolling sea: floor, the light on it, the reef at both sides. It runs for as long
--- as the board does, under the title too, and puts its sprites again whenever the field was wiped.
+-- sea.lua - the sea behind all: the shallows, a floor of sand with light on it between two reefs,
+-- and the abyss, plates of stone that lead to where no light comes from. It flows as fast as a
+-- stage asks for, and lives as long as the board does, under the title too.
 local sea = {}
 
-local TALL = 320
-local now, wanted = 0.6, 0.6 -- px a frame the floor moves
+local now, wanted = 0.6, 0.6 -- px a frame that the floor moves
 local still = false
+local parts = {}             -- of what flows: { layer or plane, its part of that }
 
--- Sprite, x, its speed against the floor's. In the order they are drawn.
-local SHEETS = {
-  { sprite = "floor", x = 0, rate = 1 },
-  { sprite = "caustics", x = 0, rate = 1.2 },
-  { sprite = "reef", x = 22,  rate = 1.75 },
-  { sprite = "reef", x = 218, rate = 1.75, flip = true, lead = 190 },
-}
+palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- what glimmers in bank 13
 
-local function lay()
-  local put = {}
-  for i, s in ipairs(SHEETS) do
-    local pair = {}
-    for k = 1, 2 do
-      pair[k] = sprite.put { sprite = s.sprite, x = s.x, y = -TALL, layer = "back" }
-      if s.flip then pair[k].flip_x = true end
-    end
-    put[i] = pair
-  end
-  palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- the reef's buds glimmer
-  return put
-end
+bg.def("shallows", function()
+  bg.layer(1).map = "floor"
+  bg.layer(2).map = "caustics"
+  bg.layer(3).map, bg.layer(3).x = "reef", -14
+  bg.lines(2, { wave = 6, every = 160, speed = 0.4 })
+  parts = { { bg.layer(1), 1 }, { bg.layer(2), 1.2 }, { bg.layer(3), 1.75 } }
+end)
 
-local function place(put, depth)
-  for i, s in ipairs(SHEETS) do
-    local y = (depth * s.rate + (s.lead or 0)) % TALL
-    local sway = s.sprite == "caustics" and 6 * angle.sin(depth * 0.9) or 0
-    for k, h in ipairs(put[i]) do
-      h.y = y - (k - 1) * TALL
-      h.x = s.x + sway
-    end
-  end
-end
+bg.def("abyss", function()
+  local glow, floor = bg.layer(1), bg.plane()
+  glow.map, glow.blend = "caustics", "ghost"
+  floor.map, floor.horizon, floor.height, floor.dir = "seabed", 70, 60, 270
+  floor.fog = { to = 0x060a14, far = 700 }
+  bg.lines(1, { wave = 9, every = 50, speed = 0.3 })
+  parts = { { glow, 0.3 }, { floor, -2 } }
+end)
 
--- The floor reaches this speed gently.
+-- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end
 
 -- local still <close> = sea.still(): it stands until that block ends, however it ends.
@@ -49,14 +36,10 @@ function sea.still()
 end
 
 function sea.run()
-  local put, depth = lay(), 0
   while true do
-    if not put[1][1].alive then put = lay() end
-    if not still then
-      now = now + (wanted - now) * 0.02
-      depth = depth + now
-    end
-    place(put, depth)
+    if not bg.layer(1).map then bg.show("shallows", { over = 0 }) end -- the field was emptied
+    now = now + (wanted - now) * 0.02
+    for _, f in ipairs(parts) do f[1].vy = still and 0 or now * f[2] end
     wait(1)
   end
 end

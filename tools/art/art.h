@@ -91,6 +91,8 @@ struct sheet art_bench(void);
 struct sheet art_glow(void);
 struct sheet art_items(void);
 struct sheet art_tiles(void);
+struct sheet art_seabed(void);
+struct sheet art_finds(void);
 /* The program's icon, size x size pixels, 48 or 64. */
 struct sheet art_icon(int size);
 
