@@ -110,10 +110,19 @@ static bool hit(const struct board *b, int32_t lives)
     return !b->player.in[0] || b->player.lives[0] < lives || board_last(b)->fault;
 }
 
+/* What it would have taken on the way: items and kills, as points. */
+static double gained(const struct board *b, int64_t score)
+{
+    int64_t more = b->player.score[0] - score;
+
+    return 0.002 * (double)(more < 2000 ? more : 2000);
+}
+
 /* Frames lived when the first decision is `first`, the second `second`; *value: how good the end is. */
 static int try_way(struct bot *bot, uint16_t first, uint16_t second, double *value)
 {
     int32_t lives = bot->b->player.lives[0];
+    int64_t score = bot->b->player.score[0];
 
     *value = 0;
     for (int f = 0; f < AHEAD; f++) {
@@ -125,7 +134,7 @@ static int try_way(struct bot *bot, uint16_t first, uint16_t second, double *val
         if (f == HOLD || f == 3 * HOLD)
             *value -= 6 * danger(bot->b);
     }
-    *value += standing(bot->b);
+    *value += standing(bot->b) + gained(bot->b, score);
     return AHEAD;
 }
 

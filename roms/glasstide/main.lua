@@ -4,6 +4,7 @@ require "players/heron"
 require "players/petrel"
 require "stages/one"
 local sea = require "sea"
+local craft = require "players/craft"
 
 local GRAZE = 40 -- points
 
@@ -21,7 +22,7 @@ on.death(function(p)
   spark.burst { kind = "shock", from = p, speed = 0 }
   spark.burst { kind = "crumb", from = p, n = 32, speed = 4 }
   bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
-  p.bombs = 3
+  craft.refill(p)
 end)
 
 on.extend(function(p) spark.burst { kind = "glint", from = p, n = 24, speed = 3 } end)

@@ -6,7 +6,8 @@ return {
             tasks = 512, lua_kib = 2048,
             -- what only some games need: bullets that can be shot, that circle something, that
             -- stand still, and that have numbers of their own
-            hp = true, around = true, frozen = true, values = { bullet = 4 } },
+            hp = true, around = true, frozen = true, values = { bullet = 4 },
+            items = 256, lasers = 16 },
   palette = "art/palette.png", font = "art/font.png",
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
@@ -80,6 +81,11 @@ return {
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
 
+    nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
+    conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
+    heart    = { sheet = "finds", x = 32, y = 0, w = 16, h = 16 },
+    foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
+    ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
   },
   maps = {

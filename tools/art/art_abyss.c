@@ -78,7 +78,7 @@ struct sheet art_seabed(void)
     return s;
 }
 
-/* -- what sinks: a pearl, a conch, a heart, foam -- */
+/* -- what sinks: a pearl, a conch, a heart, foam; and the ray of a lamp -- */
 
 static const struct mat NACRE = { GLASS, 6, 15, 0.25 }, SHELL = { MATTE, 4, 13, 0.1 }, LIP = { FLAT, 15, 15, 0 };
 
@@ -124,6 +124,15 @@ static void foam(struct sheet *s, int x)
     paint_done(p, s, x, 0, 3, 0);
 }
 
+/* A lamp's ray, across: a dark rim, its colour, and a white core. */
+static void ray(struct sheet *s, int x)
+{
+    static const int shades[16] = { 1, 3, 6, 8, 9, 11, 13, 15, 15, 13, 11, 9, 8, 6, 3, 1 };
+
+    for (int y = 0; y < 16; y++)
+        sheet_set(s, x, y, shades[y]);
+}
+
 struct sheet art_finds(void)
 {
     struct sheet s = sheet_new(64, 16, 0);
@@ -132,5 +141,6 @@ struct sheet art_finds(void)
     conch(&s, 16);
     heart(&s, 32);
     foam(&s, 48);
+    ray(&s, 60);
     return s;
 }

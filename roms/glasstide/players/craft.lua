@@ -2,7 +2,8 @@
 -- and the undertow, which is their bomb.
 local craft = {}
 
-local BOMBS = 3
+local BOMBS = 3 -- of the undertow, in each life
+local MOST = 6 -- that can be kept
 
 -- Puts a sprite, or puts it again when the field was wiped.
 local function keep(set, key, spec)
@@ -26,8 +27,10 @@ local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 local function undertow(p)
   local x, y = p.x, p.y
   p.bombs, p.safe = p.bombs - 1, 150
+  screen.shake { size = 3, over = 36 }
   spark.burst { kind = "shock", x = x, y = y, speed = 0 }
-  bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint" }
+  bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint",
+                 items = "foam" }
   for radius = 10, 360, 10 do
     for k = 0, 17 do
       local a = 20 * k + 0.7 * radius
@@ -36,10 +39,11 @@ local function undertow(p)
     end
     wait(1)
   end
+  item.group():pull(p)
 end
 
 local function show_bombs(set, p, bead)
-  for i = 1, BOMBS do
+  for i = 1, MOST do
     local x = p.index == 1 and 12 * i - 2 or rom.screen.w - 12 * i + 2
     local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 9, screen = true })
     s.hidden = i > p.bombs
@@ -62,6 +66,18 @@ local function swing(beads, x, y, focused)
     b.y = b.y + (y + ahead - b.y) * 0.35
   end
 end
+
+-- What both craft are to player.def, beside their pictures: what is near comes by itself, and all
+-- of it if one dares to fly up high.
+function craft.def(name, def)
+  def.lives = 3
+  def.registers = { bombs = { start = BOMBS, max = MOST } }
+  def.magnet, def.collect_line = 30, 96
+  player.def(name, def)
+end
+
+-- A new life has its bombs; what was kept of more is not lost.
+function craft.refill(p) p.bombs = math.max(p.bombs, BOMBS) end
 
 -- Flies p until it is out of the game. ship: bead (a sprite), fire(p, beads, focused, beat), called
 -- each frame while it fires.

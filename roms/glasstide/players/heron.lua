@@ -21,8 +21,7 @@ local function fire(p, beads, focused, beat)
   end
 end
 
-player.def("heron", {
-  sprite = "heron", hit = { circle = 2 }, graze = 14, speed = 4, focus = 1.8, lives = 3,
-  registers = { bombs = 3 },
+craft.def("heron", {
+  sprite = "heron", hit = { circle = 2 }, graze = 14, speed = 4, focus = 1.8,
   run = function(p) craft.fly(p, { bead = "heron_bead", fire = fire }) end,
 })

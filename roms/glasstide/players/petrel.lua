@@ -22,8 +22,7 @@ local function fire(p, beads, focused, beat)
   end
 end
 
-player.def("petrel", {
-  sprite = "petrel", hit = { circle = 2.5 }, graze = 18, speed = 3.2, focus = 1.5, lives = 3,
-  registers = { bombs = 3 },
+craft.def("petrel", {
+  sprite = "petrel", hit = { circle = 2.5 }, graze = 18, speed = 3.2, focus = 1.5,
   run = function(p) craft.fly(p, { bead = "petrel_bead", fire = fire }) end,
 })

@@ -52,7 +52,32 @@ local function grotto(e)
   end
 end
 
--- 3. Lamps hang round the crab. Each falls when its rest is over; shot down, it clears a space.
+-- 3. It turns its lamps on you: rays that go round, one way and then the other. You go along with
+-- them, between the rings that it lets go.
+local function lamplight(e)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
+    local way = k % 2 == 0 and -1 or 1
+    local p = player.nearest(e.x, e.y)
+    local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
+    for i = 1, n do
+      laser.beam { kind = "ray", bank = 3, follow = e, dy = -4, dir = dir + 360 * i / n,
+                   length = 380, warn = 56, hold = 260, fade = 20,
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36 } }
+    end
+    wait(70)
+    for i = 1, 5 do
+      pattern.ring { from = e, kind = i % 2 == 0 and "orb" or "pellet", bank = i % 2 == 0 and 6 or 5,
+                     dir = 17 * (k + i), speed = 1.3,
+                     n = by_difficulty { easy = 7, normal = 11, hard = 16 } }
+      wait(50)
+    end
+    e:move { x = rng.int(80, 160), y = rng.int(60, 84), over = 60, ease = "both" }
+    wait(70)
+  end
+end
+
+-- 4. Lamps hang round the crab. Each falls when its rest is over; shot down, it clears a space.
 value.def("rest") -- frames a lamp waits after the first one fell
 motion.def { name = "hang",
   { orbit = 0, radius_to = 54, spin = 1.6, over = 50 }, { orbit = 54, spin = 1.6, over = forever } }
@@ -83,9 +108,13 @@ local function chandelier(e)
   end
 end
 
+local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+
 boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, phases = {
-  { id = "pincers", hp = 800, time = 26 * 60, run = pincers },
+  { id = "pincers", hp = 800, time = 26 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 800, time = 30 * 60, bonus = 15000,
-    run = grotto },
+    run = grotto, clear = FOAM, drops = { pearl = 8 } },
+  { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 800, time = 30 * 60,
+    bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
   { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 30 * 60,
-    bonus = 20000, run = chandelier } } })
+    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6, heart = 1 } } } })

@@ -178,14 +178,17 @@ local function flower(e, full)
   end
 end
 
+local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
+
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, phases = {
-  { id = "wheels", hp = 1500, time = 45 * 60, run = wheels },
+  { id = "wheels", hp = 1500, time = 45 * 60, run = wheels, clear = FOAM,
+    drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1600, time = 50 * 60, bonus = 30000,
-    run = held },
+    run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
   { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1700, time = 50 * 60, bonus = 30000,
-    run = ebb },
+    run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
   { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 2000, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 2000) end } } })
+    run = function(e) flower(e, 2000) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76,
