@@ -160,7 +160,15 @@ local function lasers()
     if n % 6 == 4 then laser.group("old"):fade() laser.each("beam", function(x) if x.age > 30 then x:fade() end end) end
     if n % 11 == 9 then worms:clear { x = 112, y = 60, radius = 50, every = 20 } laser.group("old"):remove() end
     if n % 13 == 7 then board.note(laser.clear { x = 20, y = 20, to_x = 200, to_y = 190, width = 9, spark = "ping", all = true }) end
-    if n % 17 == 3 then board.note(bullet.clear { tag = "beam", lasers = true }) end
+    if n % 17 == 3 then board.note(bullet.clear { tag = "beam", lasers = true, items = "husk" }) end
+    if n % 17 == 12 then laser.group("worm"):clear { items = "coin", every = 30, radius = 90, from = c } c:clear { items = "husk" } end
+    if n % 5 == 4 then c.motion = n % 10 == 4 and "third" or "burst" end
+    if n % 8 == 7 then laser.group("go"):signal() end
+    for k, found in ipairs(query.near { what = "laser", x = 112, y = 90, radius = 70, tag = n % 2 == 0 and "worm" or nil }) do
+      board.note(k .. found.form .. found.x)
+    end
+    board.note(#query.box { what = "laser", x = 60, y = 60, w = 50, h = 80 })
+    board.note(#query.line { what = "laser", x = 9, y = 9, to_x = 200, to_y = 100, width = 6 })
     wait(6)
   end
 end

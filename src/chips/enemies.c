@@ -186,7 +186,7 @@ void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t 
 
 bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
-    return 2 * (e->bank[i] / ENEMY_BLINK_ONE) > kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE;
+    return 4 * (e->bank[i] / ENEMY_BLINK_ONE) > 3 * (kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE);
 }
 
 uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)

@@ -105,7 +105,7 @@ void enemies_stay(struct enemies *e);
 /* It was hurt, and blinks if its kind does and it does not yet. */
 void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Is it white now? In the first half of its blinking, so that one that is hit all the time is seen as well. */
+/* Is it white now? In the first quarter of its blinking, so that one that is hit all the time is seen as well. */
 bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
 /* The sprite it shows. */

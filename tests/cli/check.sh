@@ -152,6 +152,21 @@ main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
 main.lua:3: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text: a box is shown
 2 problems
 LUA
+lua 'lasers' <<'LUA'
+laser.def("thin", { strip = "dott", width = 3, hit = { share = 1 } })
+laser.grop("x"):fade()
+----
+main.lua:2: sprite "dott" is not in rom.lua (did you mean "dot"?)
+main.lua:3: laser has no "grop" (did you mean "group"?)
+2 problems
+LUA
+lua 'lasers in a run' <<'LUA'
+laser.def("thin", { strip = "dot", width = 3, hit = { share = 1 } })
+task.go(function() laser.bolt { kind = "thn", x = 1, y = 1, speed = 1, length = 9 } end)
+----
+main.lua:3: laser.bolt: laser kind "thn" is not declared (did you mean "thin"?)
+1 problem
+LUA
 lua 'names that are kept for later' <<'LUA'
 local sounds = {}
 on.start(function() sound.play("hit") end)
@@ -257,6 +272,7 @@ on.hit(function(_, by) print(#by) end)
 boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
   phases = { { id = "a", hp = 1, time = 9, run = function(e) print(#e) end } } })
 bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
+laser.each(nil, function(l) print(#l, #laser.bolt { kind = "x" }) end)
 ----
 main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
 main.lua:4: ipairs: what shot.fire returns is a shot, not a table
@@ -268,7 +284,9 @@ main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
 main.lua:10: #: what on.hit hands to its function is a thing, not a table
 main.lua:12: #: what boss.def hands to its function is a thing, not a table
 main.lua:13: #: what bullet.meet hands to its function is a thing, not a table
-10 problems
+main.lua:14: #: what laser.each hands to its function is a thing, not a table
+main.lua:14: #: what laser.bolt returns is a laser, not a table
+12 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
 local n = 3

@@ -106,7 +106,7 @@ check 'it is as one recorded here' cmp old.demo new.demo
 again 'of a program that told no points' 0 untold "rerecorded: holds, 400 frames$doubt"
 check 'it tells them now' cmp untold.demo new.demo
 same 'a recording tells what everybody had in the end' 'moment 400 listed points 1 200,moment 400 listed points 2 0,' \
-    "$(python3 "$reader" new.demo | sed -n '/points/p' | tr '\n' ',')"
+    "$(python3 "$reader" new.demo | sed -n '/listed points/p' | tr '\n' ',')"
 again 'format 2' 0 two "rerecorded: holds, 400 frames$doubt"
 check 'format 2: it is as one recorded here' cmp two.demo plain.demo
 again 'of this very build' 0 new 'rerecorded: holds, 400 frames'
@@ -204,7 +204,7 @@ again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"
 aged new.demo forged.was here forged
 as_they_were forged
 again 'of this very build, and differs' 2 forged \
-    'frame 120: lines differs; not rerecorded: it is of this very build'
+    'frame 120: laser_points differs; not rerecorded: it is of this very build'
 check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was

@@ -336,7 +336,7 @@ static void test_words(void **state)
     SAYS("query.box { what = 'bullet', x = 1, y = 2, w = 3 }",
          "query.box: h: expected a number from 0 to 32767 px, got nil");
     SAYS("query.line { what = 'bullets', x = 1, y = 2, to_x = 3, to_y = 2, width = 3 }",
-         "query.line: what: expected bullet, enemy, item, shot or player, got \"bullets\"");
+         "query.line: what: expected bullet, enemy, item, laser, shot or player, got \"bullets\"");
     SAYS("query.line { what = 'bullet', x = 1, y = 2, to_x = 3, to_y = 2, radius = 3 }",
          "query.line: unknown argument \"radius\"");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"

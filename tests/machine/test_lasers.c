@@ -4,6 +4,7 @@
  */
 #include <math.h>
 #include "../../src/board/api.h"
+#include "../../src/board/inspect.h"
 #include "../../src/board/lasers_run.h"
 #include "rig.h"
 
@@ -684,6 +685,95 @@ static void test_properties(void **state)
     end();
 }
 
+/* A field that is emptied has none of them, a player's neither. */
+static void test_wipe(void **state)
+{
+    (void)state;
+    begin("laser.beam { kind = 'lance', x = 1, y = 1, length = 9, hold = forever }\n"
+          "laser.beam { kind = 'wall', x = 1, y = 1, length = 9, hold = forever }\n"
+          "laser.curve { kind = 'ray', x = 50, y = 50, speed = 1, points = 40 }\n"
+          "wait(2) string.sys.wipe()");
+    rig_run(&r, 2);
+    assert_true(l()->s.live == 3 && r.b->laser_heads.s.live == 3 && r.b->laser_points.s.live == 2);
+    one_frame();
+    assert_true(l()->s.live == 0 && r.b->laser_heads.s.live == 0 && r.b->laser_points.s.live == 0);
+    end();
+}
+
+/* A laser owns tasks: they end with it, and have no turn while it stands. */
+static void test_tasks(void **state)
+{
+    struct inspect_task tasks[4];
+    uint32_t owned = 0;
+
+    (void)state;
+    begin("local c = laser.curve { kind = 'ray', x = 50, y = 50, speed = 1 }\n"
+          "task.own(c, function() for i = 1, forever do print('turn', i) wait(1) end end)\n"
+          "wait(3) c.frozen = 4 wait(8) c:remove()");
+    for (int frame = 1; frame <= 12; frame++) {
+        char line[32];
+        one_frame();
+        const bool stood = frame >= 5 && frame <= 8;
+        snprintf(line, sizeof line, "turn\t%d\n", frame <= 4 ? frame : frame - 4);
+        if (said("turn") != (!stood && frame < 12) || (!stood && frame < 12 && !said(line)))
+            fail_msg("frame %d: %s", frame, board_last(r.b)->log);
+        if (frame != 6)
+            continue;
+        const uint32_t n = inspect_tasks(r.b, 0, tasks, 4);
+        for (uint32_t k = 0; k < n && k < 4; k++)
+            owned += tasks[k].owner == OWNER_LASER && tasks[k].owner_number == 0;
+    }
+    assert_int_equal(owned, 1);
+    end();
+}
+
+/* Heads run every step: they wait for a signal, and fire as they fly, as the bullet beside them does. */
+static void test_steps(void **state)
+{
+    (void)state;
+    begin("local m = motion.def { { wait_for = { tag = 'go', limit = 50 } }, { emit = { pattern = 'ring', n = 3,\n"
+          "  kind = 'orb', speed = 2 } }, { wait_for = { x = 150, limit = 90 } }, { turn = 90 } }\n"
+          "local c = laser.curve { kind = 'ray', x = 60, y = 50, dir = 0, speed = 5, motion = m, points = 64 }\n"
+          "local b = bullet.fire { kind = 'orb', x = 60, y = 50, dir = 0, speed = 5, motion = m, tag = 'beside' }\n"
+          "wait(4) laser.group('come'):signal() wait(1) print('no', bullet.group().count)\n"
+          "laser.group('go'):signal() bullet.group('go'):signal() wait(1) print('now', bullet.group().count)\n"
+          "wait(25) print('same', c.x == b.x and c.y == b.y and c.dir == b.dir and c.y > 60)\n"
+          "c.frozen = 5 c:shift(0, -30) laser.group():signal() wait(20) print('same', c.y < b.y)");
+    for (int i = 0, seen = 0; i < 60; i++) {
+        one_frame();
+        seen += said("no\t1\n") + said("now\t7\n") + said("same\ttrue\n");
+        if (i == 59)
+            assert_int_equal(seen, 4);
+    }
+    end();
+}
+
+/* There is room for the events of a frame in which every laser grazes both players. */
+static void test_room(void **state)
+{
+    enum { MANY = 2000 };
+    static char text[8192];
+    struct manifest m = manifest();
+
+    (void)state;
+    m.lasers = MANY;
+    m.players = 2;
+    snprintf(
+        text, sizeof text,
+        "%stask.go(function()\n"
+        "string.sys.join(1, 'ship') string.sys.join(2, 'ship')\n"
+        "for i = 1, 2 do player.get(i).x, player.get(i).y = 100 + 20 * i, 200 end\n"
+        "for i = 1, %d do laser.beam { kind = 'ray', x = 130, y = 10, length = 290, hold = forever, warn = 0 } end\n"
+        "end)\n",
+        kinds, MANY);
+    rig_with_sys(&g, &m, text);
+    rig_power(&r, &g, NULL);
+    one_frame();
+    assert_int_equal(r.b->player.grazes[0], MANY);
+    assert_int_equal(r.b->player.grazes[1], MANY);
+    end();
+}
+
 /* Patterns fire them. */
 static void test_patterns(void **state)
 {
@@ -811,16 +901,30 @@ static void test_without_curves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_states),          cmocka_unit_test(test_spin),
-        cmocka_unit_test(test_follow),          cmocka_unit_test(test_bolt),
-        cmocka_unit_test(test_bolt_hits),       cmocka_unit_test(test_curve),
-        cmocka_unit_test(test_curve_moves),     cmocka_unit_test(test_hits),
-        cmocka_unit_test(test_graze),           cmocka_unit_test(test_shoots),
-        cmocka_unit_test(test_clear),           cmocka_unit_test(test_items),
-        cmocka_unit_test(test_items_of_curves), cmocka_unit_test(test_phase),
-        cmocka_unit_test(test_queries),         cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_properties),      cmocka_unit_test(test_patterns),
-        cmocka_unit_test(test_faults),          cmocka_unit_test(test_without),
+        cmocka_unit_test(test_states),
+        cmocka_unit_test(test_spin),
+        cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_bolt),
+        cmocka_unit_test(test_bolt_hits),
+        cmocka_unit_test(test_curve),
+        cmocka_unit_test(test_curve_moves),
+        cmocka_unit_test(test_hits),
+        cmocka_unit_test(test_graze),
+        cmocka_unit_test(test_shoots),
+        cmocka_unit_test(test_clear),
+        cmocka_unit_test(test_items),
+        cmocka_unit_test(test_items_of_curves),
+        cmocka_unit_test(test_phase),
+        cmocka_unit_test(test_queries),
+        cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_properties),
+        cmocka_unit_test(test_wipe),
+        cmocka_unit_test(test_tasks),
+        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_without),
         cmocka_unit_test(test_without_curves),
     };
 

@@ -489,7 +489,8 @@ static void test_pack(void **state)
 static void test_unpack_old(void **state)
 {
     struct result *r = read_good(
-        "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true } }");
+        "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true, "
+        "lasers = 64, curve_points = 4096 } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
@@ -505,7 +506,8 @@ static void test_unpack_old(void **state)
     assert_int_equal(r->m.items, 9);
     assert_int_equal(r->m.meet, 1);
     assert_int_equal(r->m.bg, 1);
-    r->m.items = r->m.meet = r->m.bg = 0;
+    assert_true(r->m.lasers == 64 && r->m.curve_points == 4096);
+    r->m.items = r->m.meet = r->m.bg = r->m.lasers = r->m.curve_points = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));

@@ -181,8 +181,8 @@ bool builtins_global(const char *name)
 
 static bool is_handle(const char *returns)
 {
-    static const char *const words[] = { "bullet", "group", "shot",  "enemy", "player",
-                                         "sprite", "task",  "scope", "motion" };
+    static const char *const words[] = { "bullet", "group", "shot",  "enemy",  "player",
+                                         "sprite", "task",  "scope", "motion", "laser" };
 
     for (size_t i = 0; returns != NULL && i < COUNT(words); i++)
         if (strcmp(words[i], returns) == 0)
@@ -218,6 +218,7 @@ bool builtins_handed(const struct symbol_origin *of)
         { "on", "extend", NULL, 1, 1 },        { "on", "phase", NULL, 1, 1 },
         { "bullet", "meet", "on_meet", 3, 2 }, { "on", "take", NULL, 1, 2 },
         { "item", "def", "on_take", 2, 2 },    { "item", "each", NULL, 2, 1 },
+        { "laser", "each", NULL, 2, 1 },
     };
 
     for (size_t i = 0; i < COUNT(handed); i++)
