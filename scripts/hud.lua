@@ -136,7 +136,7 @@ local function boss_rows(rows)
   local last = GRAZE:rep(math.min(b.left, FEW))
   local n = width - len(line) - #last
   if n < 1 then
-    rows[#rows + 1] = last
+    rows[#rows + 1] = (" "):rep(width - #last) .. last
   elseif last ~= "" then
     rows[#rows] = line .. (" "):rep(n) .. last
   end
