@@ -39,13 +39,14 @@ end
 -- the last; else the rows go over the field, a cell off its edges.
 local field_col, field_cols = (rom.field.x + 7) // 8, (rom.field.x + rom.field.w) // 8 - (rom.field.x + 7) // 8
 local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
-local left = room >= 10 and hud.cols - room + 1 or field_col + 1
+local PANEL = room >= 10
+local left = PANEL and hud.cols - room + 1 or field_col + 1
 local width = room > 10 and room - 2 or room == 10 and 9 or field_cols - 2
-local TOP = room >= 10 and 1 or rom.field.y // 8 + 1
+local TOP = PANEL and 1 or rom.field.y // 8 + 1
 
 local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
 local BANNER_ROW = hud.rows // 3
-local FEW = 6 -- so many icons stand side by side; of more, their number
+local FEW <const> = 6 -- so many icons stand side by side; of more, their number
 
 local players = 0 -- how many play
 local seen = {}   -- each player's last score: that of one who is out cannot be read
@@ -53,6 +54,8 @@ local shown = {}  -- the text of each row on the screen; a row is written only w
 local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
 local registers = { {}, {} } -- that each player's ship shows: name, show, max
+local values = {} -- what the rows tell of
+local fresh       -- one of them is another than in the frame before
 
 local function points(n) return ("%09d"):format(n) end
 
@@ -70,21 +73,16 @@ end
 
 local function icons(icon, n) return n > FEW and icon .. "x" .. n or icon:rep(n) end
 
-local function lives(i) return icons(LIFE, player.get(i).lives or 0) end
-
--- One row with a left, a middle and a right part; in a narrow panel, a row for each. n: characters of the left part.
-local function add(rows, first, middle, last, n)
-  n = n or #first
-  if n + #middle + #last + 2 > width then
+-- One row with a left, a middle and a right part; in a narrow panel, a row for each.
+local function add(rows, first, middle, last)
+  if #first + #middle + #last + 2 > width then
     for _, s in ipairs { first, middle, last } do
       for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do rows[#rows + 1] = line end
     end
     return
   end
-  local before = (width - #middle) // 2 - n
-  if before < 1 then before = 1 end
-  local line = first .. (" "):rep(before) .. middle
-  rows[#rows + 1] = line .. (" "):rep(width - #line + #first - n - #last) .. last
+  local line = first .. (" "):rep(math.max((width - #middle) // 2 - #first, 1)) .. middle
+  rows[#rows + 1] = line .. (" "):rep(width - #line - #last) .. last
 end
 
 -- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
@@ -112,51 +110,73 @@ local function register(i, k)
   return name .. n
 end
 
--- Those of player i's ship.
-local function shown_registers(i)
-  local list = {}
-  if i > players or not player.get(i).kind then return list end
-  for _, r in ipairs(sys.ship(player.get(i).kind).registers) do
-    if r.show and r.show ~= "none" then list[#list + 1] = r end
-  end
-  return list
-end
-
 local function play_rows(rows)
   local best = points(hud.best())
   if players > 1 then
     add(rows, points(hud.score(1)), "", points(hud.score(2)))
-    add(rows, lives(1), best, lives(2))
+    add(rows, icons(LIFE, player.get(1).lives or 0), best, icons(LIFE, player.get(2).lives or 0))
   else
     add(rows, points(hud.score(1)), "", "HI " .. best)
-    add(rows, lives(1), "", GRAZE .. (player.get(1).grazes or 0))
+    add(rows, icons(LIFE, player.get(1).lives or 0), "", GRAZE .. (player.get(1).grazes or 0))
   end
   for k = 1, math.max(#registers[1], #registers[2]) do add(rows, register(1, k), "", register(2, k)) end
 end
 
+-- Behind the last row of the title, or else below, stands a star for each phase that is left.
 local function boss_rows(rows)
   local b = boss.status()
   if not b then return end
-  local seconds = b.ends and ("%3d"):format((b.ends - sys.clock() + 59) // 60) or ""
-  rows[#rows + 1] = (b.hp and bar(b.enemy.hp, b.hp, width - 4) or (" "):rep(width - 4)) .. " " .. seconds
-  add(rows, b.title, "", GRAZE:rep(math.min(b.left, 6)), len(b.title))
-  for _, line in ipairs(b.spell and hud.wrap(b.spell, width) or {}) do
-    rows[#rows + 1] = (" "):rep(width - len(line)) .. line
+  if PANEL then rows[#rows + 1] = "" end
+  local full, line = b.hp, b.ends and ("%3d"):format(values.ends) or ""
+  rows[#rows + 1] = (full and bar(b.enemy.hp, full, width - 4) or (" "):rep(width - 4)) .. " " .. line
+  for _, s in ipairs(hud.wrap(b.title, width)) do
+    rows[#rows + 1], line = s, s
+    len(s)
+  end
+  local last = GRAZE:rep(math.min(b.left, FEW))
+  local n = width - len(line) - #last
+  if n < 1 then
+    rows[#rows + 1] = (" "):rep(width - #last) .. last
+  elseif last ~= "" then
+    rows[#rows] = line .. (" "):rep(n) .. last
+  end
+  for _, s in ipairs(b.spell and hud.wrap(b.spell, width) or {}) do
+    rows[#rows + 1] = (" "):rep(width - len(s)) .. s
   end
 end
 
-local function show(row, s)
-  s = s .. (" "):rep(width - (known[s] or #s))
-  local before = shown[row] or (" "):rep(width)
-  shown[row] = s
-  if s ~= before then hud.put(left, TOP + row - 1, s) end
+local function note(what, value)
+  if values[what] ~= value then values[what], fresh = value, true end
 end
 
+-- Most frames are as the one before: then no text is made.
 local function draw()
-  local rows = {}
-  play_rows(rows)
-  boss_rows(rows)
-  for i = 1, math.max(#rows, #shown) do show(i, rows[i] or "") end
+  local b = boss.status()
+  note("best", hud.best())
+  for i = 1, players do
+    local p = player.get(i)
+    note(i, seen[i])
+    note(i + 2, p.lives)
+    note(i + 4, p.grazes)
+    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, p[r.name]) end
+  end
+  note("boss", b)
+  if b then
+    note("hp", b.hp and b.enemy.hp)
+    note("ends", b.ends and (b.ends - sys.clock() + 59) // 60)
+  end
+  if fresh then
+    local rows = {}
+    play_rows(rows)
+    boss_rows(rows)
+    for i = 1, math.max(#rows, #shown) do
+      local s = rows[i] or ""
+      s = s .. (" "):rep(width - (known[s] or #s))
+      if s ~= (shown[i] or (" "):rep(width)) then hud.put(left, TOP + i - 1, s) end
+      shown[i] = s
+    end
+    fresh = false
+  end
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
@@ -172,7 +192,7 @@ end
 
 -- Writes all again after something else was written over it.
 function hud.refresh()
-  shown = {}
+  shown, fresh = {}, true
   if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
 end
 
@@ -180,7 +200,14 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  registers = { shown_registers(1), shown_registers(2) }
+  values, fresh = {}, true
+  for i = 1, 2 do
+    local list, kind = {}, i <= n and player.get(i).kind
+    for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
+      if r.show and r.show ~= "none" then list[#list + 1] = r end
+    end
+    registers[i] = list
+  end
   task.own(owner, function()
     while true do
       draw()

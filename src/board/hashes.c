@@ -14,12 +14,19 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
-/* A part that a game has no room for, or that has registers alone and all are 0, and that is not there always: its hash
- * is 0, and in no other hash. So a new chip is another game for those games alone that ask for it. */
+/* Has it registers alone, or is it a part that came later and that the game has no room for? */
+static bool is_roomless(const struct board *b, int i)
+{
+    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap;
+}
+
+/* Such a part whose registers are all 0: its hash is 0, and in no other hash. So a new chip is another game for those
+ * games alone that ask for it. */
 static bool is_absent(const struct board *b, int i)
 {
-    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap &&
-           slots_blank(machine_parts[i].chip, chip_at(b, i));
+    const struct chip *chip = machine_parts[i].chip;
+
+    return is_roomless(b, i) && (!chip->columns[0].reg || slots_blank(chip, chip_at(b, i)));
 }
 
 uint64_t board_part_hash(const struct board *b, int i)
@@ -94,7 +101,7 @@ static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return machine_parts[i].chip->list && !is_absent(b, i)
+    return machine_parts[i].chip->list && !is_roomless(b, i)
                ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
                : 0;
 }
@@ -133,7 +140,7 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
     for (int i = 0; i < PARTS; i++) {
         if (is_absent(b, i))
             hashes[i] = 0;
-        else if (!machine_parts[i].chip->list || !same(b, i, copy, room))
+        else if (!machine_parts[i].chip->list || is_roomless(b, i) || !same(b, i, copy, room))
             hashes[i] = board_part_hash(b, i);
         copy += copy_size(b, i);
     }

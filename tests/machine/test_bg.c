@@ -62,7 +62,8 @@ static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint
     struct map m;
 
     cart_map(&b->cart, g->map[i] - 1, &m);
-    int64_t mx = x - floor_div(g->x[i] + bg_line(g, &b->bg_lines, i, y), 65536);
+    const int line = y < 0 ? 0 : y < b->cart.m.field_h ? y : b->cart.m.field_h - 1; /* a shake shows more */
+    int64_t mx = x - floor_div(g->x[i] + bg_line(g, &b->bg_lines, i, line), 65536);
     int64_t my = y - floor_div(g->y[i], 65536);
     if (g->flags[i] & BG_WRAP) {
         mx = rest_of(mx, m.cols * m.side);
@@ -125,19 +126,21 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
     return c;
 }
 
-/* Draws over rubbish and compares every pixel of the screen. */
+/* Draws over rubbish and compares every pixel of the screen; in the field, with those that a shake moved there. */
 static void compare(struct rig *r, int round)
 {
     const struct manifest *m = &r->b->cart.m;
     uint32_t rgb[256];
+    int dx, dy;
 
+    screen_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
     board_draw(r->b, &r->fb, rgb, r->scratch);
     for (int y = 0; y < m->screen_h; y++)
         for (int x = 0; x < m->screen_w; x++) {
             const int fx_ = x - m->field_x, fy = y - m->field_y;
             const bool in = fx_ >= 0 && fy >= 0 && fx_ < m->field_w && fy < m->field_h;
-            const uint8_t want = in ? plain_pixel(r->b, fx_, fy) : 0, got = r->fb.pix[y * r->fb.pitch + x];
+            const uint8_t want = in ? plain_pixel(r->b, fx_ - dx, fy - dy) : 0, got = r->fb.pix[y * r->fb.pitch + x];
             if (got != want)
                 fail_msg("round %d: pixel %d, %d is %d, expected %d", round, x, y, got, want);
         }
@@ -201,6 +204,19 @@ static void random_plane(struct board *b)
     g->far[BG_PLANE] = (fx)within(65536, 900 * 65536);
 }
 
+/* Where a background is open, its edge is mirrored: test_screen.c. */
+static void random_shake(struct board *b)
+{
+    screen_empty(&b->screen);
+    if (!video_bg_covers(b))
+        return;
+    b->screen.shake = (int32_t)within(0, SHAKE_MOST);
+    b->screen.shake_over = 1;
+    b->screen.shake_at = b->core.clock - 1;
+    b->screen.shake_aimed = 1;
+    b->screen.shake_dir = (ang)rng_next(&rng);
+}
+
 /* Layers, plane, fog and fades at random, and with extremes: the picture is the plain program's. */
 static void test_plain(void **state)
 {
@@ -219,6 +235,7 @@ static void test_plain(void **state)
         r.b->bg.over[0] = (uint16_t)(within(0, 2) ? 0 : within(1, 65535));
         r.b->bg.at[0] = (uint16_t)(r.b->bg.over[0] ? within(0, r.b->bg.over[0] - 1) : 0);
         covered += video_bg_covers(r.b);
+        random_shake(r.b);
         compare(&r, round);
     }
     assert_true(covered > 20 && covered < 380);

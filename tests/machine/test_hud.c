@@ -156,6 +156,81 @@ static void test_panel(void **state)
     close_it();
 }
 
+static void boss_text(char *text, size_t size, const char *title, int phases)
+{
+    static const char phase[] = "{ id = 'a%d', hp = 5, time = 99, rest = 0, run = function() end }, ";
+    char list[1024] = "";
+
+    for (int i = 0; i < phases; i++)
+        snprintf(list + strlen(list), sizeof list - strlen(list), phase, i);
+    snprintf(text, size,
+             "player.def('p', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'p')\n"
+             "hud.start(string.sys.scope(), 1)\n"
+             "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+             "boss.def('b', { title = '%s', kind = 'e', x = 9, y = 9, phases = { %s } })\n"
+             "task.go(function() boss.fight('b') end)",
+             title, list);
+}
+
+/* A star for each phase to come stands behind the title's last row where a blank is left between, or else below. */
+static void test_title(void **state)
+{
+    static char text[2048];
+    static const struct {
+        const char *title, *row[2];
+        int phases, col[2];
+    } rows[] = {
+        { "NINE", { "NINE                     ***", "" }, 4, { 1, -1 } },
+        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC **", "" }, 3, { 1, -1 } },
+        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC", "***" }, 4, { 1, 26 } },
+        { "A TITLE THAT GOES OVER TWO OF THEM",
+          { "A TITLE THAT GOES OVER TWO", "OF THEM                    *" },
+          2,
+          { 1, 1 } },
+        { "NINE", { "NINE", "" }, 1, { 1, -1 } },
+        { "NINE", { "NINE                  ******", "" }, 9, { 1, -1 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        boss_text(text, sizeof text, rows[i].title, rows[i].phases);
+        open_with(NULL, text);
+        rig_run(&r, 120);
+        for (int k = 0; k < 2; k++)
+            row_is(4 + (uint32_t)k, rows[i].col[k], rows[i].row[k]);
+        close_it();
+    }
+}
+
+/* Rows are written again only when what they tell of is another, and after hud.refresh. */
+static void test_again(void **state)
+{
+    static char text[2048];
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.players = 1;
+    snprintf(text, sizeof text,
+             "%s task.go(function() wait(19) player.get(1).heat = 1 wait(10) hud.refresh() wait(10) score.add(7, 1) "
+             "end)",
+             ships);
+    open_with(&m, text);
+    rig_run(&r, 10);
+    fix_clear(&r.b->fix, 0, 0, 30, 20);
+    rig_run(&r, 5);
+    row_is(1, -1, "");
+    row_is(5, -1, "");
+    rig_run(&r, 10); /* another heat, and only its row is another */
+    row_is(1, -1, "");
+    row_is(5, 1, "HEAT ==------");
+    rig_run(&r, 10); /* refreshed */
+    row_is(1, 1, "000000000       HI 000000000");
+    row_is(3, 1, "BOMBS ***");
+    rig_run(&r, 10);
+    row_is(1, 1, "000000007       HI 000000007");
+    close_it();
+}
+
 /* A letter's rim is the darkest colour next to each of its pixels, and under every letter. */
 static void test_rim(void **state)
 {
@@ -223,7 +298,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),    cmocka_unit_test(test_title),
+        cmocka_unit_test(test_again),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

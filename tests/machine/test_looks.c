@@ -8,7 +8,7 @@
 enum { W = 240, H = 320, X = 100, Y = 80 };
 
 static const char kinds[] =
-    "enemy.def('e', { sprite = 'dot', hit = { circle = 4 }, hp = 99, bank = 2, blink = 4,\n"
+    "enemy.def('e', { sprite = 'dot', hit = { circle = 4 }, hp = 99, bank = 2, blink = 8,\n"
     "  pictures = { cast = 'arrow', hurt = 'wink', aim = 'dot' } })\n"
     "enemy.def('plain', { sprite = 'dot', hit = { circles = { { -4, 0, 2 }, { 4, 0, 2 } } }, hp = 99, bank = 2 })\n"
     "enemy.def('brief', { sprite = 'arrow', hit = 'none', hp = 99, bank = 2, blink = 1, pictures = { cast = 'dot' } "
@@ -99,12 +99,12 @@ static void test_pictures(void **state)
     close_it();
 }
 
-/* White for two frames, plain for two; hits in the meantime do not begin anew. */
+/* White for two frames, plain for six; hits in the meantime do not begin anew. */
 static void test_blink(void **state)
 {
     (void)state;
     open_with("local e = enemy.spawn { kind = 'e', x = 100, y = 80 }\n"
-              "task.go(function() wait(1) e:hurt(1) assert(e.bank == 2) wait(1) e:hurt(1) e.bank = 3 wait(3) e.picture "
+              "task.go(function() wait(1) e:hurt(1) assert(e.bank == 2) wait(1) e:hurt(1) e.bank = 3 wait(7) e.picture "
               "= 'cast' e:hurt(1) end)");
     rig_run(&r, 1), shows("dot", 0, 2, false, 0);
     rig_run(&r, 1), shows("wink", 0, 0, true, 0);
@@ -112,6 +112,7 @@ static void test_blink(void **state)
     rig_spoil(&r);
     rig_run(&r, 1), shows("wink", 1, 3, false, 0);
     rig_run(&r, 1), shows("wink", 1, 3, false, 0);
+    rig_run(&r, 4);
     rig_run(&r, 1), shows("arrow", 0, 0, true, 0); /* what a script chose stays */
     rig_run(&r, 1), shows("arrow", 0, 0, true, 0);
     rig_run(&r, 1), shows("arrow", 0, 3, false, 0);

@@ -243,6 +243,38 @@ static void test_state(void **state)
     }
 }
 
+/* Hashes with copies of the lists are those without, before, while and after the part is in them. */
+static void test_hashes(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    uint64_t plain[MAX_PARTS], cached[MAX_PARTS];
+    int there = 0;
+
+    (void)state;
+    rig_with_sys(&g, NULL,
+                 "task.go(function() wait(5) screen.shake { size = 3, over = 4 } wait(9) string.sys.wipe() end)");
+    rig_power(&r, &g, NULL);
+    size_t size = board_hash_cache_size(r.b);
+    uint8_t *copies = calloc(size + 64, 1);
+    memset(copies + size, 0x5a, 64);
+    for (int n = 0; n < 20; n++) {
+        rig_run(&r, 1);
+        board_hashes(r.b, plain);
+        board_hashes_cached(r.b, copies, cached);
+        assert_memory_equal(plain, cached, sizeof plain[0] * PARTS);
+        assert_int_equal(board_hash_cache_size(r.b), size);
+        there += plain[PARTS - 1] != 0;
+        for (int k = 0; k < 64; k++)
+            assert_int_equal(copies[size + (size_t)k], 0x5a);
+    }
+    assert_string_equal(board_part(r.b, PARTS - 1), "screen");
+    assert_int_equal(there, 9);
+    free(copies);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 static void test_wipe(void **state)
 {
     struct rig_game g;
@@ -326,9 +358,9 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shake),     cmocka_unit_test(test_edges),  cmocka_unit_test(test_flash),
-        cmocka_unit_test(test_letterbox), cmocka_unit_test(test_state),  cmocka_unit_test(test_wipe),
-        cmocka_unit_test(test_crowd),     cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_shake),     cmocka_unit_test(test_edges), cmocka_unit_test(test_flash),
+        cmocka_unit_test(test_letterbox), cmocka_unit_test(test_state), cmocka_unit_test(test_hashes),
+        cmocka_unit_test(test_wipe),      cmocka_unit_test(test_crowd), cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

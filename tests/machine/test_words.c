@@ -119,12 +119,14 @@ static void test_boss(void **state)
 
     (void)state;
     boss_with(&m, "\xc3\x89t\xc3\xa9");
-    row_is(3, 0, "\xc9t\xe9                           ");
-    row_is(4, 0, " \xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9 \xe9toil\xe9");
+    row_is(4, 1, "\xc9t\xe9                         ");
+    row_is(5, 1, "      \xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9");
+    row_is(6, 1, "                      \xe9toil\xe9");
     end();
     m.field_w = 160;
     boss_with(&m, "\xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9");
-    row_is(4, 21, "\xc9t\xe9 \xc9t\xe9 \xc9");
+    row_is(7, 21, "\xc9t\xe9 \xc9t\xe9  ");
+    row_is(8, 21, "\xc9t\xe9 \xc9t\xe9  ");
     end();
 }
 

@@ -240,6 +240,7 @@ static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint
 {
     const struct manifest *m = &b->cart.m;
     struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
+    const bool covered = video_bg_covers(b);
     int dx, dy;
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
@@ -249,14 +250,14 @@ static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint
     if (dx || dy)
         c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
     fb_clip_all(fb);
-    if (video_bg_covers(b))
+    if (covered)
         clear_sides(&c);
     else
         fb_fill(fb, 0);
     video_clip_field(&c);
     video_bg(&c, false);
     draw_sprites(&c, LAYER_BACK);
-    if (dx || dy)
+    if ((dx || dy) && !covered)
         fill_edges(&c);
     draw_items(&c);
     draw_enemies(&c);

@@ -12,6 +12,7 @@
  */
 #include "../../../fb/row.h"
 #include "../../base/bytes.h"
+#include "../../base/int.h"
 #include "../../base/trig.h"
 #include "../video.h"
 #include <string.h>
@@ -104,16 +105,17 @@ static void draw_layer(struct draw_target *c, uint32_t i)
 {
     const struct bg *g = &c->b->bg;
     const struct brush brush = brush_of(c->b, i);
-    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h;
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     uint8_t row[ROW];
     struct map m;
     bool solid;
 
     cart_map(&c->b->cart, g->map[i] - 1, &m);
-    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + shaken_y(c);
+    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
     for (int y = 0; y < h; y++) {
-        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, y)) >> 16) - shaken_x(c);
+        const int line = (int)int64_clamp(y - dy, 0, h - 1);
+        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) - dx;
         int64_t from = 0, to = w, my = y - top;
         if (wraps) {
             at = modulo(at, mw);
