@@ -105,7 +105,7 @@ end
 
 local COLD, WARM = 0, 1 -- the two colours of glass
 
-local BLINK = 8 -- frames that a creature blinks when it is hurt: 2 white, 6 as it is
+local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of them in white
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
