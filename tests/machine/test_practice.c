@@ -489,7 +489,8 @@ static void test_lists_of_games(void **state)
                    "queen Queen of the Glass Tide\nqueen/wheels \nqueen/held Glass Sign: Held Breath\n"
                    "queen/ebb Moon Sign: Ebb and Flow\nqueen/flower Last Sign: Fathomless Flower\n"
                    "undertow Queen of the Glass Tide\nundertow/again The Tide Returns\n"
-                   "guard Chandelier Crab\nguard/pincers \nguard/grotto Echo Sign: Grotto of Rings\nguard/chandelier "
+                   "guard Chandelier Crab\nguard/pincers \nguard/grotto Echo Sign: Grotto of Rings\n"
+                   "guard/lamplight Light Sign: Waltz of Lamps\nguard/chandelier "
                    "Shell Sign: Falling Chandelier\n"
                    "one:guard \none:deep \none:queen \n");
     list_of_folder("roms/torture", "fast=4\nbombs=2\npower=0\nfirst \nsecond \n"
