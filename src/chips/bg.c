@@ -96,15 +96,14 @@ static int64_t modulo(int64_t a, int64_t n)
     return r < 0 ? r + n : r;
 }
 
+/* In integers alone: it is drawing that asks, and only a tick may use the processor's fractions. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
-    fx along, across;
-
     if (!b->wave[i] || b->every[i] <= 0)
         return 0;
     int64_t at = modulo((int64_t)y * 65536 - b->phase[i], b->every[i]);
-    trig_polar(b->wave[i], (ang)(((uint64_t)at << 32) / (uint64_t)b->every[i]), &along, &across);
-    return across;
+    int32_t sine = trig_sin30((ang)(((uint64_t)at << 32) / (uint64_t)b->every[i]));
+    return (fx)(((int64_t)b->wave[i] * sine + (1 << 29)) >> 30);
 }
 
 fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
