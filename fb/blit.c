@@ -325,8 +325,7 @@ void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t 
 void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c)
 {
     for (int k = 0; k < 9; k++)
-        if (k != 4)
-            blit_solid(fb, image, x + k % 3 - 1, y + k / 3 - 1, c, 0);
+        blit_solid(fb, image, x + k % 3 - 1, y + k / 3 - 1, c, 0);
 }
 
 /* All of an image. */

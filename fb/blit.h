@@ -31,7 +31,7 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 /* The same, but every pixel of it is c. */
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags);
 
-/* The eight places next to each of its pixels, in c. */
+/* Its pixels and the eight places next to each, in c. */
 void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c);
 
 #endif

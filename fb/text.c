@@ -4,6 +4,7 @@
 #include "text.h"
 #include <string.h>
 #include "blit.h"
+#include "words.h"
 
 /* Does it draw a pixel? */
 static bool any_ink(const uint8_t *glyph)
@@ -57,12 +58,44 @@ void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
     fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
+/* A row of a rim, from d on: ten pixels, three times the mask's eight, a pixel apart. */
+static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
+{
+    const uint64_t once = words_moved(mask), eight = mask | once | words_moved(once);
+    uint8_t one[8];
+
+    words_store(d, (words_load(d) & ~eight) | (WORDS_EACH(rim) & eight));
+    words_store(one, mask);
+    if (one[6] | one[7])
+        d[8] = rim;
+    if (one[7])
+        d[9] = rim;
+}
+
+/* A rim of which nothing is cut off, from d on. A row of it is made of three of the glyph's, one over the other. */
+static void whole_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint8_t rim)
+{
+    uint64_t above = 0, on = 0;
+
+    for (int row = -1; row <= TEXT_SIDE; row++, d += pitch) {
+        uint64_t below = row + 1 < TEXT_SIDE ? words_opaque(words_load(glyph + (row + 1) * TEXT_SIDE)) : 0;
+        if (above | on | below)
+            rim_row(d, above | on | below, rim);
+        above = on;
+        on = below;
+    }
+}
+
 void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim)
 {
     const uint8_t *glyph = text_blank(code) ? NULL : glyph_of(font, code);
     struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
 
-    if (glyph)
+    if (!glyph)
+        return;
+    if (x > fb->x0 && y > fb->y0 && x < fb->x1 - TEXT_SIDE && y < fb->y1 - TEXT_SIDE)
+        whole_rim(fb->pix + (y - 1) * fb->pitch + x - 1, fb->pitch, glyph, rim);
+    else
         blit_rim(fb, &image, x, y, rim);
 }
 

@@ -31,7 +31,7 @@ static inline bool text_blank(uint32_t code)
     return code == 32 || code == 160 || code == 0x3000;
 }
 
-/* The eight places next to each of the character's pixels, in colour `rim`: to be drawn before all characters. */
+/* The character's pixels and the eight places next to each, in colour `rim`: to be drawn before all characters. */
 void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim);
 
 /* Bytes up to the NUL, TEXT_SIDE px apart; '\n' goes back to x, one line down. Any x, y. For tests. */

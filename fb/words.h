@@ -1,6 +1,6 @@
 /*
  * words.h - eight pixels at a time: what a 64-bit word of them can do without a step from one byte to the next, so that
- * the byte order of the host does not matter.
+ * the byte order of the host does not matter (but to words_moved).
  * floor: fb
  */
 #ifndef FB_WORDS_H
@@ -30,6 +30,16 @@ static inline uint64_t words_opaque(uint64_t s)
     uint64_t top = (((s & WORDS_EACH(0x7f)) + WORDS_EACH(0x7f)) | s) & WORDS_EACH(0x80);
 
     return top | (top - (top >> 7));
+}
+
+/* Each byte in the next one's place; the first becomes 0 and the last is lost. */
+static inline uint64_t words_moved(uint64_t v)
+{
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return v >> 8;
+#else
+    return v << 8;
+#endif
 }
 
 /* s + add in each byte, modulo 256. */

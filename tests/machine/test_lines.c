@@ -274,6 +274,23 @@ static void test_cells(void **state)
     rig_spoil(&rig);
     assert_int_equal(fix_code(&rig.b->fix, 3 * 30 + 3), 0x1f600);
     end();
+    draw("palette.set(0, 0xffffff) palette.set(200, 0) text.put { col = 2, row = 5, text = 'A', font = 'tiny', rim = "
+         "true, bank = 2 }",
+         1);
+    int dark = 0;
+    for (int i = 1; i < 256; i++)
+        dark = rig.b->pal.rgb[i] == 0 && !dark ? i : dark;
+    assert_true(dark > 0);
+    for (int y = 38; y < 48; y++)
+        for (int x = 13; x < 22; x++) {
+            bool next = false;
+            for (int k = 0; k < 9; k++)
+                next |= pixel(x + k % 3 - 1, y + k / 3 - 1) / 16 == 2;
+            assert_true(pixel(x, y) / 16 == 2 || pixel(x, y) == (next ? dark : 0));
+        }
+    assert_int_equal(pixel(17, 41), dark);
+    assert_int_equal(pixel(16, 41), 2 * 16 + 15);
+    end();
     struct manifest m = with_lines(0);
     m.wide = 0;
     rig_script(&g, &m, "text.put { col = 2, row = 3, text = 'A', font = 'tiny' }");

@@ -166,12 +166,35 @@ static void long_text_from_far_left(void **state)
     free(s);
 }
 
+/* Its pixels and the eight places next to each, by words where nothing is cut off, at every place near the edges. */
+static void any_rim_anywhere(void **state)
+{
+    struct bed *b = *state;
+
+    for (int round = 0; round < 4000; round++) {
+        const uint32_t code = FIRST - 2 + (uint32_t)rng_below(&b->r, COUNT + 4);
+        const int x = (int)rng_below(&b->r, W + 24) - 12, y = (int)rng_below(&b->r, H + 24) - 12;
+        const uint8_t rim = (uint8_t)rng_below(&b->r, 256);
+        const bool has = text_has(&b->font, code) && !text_blank(code);
+        bed_reset(b, (uint8_t)rng_below(&b->r, 256));
+        fb_clip(&b->fb, (int)rng_below(&b->r, 9), (int)rng_below(&b->r, 9), W - 12, H - 12);
+        for (int at = 0; has && at < 64; at++)
+            for (int k = 0; k < 9 && b->glyphs[(code - FIRST) * 64 + (uint32_t)at]; k++)
+                dot(b, x + at % 8 + k % 3 - 1, y + at / 8 + k / 3 - 1, rim);
+        text_rim(&b->fb, &b->font, x, y, code, rim);
+        for (int row = 0; row < H; row++)
+            assert_memory_equal(b->fb.pix + row * b->fb.pitch, b->want[row], W);
+        fb_clip_all(&b->fb);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_code),
         cmocka_unit_test(any_string_anywhere),
         cmocka_unit_test(long_text_from_far_left),
+        cmocka_unit_test(any_rim_anywhere),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);
 }

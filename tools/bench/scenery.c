@@ -1,5 +1,6 @@
 /*
- * scenery.c - of section "pictures": what backgrounds cost, over the whole field of the sandbox.
+ * scenery.c - of section "pictures": what backgrounds cost, over the whole field of the sandbox, and what text, flashes
+ * and shakes do.
  */
 #include <stdlib.h>
 #include "bench.h"
@@ -82,6 +83,99 @@ static void show(struct board *b, const struct view *v)
     }
 }
 
+static void nothing(struct board *b)
+{
+    fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
+    screen_empty(&b->screen);
+    show(b, &VIEWS[0]);
+}
+
+enum { LETTERS = 100 };
+
+static void write_rows(struct board *b, uint8_t bank)
+{
+    nothing(b);
+    for (int row = 0; row < 4; row++)
+        fix_put(&b->fix, 2, 1 + row, "QWERTYUIOPASDFGHJKLZXCVBN", LETTERS / 4, bank, 0);
+}
+
+static void letters(struct board *b)
+{
+    write_rows(b, 2);
+}
+
+static void rims(struct board *b)
+{
+    write_rows(b, 2 | FIX_RIM);
+}
+
+static void flash(struct board *b)
+{
+    nothing(b);
+    b->screen.flash = 0xffffff;
+    b->screen.flash_over = 60;
+    b->screen.flash_share = FX_ONE;
+    b->screen.flash_at = b->core.clock;
+}
+
+static void shaken(struct board *b)
+{
+    b->screen.shake = 8;
+    b->screen.shake_over = 60;
+    b->screen.shake_at = b->core.clock - 1;
+    b->screen.shake_aimed = 1;
+    b->screen.shake_dir = 1 << 29;
+}
+
+static void bare_shaken(struct board *b)
+{
+    nothing(b);
+    shaken(b);
+}
+
+static void layer_shaken(struct board *b)
+{
+    nothing(b);
+    show(b, &VIEWS[1]);
+    shaken(b);
+}
+
+static const struct look {
+    const char *what;
+    void (*set)(struct board *b);
+} LOOKS[] = {
+    { "nothing", nothing },
+    { "100 letters in cells", letters },
+    { "the same with rims", rims },
+    { "a flash", flash },
+    { "a shake, and no background: edges are mirrored", bare_shaken },
+    { "a shake of a layer without holes", layer_shaken },
+};
+enum { LOOK_COUNT = sizeof LOOKS / sizeof *LOOKS };
+
+static void look_prices(struct stand *s)
+{
+    struct samples draw[LOOK_COUNT] = { { 0 } };
+    uint32_t rgb[256];
+
+    for (int round = -2; round < ROUNDS; round++)
+        for (int i = 0; i < LOOK_COUNT; i++) {
+            LOOKS[i].set(s->b);
+            double from = bench_now();
+            board_draw(s->b, &s->fb, rgb, s->scratch);
+            if (round >= 0)
+                samples_add(&draw[i], bench_since(from));
+        }
+    report_text("What else is in the same picture, in microseconds:");
+    report_table(NULL, "what | in all> | beyond nothing>");
+    for (int i = 0; i < LOOK_COUNT; i++)
+        report_row(i == 0, LOOKS[i].what, samples_figure(&draw[i], 1e3),
+                   i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);
+    report_table_end();
+    for (int i = 0; i < LOOK_COUNT; i++)
+        samples_free(&draw[i]);
+}
+
 void scenery_prices(void)
 {
     struct samples draw[COUNT] = { { 0 } };
@@ -107,6 +201,7 @@ void scenery_prices(void)
     report_table_end();
     for (int i = 0; i < COUNT; i++)
         samples_free(&draw[i]);
+    look_prices(&s);
     free(s.scratch);
     free(s.mem);
     free(s.ram);

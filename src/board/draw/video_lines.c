@@ -209,12 +209,15 @@ void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 {
     const struct fix *f = &c->b->fix;
     struct page p = page_of(c, f->font[i]);
+    const int x = (int)(i % f->cols) * FIX_CELL, y = (int)(i / f->cols) * FIX_CELL;
     struct face_glyph g;
 
-    if (!find(&p, fix_code(f, i), &g))
-        return;
-    struct image image = { g.pix, g.w, g.h, g.pitch };
-    blit_rim(c->fb, &image, (int)(i % f->cols) * FIX_CELL + g.x, (int)(i / f->cols) * FIX_CELL + g.y, rim);
+    if (!p.face.data && text_has(&p.font, fix_code(f, i))) {
+        text_rim(c->fb, &p.font, x, y, fix_code(f, i), rim);
+    } else if (find(&p, fix_code(f, i), &g)) {
+        struct image image = { g.pix, g.w, g.h, g.pitch };
+        blit_rim(c->fb, &image, x + g.x, y + g.y, rim);
+    }
 }
 
 void video_lines(struct draw_target *c)
