@@ -36,7 +36,7 @@ local function sweep(a, circle)
     if a.follow and not a.follow.alive then return end
     circle.radius = a.radius + (a.radius_to - a.radius) * k / a.over
     circle.what, circle.tag, circle.spark, circle.items, circle.all = nil, a.tag, a.spark, a.items, a.all
-    circle.lasers = a.lasers
+    if not a.lasers then circle.lasers = false end -- as by default is left out: what is given is part of a run
     bullet.clear(circle)
     circle.tag, circle.spark, circle.items, circle.all, circle.lasers = nil, nil, nil, nil, nil
     if a.hurt > 0 then hurt(a, circle, met) end

@@ -64,11 +64,12 @@ void board_full(struct board *b, const struct slots *s)
 
     if (!w)
         return;
+    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* of what is counted, a slot */
     if (b->vm.running)
         vm_where(b->vm.running, place, sizeof place);
     f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;
-    snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap,
+    snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap * each,
              w->set_by, w->instead);
     add_line(o, f->line);
 }

@@ -497,6 +497,7 @@ static void test_items(void **state)
           "wait(2) laser.beam { kind = 'ray', x = 10, y = 20, length = 3, hold = forever }:clear { items = 'gem' }\n"
           "wait(2) laser.beam { kind = 'wall', x = 30, y = 200, dir = 0, length = 50, hold = forever, warn = 0 }\n"
           "wait(1) bullet.sweep { x = 30, y = 200, radius = 4, radius_to = 9, over = 1, items = 'gem' }\n"
+          "bullet.sweep { x = 30, y = 200, radius = 9, radius_to = 9, over = 1, all = true, lasers = false }\n"
           "wait(1) bullet.sweep { x = 30, y = 200, radius = 4, radius_to = 9, over = 1, items = 'gem', all = true }");
     rig_run(&r, 2);
     memcpy(chance, r.b->core.random, sizeof chance);

@@ -372,7 +372,7 @@ static void test_full(void **state)
         { "for i = 1, 9 do laser.bolt { kind = 'ray', x = 9, y = 9, speed = 1, length = 5 } end",
           "the pool of lasers is full (8; lasers in rom.lua): " GONE },
         { "for i = 1, 3 do laser.curve { kind = 'ray', x = 9, y = 9, speed = 0, points = 33 } end",
-          "the pool of curve points is full (2; curve_points in rom.lua): " GONE },
+          "the pool of curve points is full (64; curve_points in rom.lua): " GONE },
         { "for i = 1, 99 do task.go(function() wait(forever) end) end",
           "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
         { "for i = 1, 99 do task.scope() end",
