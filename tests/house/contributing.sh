@@ -39,7 +39,7 @@ sample() {
         python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' \
             "$scratch/sample" "$1"
 }
-check "the sample of code is src/chips/pal.c's" sample src/chips/pal.c
+check "the sample of code is src/chips/shown/pal.c's" sample src/chips/shown/pal.c
 
 # What the examples add, in a copy of the source.
 copy=$scratch/copy

@@ -3,7 +3,7 @@
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
 . "$(dirname "$0")/../tap.sh"
 
-sources() { ls src/base/*.c fb/*.c src/chips/*.c src/board/*.c src/board/*/*.c; }
+sources() { find src/base fb src/chips src/board -name '*.c'; }
 linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
 
 all_linked() {

@@ -591,9 +591,9 @@ static void test_queries(void **state)
         "'b' }\n"
         "laser.bolt { kind = 'ray', x = 200, y = 60, dir = 180, speed = 20, length = 20, tag = 'c' }\n"
         "wait(2)\n"
-        "print('1', names(query.near { what = 'laser', x = 100, y = 75, radius = 16 }))\n" /* b at 15 - 4, a at 25 - 5 */
+        "print('1', names(query.near { what = 'laser', x = 100, y = 75, radius = 16 }))\n" /* b at 11, a at 20 */
         "print('2', names(query.near { what = 'laser', x = 100, y = 75, radius = 20 }))\n"
-        "print('3', names(query.near { what = 'laser', x = 150, y = 60, radius = 90 }))\n" /* c at 10, a at 22, b at 58 */
+        "print('3', names(query.near { what = 'laser', x = 150, y = 60, radius = 90 }))\n" /* c 10, a 22, b 58 */
         "print('4', names(query.near { what = 'laser', x = 150, y = 60, radius = 90, tag = 'b' }))\n"
         "print('5', names(query.box { what = 'laser', x = 100, y = 200, w = 6, h = 105 }))\n" /* to 147.5; b to 154 */
         "print('6', names(query.box { what = 'laser', x = 100, y = 207, w = 6, h = 105 }))\n"

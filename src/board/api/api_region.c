@@ -2,7 +2,7 @@
  * api_region.c - the regions that place and shape words name, and the clears of bullets and shots in them.
  */
 #include "../../base/geom.h"
-#include "../../chips/sparks.h"
+#include "../../chips/shown/sparks.h"
 #include "../lasers_run.h"
 #include "api_parts.h"
 

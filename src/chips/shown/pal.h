@@ -5,7 +5,7 @@
 #ifndef CHIPS_PAL_H
 #define CHIPS_PAL_H
 
-#include "slots.h"
+#include "../slots.h"
 
 enum { COLOURS = 256, CYCLES = 8 };
 

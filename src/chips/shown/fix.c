@@ -2,7 +2,7 @@
  * fix.c - see fix.h.
  */
 #include "fix.h"
-#include "../../fb/utf8.h"
+#include "../../../fb/utf8.h"
 
 static const struct column columns[] = {
     COLUMN(fix, code),   COLUMN(fix, bank),   GROUP_COLUMN(fix, page, FIX_WIDE), GROUP_COLUMN(fix, font, FIX_WIDE),

@@ -8,8 +8,8 @@
 #ifndef CHIPS_LINES_H
 #define CHIPS_LINES_H
 
-#include "../base/fx.h"
-#include "slots.h"
+#include "../../base/fx.h"
+#include "../slots.h"
 
 enum {
     LINE_TEXT = 240, /* characters */

@@ -3,7 +3,7 @@
  */
 #include "bg.h"
 #include <string.h>
-#include "../base/trig.h"
+#include "../../base/trig.h"
 
 static const struct column columns[] = {
     COLUMN(bg, map),   COLUMN(bg, flags), COLUMN(bg, bank),    COLUMN(bg, x),      COLUMN(bg, y),

@@ -8,8 +8,8 @@
 #ifndef CHIPS_SCREEN_H
 #define CHIPS_SCREEN_H
 
-#include "../base/fx.h"
-#include "slots.h"
+#include "../../base/fx.h"
+#include "../slots.h"
 
 enum { SHAKE_MOST = 64 /* px */, BARS_MOST = 2048 /* px */, SCREEN_FRAMES = 65535 };
 

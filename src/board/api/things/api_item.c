@@ -3,10 +3,10 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/bytes.h"
-#include "../../base/trig.h"
-#include "api_parts.h"
-#include "../events_run.h"
+#include "../../../base/bytes.h"
+#include "../../../base/trig.h"
+#include "../api_parts.h"
+#include "../../events_run.h"
 
 /* ---- tables with names ---- */
 

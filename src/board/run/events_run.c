@@ -7,13 +7,13 @@
  * are lists of drops ("drops 3", "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they
  * are applied in the same frame, after those raised before.
  */
-#include "events_run.h"
+#include "../events_run.h"
 #include <string.h>
-#include "../base/int.h"
-#include "../chips/sparks.h"
-#include "api.h"
-#include "hit.h"
-#include "lasers_run.h"
+#include "../../base/int.h"
+#include "../../chips/shown/sparks.h"
+#include "../api.h"
+#include "../hit.h"
+#include "../lasers_run.h"
 
 const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
                                      "leave", "extend", "take", "phase", "stage" };

@@ -3,10 +3,10 @@
  */
 #include <math.h>
 #include <string.h>
-#include "../../base/bytes.h"
-#include "../../../fb/utf8.h"
-#include "../api.h"
-#include "../lualib.h"
+#include "../../../base/bytes.h"
+#include "../../../../fb/utf8.h"
+#include "../../api.h"
+#include "../../lualib.h"
 
 /* ---- sprite ---- */
 

@@ -3,11 +3,11 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/trig.h"
-#include "../../base/int.h"
-#include "../../base/edit.h"
-#include "api_parts.h"
-#include "../events_run.h"
+#include "../../../base/trig.h"
+#include "../../../base/int.h"
+#include "../../../base/edit.h"
+#include "../api_parts.h"
+#include "../../events_run.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
 static int64_t q32(double v)

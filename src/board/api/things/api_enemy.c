@@ -1,9 +1,9 @@
 /*
  * api_enemy.c - enemy.
  */
-#include "../../base/trig.h"
-#include "api_parts.h"
-#include "../events_run.h"
+#include "../../../base/trig.h"
+#include "../api_parts.h"
+#include "../../events_run.h"
 
 enum {
     D_NAME,

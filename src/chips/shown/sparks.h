@@ -5,10 +5,10 @@
 #ifndef CHIPS_SPARKS_H
 #define CHIPS_SPARKS_H
 
-#include "../base/fx.h"
-#include "../base/rng.h"
-#include "motion.h"
-#include "slots.h"
+#include "../../base/fx.h"
+#include "../../base/rng.h"
+#include "../motion.h"
+#include "../slots.h"
 
 enum {
     SPARK_BANK = 15,      /* of a kind's `bank`: banks to add */

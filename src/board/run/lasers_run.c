@@ -3,10 +3,10 @@
  *
  * A laser and its head, a bullet, are taken and dropped together, so they have the same slot and the same generation.
  */
-#include "lasers_run.h"
+#include "../lasers_run.h"
 #include <assert.h>
-#include "../base/geom.h"
-#include "../base/int.h"
+#include "../../base/geom.h"
+#include "../../base/int.h"
 
 static const int64_t most_move = (int64_t)MAX_SPEED << 16;
 

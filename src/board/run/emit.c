@@ -2,10 +2,10 @@
  * emit.c - see emit.h. The patterns are those of scripts/pattern.lua, calculated as Lua does there: with the same
  * doubles in the same order, so that they fire the same to the bit.
  */
-#include "emit.h"
+#include "../emit.h"
 #include <assert.h>
 #include <string.h>
-#include "machine.h"
+#include "../machine.h"
 
 static const char queue_key = 0;
 enum { FIRST_ROOM = 64 };

@@ -6,8 +6,8 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
-#include "api_parts.h"
+#include "../../../base/edit.h"
+#include "../api_parts.h"
 
 static const char names_key[NAME_LISTS] = { 0 }; /* registry: kind -> { name -> number, number -> name } */
 

@@ -5,7 +5,7 @@
 #ifndef CHIPS_FIX_H
 #define CHIPS_FIX_H
 
-#include "slots.h"
+#include "../slots.h"
 
 enum {
     FIX_CELL = 8,

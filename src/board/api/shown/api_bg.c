@@ -3,9 +3,9 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
-#include "../../base/trig.h"
-#include "api_parts.h"
+#include "../../../base/edit.h"
+#include "../../../base/trig.h"
+#include "../api_parts.h"
 
 enum {
     MOST_LINES = 1024,  /* the highest field */

@@ -3,7 +3,7 @@
  */
 #include "lines.h"
 #include <string.h>
-#include "../../fb/utf8.h"
+#include "../../../fb/utf8.h"
 
 static const struct column columns[] = {
     COLUMN(lines, x),

@@ -5,8 +5,8 @@
 #ifndef CHIPS_SPRITES_H
 #define CHIPS_SPRITES_H
 
-#include "../base/fx.h"
-#include "slots.h"
+#include "../../base/fx.h"
+#include "../slots.h"
 
 enum {
     LAYER_BACK,   /* under everything */

@@ -2,7 +2,7 @@
  * screen.c - see screen.h.
  */
 #include "screen.h"
-#include "../base/trig.h"
+#include "../../base/trig.h"
 
 static const struct column columns[] = {
     REGISTER(screen, shake),       REGISTER(screen, shake_over),  REGISTER(screen, shake_at),

@@ -3,9 +3,9 @@
  * no table `laser` (api_reserved.c).
  */
 #include <string.h>
-#include "../../base/trig.h"
-#include "../lasers_run.h"
-#include "api_parts.h"
+#include "../../../base/trig.h"
+#include "../../lasers_run.h"
+#include "../api_parts.h"
 
 enum { FRAMES = 1000000 /* most of a warning, growth or fade */ };
 

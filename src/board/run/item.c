@@ -1,8 +1,8 @@
 /*
  * item.c - items on the board: where they come from, and what attracts them.
  */
-#include "machine.h"
-#include "../base/trig.h"
+#include "../machine.h"
+#include "../../base/trig.h"
 
 static int32_t put(struct board *b, uint16_t kind, fx x, fx y)
 {

@@ -3,8 +3,8 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../events_run.h"
-#include "api_parts.h"
+#include "../../events_run.h"
+#include "../api_parts.h"
 
 extern const struct api_thing api_player_thing;
 

@@ -3,7 +3,7 @@
  */
 #include "sparks.h"
 #include <string.h>
-#include "../base/trig.h"
+#include "../../base/trig.h"
 
 static const struct column kind_columns[] = {
     COLUMN(spark_kinds, sprite), COLUMN(spark_kinds, life), COLUMN(spark_kinds, gravity),

@@ -9,8 +9,8 @@
 #ifndef CHIPS_BG_H
 #define CHIPS_BG_H
 
-#include "../base/fx.h"
-#include "slots.h"
+#include "../../base/fx.h"
+#include "../slots.h"
 
 enum {
     BG_LAYERS = 4,

@@ -2,9 +2,9 @@
  * api_line.c - text.line: lines of text at any pixel.
  */
 #include <math.h>
-#include "../../../fb/utf8.h"
-#include "../api.h"
-#include "../lualib.h"
+#include "../../../../fb/utf8.h"
+#include "../../api.h"
+#include "../../lualib.h"
 
 enum {
     L_PLACE,
