@@ -2,7 +2,7 @@
 -- board and of @std as there is. What a core version adds belongs here before it is frozen; see tests/demos/README.md.
 local function ship(name, speed, bolt)
   player.def(name, { sprite = "dart", hit = { circle = 1.5 }, graze = 12, speed = speed, focus = speed / 2, lives = 3, safe = 60,
-    registers = { power = 1, bombs = 2 },
+    registers = { power = { start = 1, max = 9, show = "bar" }, bombs = { start = 2, show = "icons" } }, collect_line = 40, collect_full = "power",
     run = function(p)
       while true do
         if pad.down("fire", p) then
@@ -11,7 +11,9 @@ local function ship(name, speed, bolt)
         if pad.repeated("special", p) then shot.fire { kind = bolt, from = p, aim = true, speed = 3, motion = "spin" } end
         if p.bombs > 0 and pad.take("bomb", 8, p) then
           p.bombs, p.safe = p.bombs - 1, 40
-          bullet.clear { from = p, radius = 60, spark = "pop" }
+          bullet.clear { from = p, radius = 60, items = "gem" }
+          laser.beam { kind = "torch", follow = p, dir = 270, length = 150, hold = 30, warn = 0 }
+          screen.shake { size = 4, over = 20 }
         end
         wait(4)
       end
@@ -19,6 +21,10 @@ local function ship(name, speed, bolt)
 end
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
 shot.def("ball", { sprite = "dot", hit = { circle = 3 }, damage = 3 })
+item.def("gem", { sprite = "dot", radius = 6, bank = 2, gives = { score = { 10, 90 }, power = 1 }, full = "power" })
+item.def("heart", { sprite = "dot", radius = 6, bank = 6, gives = { lives = 1 }, gravity = 0.01 })
+laser.def("torch", { strip = "dart", width = 6, hit = { share = 1 }, damage = 1, every = 6 })
+laser.def("ray", { strip = "dart", width = 4, hit = { share = 0.5 }, graze = 7 })
 ship("quick", 3.3, "bolt")
 ship("slow", 2.1, "ball")
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
@@ -36,6 +42,8 @@ motion.def { name = "lead", { go_to = { 76, 60 }, over = 40, ease = "both" }, { 
 motion.def { name = "walls", { bounce = 3, walls = "left right", over = 200, { bank = 5 } } }
 motion.def { name = "moon", { orbit = 20, spin = 4, over = 90 }, { polar = 1, spin = 2, over = forever } }
 motion.def { name = "spin", { loop = forever, { turn = 7.1, over = 6 }, { speed = 1.1, over = 4 }, { turn = -3 }, { wait = 2 } } }
+bullet.meet("star", "melt", { clear = "second", spark = "pop" })
+motion.def { name = "seed", { wait = 20 }, { emit = { pattern = "fan", kind = "orb", n = 3, spread = 90, speed = 1 } }, { wait_for = { near = 40, limit = 60 } }, { turn = 3, over = 30 } }
 motion.def { name = "arc", fine = true, { speed = 0.7 }, { turn = 0.9, over = 200 } }
 
 local function volley(e)
@@ -44,6 +52,9 @@ local function volley(e)
     pattern.fan { from = e, kind = "rice", n = by_difficulty { easy = 2, hard = 3 }, spread = 71.5, aim = true, speed = 1.3 }
     pattern.stack { from = e, kind = "orb", n = 3, dir = 90, speed = 0.9, speed_to = 1.4 }
     pattern.star { from = e, kind = "pin", n = 10, points = 5, speed = 1.5, delay = 20, turning = rng.number(-3, 3), motion = "lead", tag = "star" }
+    pattern.ring { from = e, fire = "curve", kind = "ray", n = 2, dir = 90, speed = 1.2, points = 40, motion = "lead" }
+    laser.bolt { kind = "ray", from = e, aim = true, speed = 2, length = 14 }
+    bullet.fire { from = e, kind = "orb", dir = 80, speed = 1, motion = "seed" }
     pattern.scatter { from = e, kind = "nut", n = 3, spread = 60, speed = 0.8, speed_to = 1.2, motion = "walls" }
     pattern.ring { from = e, kind = "orb", n = 4, speed = 0, around = e, motion = "moon", skip = { 2, 2 } }
     shot.fire { kind = "brush", x = 76, y = 140, speed = 3 }
@@ -53,7 +64,7 @@ local function volley(e)
     board.note(#query.box { what = "bullet", x = 76, y = 70, w = 60, h = 60 } + enemy.group().count)
   end
 end
-enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", run = volley })
+enemy.def("wisp", { drops = { gem = 2 }, blink = 4, sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 170, spark = "pop", run = volley })
 enemy.def("eye", { sprite = "dot", hit = { circle = 4 }, hp = 14, score = 400, spark = "pop", on_hit = function(e) spark.burst { kind = "pop", from = e, n = 1, speed = 2 } end,
   on_death = function(e) pattern.ring { from = e, kind = "orb", n = 5, aim = true, speed = 1.1 } end, run = volley })
 enemy.def("king", { sprite = "dot", hit = { box = { 8, 8 } }, hp = 10, score = 9000, spark = "pop" })
@@ -62,8 +73,9 @@ local loop = path.def { { x = -5, y = 20 }, { x = 60, y = 45, over = 53, ease = 
 local dive = path.def { { x = 30, y = -6 }, { x = 40, y = 60, over = 70, ease = "both" }, { x = 20, y = 150, over = 90, ease = "in" } }
 
 boss.def("king", { title = "King", kind = "king", x = 72, y = 34, phases = {
-  { id = "a", hp = 60, time = 300, rest = 10, run = function(e)
+  { id = "a", bg = "hall", drops = { heart = 1 }, clear = { items = "gem" }, hp = 60, time = 300, rest = 10, run = function(e)
       task.go(function() pattern.spiral { from = e, kind = "orb", n = forever, arms = 2, step = 11.3, every = 9, speed = 0.9 } end)
+      laser.beam { kind = "ray", follow = e, dir = 60, length = 120, hold = 100, spin = 0.5 }
       wait(60)
       enemy.spawn { kind = "wisp", x = 30, y = 20, run = function(w) -- all of it the phase's, and goes with it
           sprite.put { sprite = "dart", x = w.x, y = w.y, layer = "middle" }
@@ -93,7 +105,12 @@ end)
 on.stage(function(name, state) board.note(name .. state) end)
 on.game_over(function() board.note("over") end)
 
+bg.def("field", function() bg.layer(1).map, bg.layer(1).vy = "ground", 0.7 bg.lines(1, { wave = 3, every = 40, speed = 0.5 }) end)
+bg.def("hall", function() local g = bg.plane() g.map, g.horizon, g.height, g.vy = "ground", 40, 20, -1 end)
+
 stage.def("one", function()
+  bg.show("field")
+  text.line { x = 20, y = 100, text = "Words, one by one", letter = 3, width = 60, box = true }
   stage.at(30) stage.wave { kind = "wisp", n = 4, every = 19, path = loop, dy = 3.3 }
   stage.at(120)
   stage.mark("middle")
