@@ -140,7 +140,7 @@ task.go(function()
         motion = "bloom" }
       laser.group("rays").width = 6.5
       laser.clear { x = 32, y = 60, radius = 9, spark = "pop", items = "bit", every = 5 }
-      for _, l in ipairs(query.near { what = "laser", x = 32, y = 30, radius = 25.5 }) do fold("near " .. l.x .. l.y) end
+      for _, l in ipairs(query.near { what = "laser", x = 32, y = 30, radius = 25.5 }) do fold("near " .. l.x) end
       laser.each(nil, function(l) fold(l.state .. " " .. l.x .. " " .. l.length) if l.age > 70 then l:fade() end end)
       pattern.ellipse { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, tilt = 20, dir = i }
       pattern.scatter { x = 32, y = 20, kind = "orb", speed = 1.3, speed_to = 0.6, n = 12, spread = 77 }
