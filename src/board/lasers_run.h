@@ -13,8 +13,8 @@ int32_t lasers_fire(struct board *b, const struct bullet_shape *head, struct las
 /* It is gone, at once. */
 void lasers_remove(struct board *b, uint32_t i);
 
-/* Moves all, after everything that they may follow. Those whose time is over, or whose owner is gone, go at once; those
- * that have left are marked, and go at the end of the frame. */
+/* Moves all, after everything that they may follow; those that follow after the others. Those whose time is over, or
+ * whose owner is gone, go at once; those that have left are marked, and go at the end of the frame. */
 void lasers_move(struct board *b);
 void lasers_end_frame(struct board *b);
 

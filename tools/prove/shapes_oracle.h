@@ -281,6 +281,12 @@ static inline int oracle_turn(const int64_t p[2], const int64_t q[2])
     return wide_sign(wide_cross(p[0], p[1], q[0], q[1]));
 }
 
+/* Is the origin, which is on their line, between p and q? */
+static inline bool oracle_between(const int64_t p[2], const int64_t q[2])
+{
+    return wide_sign(wide_add(wide_product(p[0], q[0]), wide_product(p[1], q[1]))) < 0;
+}
+
 /* Is the origin inside of the triangle, not on a side? */
 static inline bool oracle_in_triangle(const int64_t p[2], const int64_t q[2], const int64_t r[2])
 {
@@ -307,8 +313,8 @@ static inline bool oracle_turned_bar(int64_t p[4][2], int64_t r)
     for (int k = 0; k < 2; k++)
         if (oracle_turn(p[k], p[k + 2]) != 0)
             return oracle_in_triangle(p[k], p[k + 1], p[k + 2]) != oracle_in_triangle(p[k + 2], p[(k + 3) % 4], p[k]);
-    /* where both diagonals meet */
-    return oracle_in_triangle(p[0], p[1], p[3]) || oracle_in_triangle(p[0], p[1], p[2]) || oracle_turn(p[0], p[1]) != 0;
+    /* where the lines of both diagonals meet: inside, if they do between their ends */
+    return oracle_between(p[0], p[2]) && oracle_between(p[1], p[3]);
 }
 
 #endif

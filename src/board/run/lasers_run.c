@@ -91,7 +91,8 @@ void lasers_remove(struct board *b, uint32_t i)
 
 /* ---- moves ---- */
 
-/* Where a thing is, or was a frame before; all others have moved when lasers do. */
+/* Where a thing is, or was a frame before; all others have moved when lasers do. Another laser is always where it was,
+ * so that it does not matter whose slot is lower. */
 static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
 {
     const struct board *b = w->context;
@@ -102,6 +103,10 @@ static bool where(const struct motion_world *w, int64_t around, uint32_t moved, 
     (void)moved;
     if (!board_alive(b, around) || !board_where(b, around, x, y))
         return false;
+    if (kind == H_LASER) {
+        *x = b->lasers.was_x[i];
+        *y = b->lasers.was_y[i];
+    }
     if (!before)
         return true;
     if (kind == H_SHOT || kind == H_BULLET) {
@@ -113,6 +118,9 @@ static bool where(const struct motion_world *w, int64_t around, uint32_t moved, 
     } else if (kind == H_PLAYER) {
         *x = b->player.was_x[i];
         *y = b->player.was_y[i];
+    } else if (kind == H_ITEM) {
+        *x = b->items.was_x[i];
+        *y = b->items.was_y[i];
     }
     return true;
 }
@@ -263,10 +271,6 @@ static bool move(struct board *b, const struct motion_world *w, uint32_t i)
     const bool stands = h->stands && h->stands[i] & STOOD;
     const uint32_t age = lasers_age(b, i);
 
-    l->was_x[i] = h->x[i];
-    l->was_y[i] = h->y[i];
-    l->was_x0[i] = l->x0[i];
-    l->was_y0[i] = l->y0[i];
     l->flags[i] &= (uint8_t)~LASER_STILL;
     if (stands)
         l->flags[i] |= LASER_STILL;
@@ -280,20 +284,32 @@ static bool move(struct board *b, const struct motion_world *w, uint32_t i)
     return true;
 }
 
+static void note_where_all_were(struct lasers *l, const struct bullets *h)
+{
+    EACH_LIVE (i, &l->s) {
+        l->was_x[i] = h->x[i];
+        l->was_y[i] = h->y[i];
+        l->was_x0[i] = l->x0[i];
+        l->was_y0[i] = l->y0[i];
+    }
+}
+
 void lasers_move(struct board *b)
 {
     const struct motion_world w[2] = { world(b, false), world(b, true) };
     struct lasers *l = &b->lasers;
 
     bullets_begin(&b->laser_heads);
-    EACH_LIVE (i, &l->s) {
-        const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
-        if (move(b, &w[shoots], i))
-            continue;
-        if (b->laser_heads.s.used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
-            bullets_drop(&b->laser_heads, i);
-        lasers_drop(l, &b->laser_points, i);
-    }
+    note_where_all_were(l, &b->laser_heads);
+    for (int follows = 0; follows < 2; follows++) /* what follows moves after what it may follow */
+        EACH_LIVE (i, &l->s) {
+            const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
+            if ((l->follow[i] != 0) != follows || move(b, &w[shoots], i))
+                continue;
+            if (b->laser_heads.s.used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
+                bullets_drop(&b->laser_heads, i);
+            lasers_drop(l, &b->laser_points, i);
+        }
     slots_trim(&b->laser_heads.s);
 }
 
