@@ -23,8 +23,14 @@ return {
     kind13 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind14 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
     kind15 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind16 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
   },
+  maps = { -- of the scene `together`; `make bench` gives no other room for backgrounds
+    sea    = { tiles = "art/tiles.png", bank = 13, rows = { { 1, 2, 3, 4 } } },
+    slabs  = { tiles = "art/tiles.png", bank = 13, rows = { { 5, 6, 7, 6 }, { 7, 8, 5, 6 }, { 6, 5, 8, 7 }, { 8, 7, 6, 5 } } },
+    clouds = { tiles = "art/tiles.png", bank = 13, rows = {
+      { 9, 10, 11, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 12, 0 }, { 0, 0, 9, 10, 11, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0 } } },
+  },
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
-    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers" },
+    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },
     -- more of it: a switch has room for 16 words
@@ -35,6 +41,7 @@ return {
       "emit" },
     price_verb = { "none", "shift", "aim_all", "turn_all", "value", "clear_circle", "clear_box", "clear_line", "sweep", "near",
       "near_box", "near_line", "found" },
+    price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing" },
     picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
   players = 1,
 }

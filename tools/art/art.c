@@ -27,7 +27,9 @@ static const struct picture GAME[] = {
     { "blasts", art_blasts },   { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
     { "seabed", art_seabed },   { "finds", art_finds },     { "font", art_font },     { NULL, NULL },
 };
-static const struct picture BENCH[] = { { "discs", art_bench }, { "font", art_font }, { NULL, NULL } };
+static const struct picture BENCH[] = {
+    { "discs", art_bench }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
+};
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
 
 static const struct picture LIGHT[] = {

@@ -18,6 +18,7 @@ void section_prices(void);
 void section_battle(void);
 void section_pictures(void);
 void section_lasers(void);
+void section_together(void);
 void section_game(void);
 void section_rewind(void);
 void section_replay(void);

@@ -74,6 +74,8 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
         bool kind = !strncmp(l->name, "gfx/kind", 8);
         if (!strcmp(l->name, "manifest")) {
             cart.m.bullets = want->bullets ? want->bullets : cart.m.bullets;
+            cart.m.sparks = want->sparks;
+            cart.m.bg = want->scenery;
             cart.m.hp = cart.m.around = cart.m.frozen = cart.m.bullet_values = want->groups;
             manifest_pack(&cart.m, manifest);
             l->data = manifest;

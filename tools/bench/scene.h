@@ -16,6 +16,8 @@ struct scene_want {
     int bullets;                        /* capacity; 0: the ROM's own */
     int side;                           /* px each way of the picture kind1; 0: as the others */
     bool groups;                        /* bullets have room for hp, around, frozen and a value */
+    int sparks;                         /* capacity */
+    bool scenery;                       /* there is room for backgrounds */
     uint64_t seed;                      /* of the game and of the pictures */
 };
 
