@@ -10,9 +10,13 @@
 
 #include <stddef.h>
 
-enum { ROWS = 7, BAND = 8, PITCH = 8, ACROSS = 16, DOWN = 6 };
-
-/* Eight a band, seven columns each. */
+enum {
+    ROWS = 7, /* and columns, of a drawing */
+    BAND = 8, /* drawings that stand side by side in the tables */
+    PITCH = 8,
+    ACROSS = 16, /* cells of the picture */
+    DOWN = 6
+};
 
 /* The letters that stand alone, and marks, by code. */
 static const char *const LARGE[][ROWS] = {
@@ -100,8 +104,8 @@ static const char *const UNDER[][ROWS] = {
       "##..... ..##... .....## #.##.#. ..##...", ".#####. ##..... ....... ..##... ##....." },
 };
 
-/* How each is made, by code: l, s the next of LARGE and SMALL; v the next of UNDER with two strokes, p the same one with
- * a ring. */
+/* How each is made, by code: l, s the next of LARGE and SMALL; v the next of UNDER with two strokes, p the same one
+ * with a ring. */
 static const char PLAN[] = "slslslslsl"
                            "lvlvlvlvlv"
                            "lvlvlvlvlv"
