@@ -7,8 +7,13 @@ return {
             -- what only some games need: bullets that can be shot, that circle something, that
             -- stand still, and that have numbers of their own
             hp = true, around = true, frozen = true, values = { bullet = 4 },
-            items = 512, lasers = 16 },
+            items = 512, lasers = 16,
+            wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
+  -- what the cells' font lacks comes from here
+  fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
+    "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
+    "ハバパヒビピフブプヘベペホボポマミムメモャヤュユョヨラリルレロヮワヰヱヲンヴヵヶ・ー、。「」" } },
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },

@@ -22,10 +22,12 @@ struct picture {
 };
 
 static const struct picture GAME[] = {
-    { "bullets", art_bullets }, { "shots", art_shots },     { "sparks", art_sparks }, { "heron", art_heron },
-    { "petrel", art_petrel },   { "enemies", art_enemies }, { "guard", art_guard },   { "queen", art_queen },
-    { "blasts", art_blasts },   { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
-    { "seabed", art_seabed },   { "finds", art_finds },     { "font", art_font },     { NULL, NULL },
+    { "bullets", art_bullets }, { "shots", art_shots },   { "sparks", art_sparks },
+    { "heron", art_heron },     { "petrel", art_petrel }, { "enemies", art_enemies },
+    { "guard", art_guard },     { "queen", art_queen },   { "blasts", art_blasts },
+    { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
+    { "seabed", art_seabed },   { "finds", art_finds },   { "font", art_font },
+    { "kana", art_kana },       { NULL, NULL },
 };
 static const struct picture BENCH[] = {
     { "discs", art_bench }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }

@@ -71,6 +71,13 @@ void paint_stroke(struct paint *p, struct mat m, int n, const double *segs, doub
  * light does not fall, `lit` where it does; 0: no outline there. */
 void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit);
 
+/* -- letters -- */
+
+enum { ART_LETTER = 8 }; /* px of a cell, each way */
+
+/* Draws a letter of the cells' fonts, a byte a row whose highest bit is its leftmost pixel, with its shadow. */
+void art_letter(struct sheet *s, int x, int y, const uint8_t rows[ART_LETTER]);
+
 /* -- the pictures: each returns a whole sheet -- */
 
 struct sheet art_bullets(void);
@@ -86,6 +93,7 @@ struct sheet art_floor(void);
 struct sheet art_reef(void);
 struct sheet art_logo(void);
 struct sheet art_font(void);
+struct sheet art_kana(void);
 struct sheet art_card(void);
 struct sheet art_bench(void);
 struct sheet art_glow(void);

@@ -7,7 +7,7 @@
  */
 #include "art.h"
 
-enum { ROWS = 8, ACROSS = 16, FIRST_EXTRA = 128, FIRST_LATIN = 160 };
+enum { ROWS = ART_LETTER, ACROSS = 16, FIRST_EXTRA = 128, FIRST_LATIN = 160 };
 
 /* Eight characters a band, six columns each. */
 static const char *const GLYPHS[12][ROWS] = {
@@ -219,21 +219,29 @@ static const char *const ICONS[4][ROWS] = {
 
 static const int FACE[ROWS] = { 15, 15, 14, 14, 13, 13, 12, 12 };
 
+static bool inked(const uint8_t rows[ART_LETTER], int x, int y)
+{
+    return x >= 0 && y >= 0 && rows[y] << x & 128;
+}
+
+void art_letter(struct sheet *s, int x0, int y0, const uint8_t rows[ART_LETTER])
+{
+    for (int i = 0; i < ROWS * ROWS; i++) {
+        const int x = i % ROWS, y = i / ROWS;
+        if (inked(rows, x, y))
+            sheet_set(s, x0 + x, y0 + y, FACE[y]);
+        else if (inked(rows, x, y - 1) || inked(rows, x - 1, y) || inked(rows, x - 1, y - 1))
+            sheet_set(s, x0 + x, y0 + y, 1);
+    }
+}
+
 static void glyph(struct sheet *s, int c, const char *const rows[ROWS], int from, int wide)
 {
-    int x0 = (c - 32) % ACROSS * 8, y0 = (c - 32) / ACROSS * 8;
-    for (int y = 0; y < ROWS; y++) {
-        for (int x = 0; x < 8; x++) {
-            bool ink = x < wide && rows[y][from + x] == '#';
-            bool above = y > 0 && x < wide && rows[y - 1][from + x] == '#',
-                 left = x > 0 && x <= wide && rows[y][from + x - 1] == '#';
-            bool corner = y > 0 && x > 0 && x <= wide && rows[y - 1][from + x - 1] == '#';
-            if (ink)
-                sheet_set(s, x0 + x, y0 + y, FACE[y]);
-            else if (above || left || corner)
-                sheet_set(s, x0 + x, y0 + y, 1);
-        }
-    }
+    uint8_t bits[ROWS] = { 0 };
+
+    for (int i = 0; i < ROWS * wide; i++)
+        bits[i / wide] |= (uint8_t)(rows[i / wide][from + i % wide] == '#' ? 128 >> i % wide : 0);
+    art_letter(s, (c - 32) % ACROSS * 8, (c - 32) / ACROSS * 8, bits);
 }
 
 /* A cell of a bar, filled from the left by n columns of 8; cells join without a seam. */

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# japanese.sh - roms/glasstide in Japanese: the file has words for all that the standard library's screens and the game
+# show, all of them in katakana, and none is wider than the row it stands in.
+. "$(dirname "$0")/../tap.sh"
+
+cat >"$scratch/words.py" <<'PY'
+import glob, re, sys
+lines = [l.rstrip("\n") for l in open(sys.argv[1], encoding="utf-8")]
+words = dict(l.split(" = ", 1) for l in lines if l and l[0] != "#")
+found = []
+shown = {}  # text: cells it may have
+for path in glob.glob("scripts/*.lua"):
+    for text in re.findall(r'"([^"\n]*[A-Z]{2}[^"\n]*)"', open(path).read()):
+        if not re.search("[a-z]", re.sub("%[0-9]*[ds]", "", text)) and text != "HI ":  # the hud's, in every language
+            shown[text] = 30
+for path in glob.glob("roms/glasstide/stages/*.lua"):
+    for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
+        shown[text] = 28
+rom = open("roms/glasstide/rom.lua", encoding="utf-8").read()
+for name in re.findall(r'"(\w+)"', re.search(r"difficulties = {([^}]*)}", rom)[1]):
+    shown[name.upper()] = 26
+main = open("roms/glasstide/main.lua").read()
+for name in re.findall(r'"(\w+)"', re.search(r"stages = {([^}]*)}, players = {([^}]*)}", main)[0]):
+    shown[name.upper()] = 26
+number = lambda m: "0" * int(m[1] or 1)
+for text, most in sorted(shown.items()):
+    row = re.sub(r"%0?(\d*)d", number, words.get(text, "")).replace("%s", words["STAGE %s"].replace("%s", "1"))
+    if not row:
+        found.append('no words for "%s"' % text)
+    elif len(row) > most:
+        found.append('%d cells for "%s": %s' % (len(row), text, row))
+    elif re.search(r"[a-zA-Z]", re.sub(r"%\w+", "", words[text])):
+        found.append('Latin letters for "%s": %s' % (text, words[text]))
+found += ['nothing shows "%s"' % text for text in words if text not in shown]
+print("\n".join(found) or "%d texts" % len(shown))
+sys.exit(bool(found) or len(shown) < 40)
+PY
+ja=roms/glasstide/lang/ja.txt
+check 'each text has words that fit' python3 "$scratch/words.py" $ja
+sed '/^PAUSE /d' $ja >"$scratch/ja.txt"
+refuse 'planted: a text without words' 'no words for "PAUSE"' python3 "$scratch/words.py" "$scratch/ja.txt"
+sed 's/^QUIT = \(.*\)/QUIT = \1\1\1\1\1\1\1\1\1\1\1/' $ja >"$scratch/ja.txt"
+refuse 'planted: words that are too long' 'cells for "QUIT"' python3 "$scratch/words.py" "$scratch/ja.txt"
+sed 's/^GO ON = .*/GO ON = ON/' $ja >"$scratch/ja.txt"
+refuse 'planted: Latin letters' 'Latin letters for "GO ON"' python3 "$scratch/words.py" "$scratch/ja.txt"
+{ cat $ja; echo 'CONTINUE? = ツヅケマスカ?'; } >"$scratch/ja.txt"
+refuse 'planted: what nothing shows' 'nothing shows "CONTINUE?"' python3 "$scratch/words.py" "$scratch/ja.txt"
+finish
