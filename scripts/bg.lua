@@ -36,9 +36,11 @@ function bg.show(name, args)
   show(a.name and numbers[a.name] or 0, a.over)
 end
 
--- For boss.lua: shows that background, or the one of that number; returns the number of the one before.
-function sys.backdrop(name)
+-- For boss.lua: shows that background, or the one of that number; returns the number of the one before. `what` names
+-- it where nobody declared it.
+function sys.backdrop(name, what)
   local before = sys.bg_shown()
+  if what and not numbers[name] then sys.unknown("boss.def", what, name, names) end
   if type(name) == "string" then bg.show(name) else show(name, 30) end
   return before
 end

@@ -65,11 +65,10 @@ local function leave(e, beaten)
 end
 
 -- bg.lua is there if the game declares a background.
-local function backdrop(name)
-  if not rawget(sys, "backdrop") then
-    sys.fail("boss.def", ('phase: bg: background "%s" is not declared (there is none)'):format(name))
-  end
-  return sys.backdrop(name)
+local function backdrop(b, phase)
+  local what = ('boss "%s": phase "%s": background'):format(b.name, phase.id)
+  if not rawget(sys, "backdrop") then sys.unknown("boss.def", what, phase.bg, {}) end
+  return sys.backdrop(phase.bg, what)
 end
 
 -- True if the phase was beaten. The fight's task is older than the phase's, so it gets its turn first and stops the
@@ -78,7 +77,7 @@ local function play(b, e, phase)
   e.hp = phase.hp or 1
   e.safe = phase.survive and forever or 0
   sys.mark("phase", phase.id, b.name, phase.spell)
-  local before = phase.bg and backdrop(phase.bg)
+  local before = phase.bg and backdrop(b, phase)
   local scene = sys.scene(e) -- owned by the boss; what the phase makes belongs to it
   task.own(scene, function() phase.run(e) end)
   wait_until(function() return not e.alive or e.hp <= 0 end, phase.time)

@@ -539,7 +539,7 @@ static void test_refused(void **state)
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { gems = 1 } }",
           "enemy.spawn: item kind \"gems\" is not declared (did you mean \"gem\"?)" },
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { pow = 1 } }) sys.join(1, 'ship')",
-          "item.def: gives: no ship has a register \"pow\" (registers = { pow = 0 } of player.def)" },
+          "item.def: item \"x\": no ship has a register \"pow\" (registers = { pow = 0 } of player.def)" },
         { "item.def('x', { sprite = 'dot', radius = 3, full = 'fuel' }) sys.join(1, 'ship')",
           "item.def: full: no ship's register \"fuel\" has a max (registers = { fuel = { max = n } } of player.def)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { start = 9, max = 3 } } })",
@@ -550,6 +550,12 @@ static void test_refused(void **state)
           "player.def: collect_full: the register \"a\" has no max (registers = { a = { max = n } })" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, collect_full = 'a' })",
           "player.def: collect_full: \"a\" is no register of this ship" },
+        { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { ab = 1 }, collect_full = 'a' })",
+          "player.def: collect_full: \"a\" is no register of this ship (did you mean \"ab\"?)" },
+        { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { 'gem' } }",
+          "enemy.spawn: drops: expected names with numbers, { NAME = n }, got a list" },
+        { "item.drop { kind = 'foe', x = 1, y = 1 }",
+          "item.drop: item kind \"foe\" is not declared (enemy kind \"foe\" is)" },
         { "print(item.group().x)", "items: x cannot be read of a group (only count can)" },
     };
 

@@ -118,7 +118,7 @@ static void test_tmx_bad(void **state)
         { "", "", "m.tmx: there is no <map>: not a map of Tiled's" },
         { "words", "", "m.tmx: there is no <map>: not a map of Tiled's" },
         { HEAD "</map>", "", "m.tmx: there is no layer of tiles" },
-        { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: there is no layer of tiles \"a\"" },
+        { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: there is no layer of tiles \"a\" (there is b)" },
         { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("b", "") "</map>", "",
           "m.tmx:5: a second layer of tiles: say in rom.lua which, layer = \"NAME\"" },
         { "<map orientation=\"isometric\">", "", "m.tmx:1: the map is isometric; only orthogonal maps are read" },

@@ -69,7 +69,11 @@ static void check_int(lua_State *L, const char *entry, const struct api_param *p
     v->i = lua_type(L, at) == LUA_TNUMBER ? lua_tointegerx(L, at, &whole) : 0;
     if (p->type == A_COUNT && whole && v->i == LUA_MAXINTEGER)
         return;
-    if (!whole || (double)v->i < p->lo || (double)v->i > p->hi)
+    if (whole && (double)v->i >= p->lo && (double)v->i <= p->hi)
+        return;
+    if (p->hi == 0xffffff)
+        expected(L, entry, p, at, "a colour, 0x000000 to 0xffffff");
+    else
         expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
 }
 
@@ -159,6 +163,19 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
     expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing that is somewhere");
 }
 
+static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
+                                          "spark kind",  "item kind", "laser kind" };
+enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
+
+/* The noun of a kind of another sort that has that name; NULL: there is none. */
+static const char *kind_elsewhere(lua_State *L, const char *name)
+{
+    for (int k = 0; k < KIND_NOUNS; k++)
+        if (api_names_find(L, (enum api_names)k, name) != NO_SLOT)
+            return kind_nouns[k];
+    return NULL;
+}
+
 /* A name that was declared: its index, or an error with the nearest one. */
 static void check_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
                        enum api_names what, const char *noun)
@@ -170,6 +187,10 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     const char *line = api_names_off(L, what);
     if (line)
         api_error(L, entry, "%s: " API_OFF, p->name, line);
+    const char *other = (int)what < KIND_NOUNS ? kind_elsewhere(L, lua_tostring(L, at)) : NULL;
+    if (other)
+        api_error(L, entry, "%s \"%s\" is not declared (%s \"%s\" is)", noun, lua_tostring(L, at), other,
+                  lua_tostring(L, at));
     api_names_suggest(L, what, lua_tostring(L, at));
     if (lua_isnil(L, -1))
         api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
@@ -325,11 +346,9 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
 
 static void check_declared(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    static const char *const nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
-                                         "spark kind",  "item kind", "laser kind" };
     int k = (int)p->type - A_BULLET_KIND;
 
-    check_name(L, entry, p, at, v, (enum api_names)k, nouns[k]);
+    check_name(L, entry, p, at, v, (enum api_names)k, kind_nouns[k]);
 }
 
 /* Types whose check is Lua's. */

@@ -315,6 +315,9 @@ void api_register_show(lua_State *L, int32_t kind, int i);
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);
 
+/* The nearest to a misspelt one of all kinds' registers, or NULL. */
+const char *api_register_near(lua_State *L, const char *name);
+
 /* Names of a player kind's registers, in the order of their numbers; returns how many. Valid as long as the board. */
 int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
 

@@ -74,6 +74,20 @@ static bool is_for_log(const struct symbols *f, int line)
     return false;
 }
 
+/* Is it a title of a boss, or the name of a spell? */
+static bool is_asked(const struct symbols *f, const struct symbol_key *k)
+{
+    const struct symbol_table *table = &f->tables[k->table];
+
+    return is(table->space, "boss") && is(table->name, "def") && k->value != NULL && k->value[0] != '\0' &&
+           (is(k->name, "title") || is(k->name, "spell"));
+}
+
+static struct place cells(const struct check *c, uint32_t from)
+{
+    return (struct place){ from, c->m.wide ? UTF8_MAX : 255 };
+}
+
 static void judge_script(struct check *c, const struct cart *cart, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
@@ -82,7 +96,9 @@ static void judge_script(struct check *c, const struct cart *cart, const struct 
         const struct symbol_table *t = &f->tables[f->keys[i].table];
         if (t->key < 0 && is(t->space, "text") && is(t->name, "put") && is(f->keys[i].name, "text") &&
             f->keys[i].value != NULL)
-            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, (struct place){ 1, c->m.wide ? UTF8_MAX : 255 });
+            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, cells(c, 1));
+        else if (!tree_has(&c->files, "std/hud.lua") && is_asked(f, &f->keys[i]))
+            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, cells(c, 128));
     }
     for (int i = 0; i < f->n_texts; i++)
         if (!(f->texts[i].how & SYMBOL_KEY) && !diagnostics_at(&c->found, s->path, f->texts[i].line) &&
@@ -156,9 +172,7 @@ static void judge_asked(struct check *c, const struct tongues *t, const struct c
             judge_words(c, t, s->path, f->calls[i].line, f->calls[i].arg[0]);
     for (int i = 0; i < f->n_keys; i++) {
         const struct symbol_key *k = &f->keys[i];
-        const struct symbol_table *table = &f->tables[k->table];
-        if (is(table->space, "boss") && is(table->name, "def") && k->value != NULL && k->value[0] != '\0' &&
-            (is(k->name, "title") || is(k->name, "spell")))
+        if (is_asked(f, k))
             judge_words(c, t, s->path, k->line, k->value);
     }
 }
@@ -178,6 +192,30 @@ void check_langs(struct check *c)
     free(t);
 }
 
+/* The words that a language has for a text that the hud writes into cells; NULL: those it has for any. */
+static void judge_tongue(struct check *c, const struct cart *cart, const struct tongue *t, const char *text)
+{
+    for (int k = 0; k < t->lang.n; k++) {
+        const struct lang_line *one = &t->lang.list[k];
+        if (text == NULL && !diagnostics_at(&c->found, t->path, one->line))
+            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX });
+        else if (text != NULL && is(text, one->text))
+            judge(c, cart, t->path, one->line, one->words, cells(c, 128));
+    }
+}
+
+static void judge_titles(struct check *c, const struct cart *cart, const struct tongue *t)
+{
+    if (tree_has(&c->files, "std/hud.lua"))
+        return;
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct symbols *f = &c->scripts[i].symbols;
+        for (int k = 0; k < f->n_keys; k++)
+            if (is_asked(f, &f->keys[k]))
+                judge_tongue(c, cart, t, f->keys[k].value);
+    }
+}
+
 void check_text(struct check *c, const struct cart *cart)
 {
     struct tongues *t = calloc(1, sizeof *t);
@@ -188,10 +226,10 @@ void check_text(struct check *c, const struct cart *cart)
     if (t == NULL)
         return;
     read_tongues(c, t);
-    for (int i = 0; i < t->n; i++)
-        for (int k = 0; k < t->list[i].lang.n; k++)
-            judge(c, cart, t->list[i].path, t->list[i].lang.list[k].line, t->list[i].lang.list[k].words,
-                  (struct place){ 33, UTF8_MAX });
+    for (int i = 0; i < t->n; i++) {
+        judge_titles(c, cart, &t->list[i]);
+        judge_tongue(c, cart, &t->list[i], NULL);
+    }
     for (int i = 0; i < t->n; i++)
         lang_close(&t->list[i].lang);
     free(t);

@@ -5,6 +5,7 @@
 #include "map.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
@@ -35,6 +36,7 @@ struct tmx {
     const char *wanted;
     bool mapped, found;
     int layers, layer_line;
+    char names[96]; /* of the layers passed over, with commas */
     struct map_cells *out;
     char *err;
     size_t err_size;
@@ -385,6 +387,15 @@ static bool layer_data(struct tmx *t, const struct tag *layer)
     return t->err[0] ? false : wrong(t, layer->line, "a layer without <data>");
 }
 
+/* Keeps the name for a sentence; one for which there is no room is left out. */
+static void pass_over(struct tmx *t, const struct piece *name)
+{
+    size_t at = strlen(t->names), room = sizeof t->names - at;
+
+    if (name != NULL && name->n > 0 && name->n + 3 <= room)
+        snprintf(t->names + at, room, "%s%.*s", at > 0 ? ", " : "", (int)name->n, name->at);
+}
+
 static bool layer_tag(struct tmx *t, const struct tag *tag)
 {
     const struct piece *name = value_of(tag, "name");
@@ -394,6 +405,7 @@ static bool layer_tag(struct tmx *t, const struct tag *tag)
         return wrong(t, tag->line, "a layer outside of <map>");
     if (t->wanted[0] != '\0' ? name == NULL || !is(name, t->wanted) : t->layers > 1) {
         t->layer_line = tag->line;
+        pass_over(t, name);
         return true;
     }
     if (t->found)
@@ -429,7 +441,8 @@ static bool read_tags(struct tmx *t)
         return err_set(t->err, t->err_size, "%s:%d: a second layer of tiles: say in rom.lua which, layer = \"NAME\"",
                        t->file, t->layer_line);
     if (!t->found && t->wanted[0] != '\0')
-        return err_set(t->err, t->err_size, "%s: there is no layer of tiles \"%s\"", t->file, t->wanted);
+        return err_set(t->err, t->err_size, "%s: there is no layer of tiles \"%s\"%s%s%s", t->file, t->wanted,
+                       t->names[0] != '\0' ? " (there is " : "", t->names, t->names[0] != '\0' ? ")" : "");
     return t->found ? true : err_set(t->err, t->err_size, "%s: there is no layer of tiles", t->file);
 }
 

@@ -374,6 +374,8 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
         return rows_of(p, m, out);
     if (!tree_portable(m->file))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", m->file);
+    if (!tree_has(&p->files, m->file))
+        return refuse_missing(p, m->file);
     if (!load_in(p, m->file, TREE_FILE, &text, &n))
         return false;
     tree_drop_bom(text, &n);

@@ -19,7 +19,7 @@ static int sorted_names(lua_State *L, const char *entry, const char *what, int a
 
     for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
         if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, entry, "%s: expected names with numbers", what);
+            api_error(L, entry, "%s: expected names with numbers, { NAME = n }, got a list", what);
         if (n == MOST_NAMES)
             api_error(L, entry, "%s: at most %d names", what, MOST_NAMES);
         int i = n++;
@@ -208,14 +208,27 @@ static bool can_fill(lua_State *L, const struct board *b, const char *name)
     return false;
 }
 
+/* No ship has the item's register r. */
+static void refuse_register(lua_State *L, const struct board *b, int r)
+{
+    const struct item_kinds *k = &b->item_kinds;
+    const char *name = api_names_at(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
+    uint32_t i = 0;
+
+    while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full[i] != r + 1)
+        i++;
+    const char *item = api_names_at(b, N_ITEM, (int)i);
+    if (near)
+        api_error(L, DEF, "item \"%s\": no ship has a register \"%s\" (did you mean \"%s\"?)", item, name, near);
+    api_error(L, DEF, "item \"%s\": no ship has a register \"%s\" (registers = { %s = 0 } of player.def)", item, name,
+              name);
+}
+
 void api_items_check(lua_State *L, struct board *b)
 {
-    for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++) {
-        const char *name = api_names_at(b, N_ITEM_REGISTER, r);
-        if (!api_register_declared(L, name))
-            api_error(L, DEF, "gives: no ship has a register \"%s\" (registers = { %s = 0 } of player.def)", name,
-                      name);
-    }
+    for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++)
+        if (!api_register_declared(L, api_names_at(b, N_ITEM_REGISTER, r)))
+            refuse_register(L, b, r);
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
         const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
         if (name && !can_fill(L, b, name))

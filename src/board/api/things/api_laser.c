@@ -48,17 +48,19 @@ static fx read_hit(lua_State *L, int at)
 {
     static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL };
     struct api_value v = { 0 };
-    int keys = 0;
 
     if (lua_type(L, at) == LUA_TSTRING) {
         if (strcmp(lua_tostring(L, at), "none"))
             api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
         return -1;
     }
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
-        keys++;
-    if (lua_getfield(L, at, "share") == LUA_TNIL || keys != 1)
-        api_error(L, "laser.def", "hit: expected %s", api_hit_forms[HIT_LASERS]);
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
+        if (strcmp(key, "share"))
+            api_error(L, "laser.def", "hit: expected %s, got one with \"%s\"", api_hit_forms[HIT_LASERS], key);
+    }
+    if (lua_getfield(L, at, "share") == LUA_TNIL)
+        api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
     api_check(L, "laser.def", &share, lua_gettop(L), &v);
     lua_pop(L, 1);
     return v.f;

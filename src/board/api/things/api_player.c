@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../../base/edit.h"
 #include "../../events_run.h"
 #include "../api_parts.h"
 
@@ -232,6 +233,17 @@ bool api_register_declared(lua_State *L, const char *name)
     return found;
 }
 
+const char *api_register_near(lua_State *L, const char *name)
+{
+    const char *names[PLAYER_REGISTERS], *found = NULL;
+    int best = EDIT_FAR;
+
+    for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
+        for (int n = api_player_registers(L, (int32_t)kind, names), i = 0; i < n; i++)
+            api_suggest_nearer(name, names[i], &best, &found);
+    return found;
+}
+
 int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
 {
     int top = lua_gettop(L), n = 0;
@@ -259,6 +271,19 @@ static void keep_run(lua_State *L, int32_t kind, int at)
     lua_pop(L, 1);
 }
 
+static void refuse_full(lua_State *L, int32_t kind, const char *name)
+{
+    const char *names[PLAYER_REGISTERS], *found = NULL;
+    int best = EDIT_FAR;
+
+    for (int n = api_player_registers(L, kind, names), i = 0; i < n; i++)
+        api_suggest_nearer(name, names[i], &best, &found);
+    if (found)
+        api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship (did you mean \"%s\"?)", name,
+                  found);
+    api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship", name);
+}
+
 /* The register, + 1, at whose most all items come. */
 static uint8_t full_register(lua_State *L, const struct player_kinds *k, int32_t kind, const struct api_value *full)
 {
@@ -268,7 +293,7 @@ static uint8_t full_register(lua_State *L, const struct player_kinds *k, int32_t
     if (!full->given)
         return 0;
     if (i < 0)
-        api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship", name);
+        refuse_full(L, kind, name);
     if (!k->most[kind * PLAYER_REGISTERS + i])
         api_error(L, "player.def", "collect_full: the register \"%s\" has no max (registers = { %s = { max = n } })",
                   name, name);
