@@ -152,6 +152,19 @@ main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
 main.lua:3: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text: a box is shown
 2 problems
 LUA
+lua 'titles and spells, which stand in cells' <<'LUA'
+boss.def("b", { title = "弾", kind = "foe", x = 1, y = 1, phases = { { id = "a", spell = "Été 幕", time = 9, hp = 9 } } })
+----
+main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is shown
+main.lua:2: no font of the game has a glyph for "É", U+00C9, nor for 2 more of this text: a box is shown
+2 problems
+LUA
+lua 'a laser of another shape' <<'LUA'
+laser.def("thin", { strip = "dot", width = 3, hit = { circle = 1 } })
+----
+main.lua:2: laser.def: hit: expected { share = s }, of its width, 0 to 1, or "none", got one with "circle"
+1 problem
+LUA
 lua 'lasers' <<'LUA'
 laser.def("thin", { strip = "dott", width = 3, hit = { share = 1 } })
 laser.grop("x"):fade()

@@ -13,5 +13,16 @@ refuse "planted: an example that faults" "speed: expected" block "$scratch/block
 printf '%s\n' '```lua error' 'wait(1)' '```' '```' 'nothing' '```' >"$scratch/bad.md"
 take "$scratch/bad.md"
 refuse "planted: an error that does not come" "no fault" block "$scratch/blocks/1.error"
+{
+    printf '%s\n' '```lua check' 'wait(1)' '```' '```' 'a finding' '```'
+    printf '%s\n' '```lua rom error' 'return {}' '```' '```' 'refused' '```'
+    printf '%s\n' '```lua main error' 'bullets.def("a", {})' '```' '```' 'main.lua:1: other' '```'
+} >"$scratch/bad.md"
+take "$scratch/bad.md"
+refuse "planted: a finding that does not come" "a finding" block "$scratch/blocks/1.check"
+refuse "planted: a rom.lua that is not refused" "no fault" block "$scratch/blocks/7.rom-error"
+refuse "planted: another message" "main.lua:1: other" block "$scratch/blocks/13.main-error"
+printf '%s\n' '```lua error' 'wait(1)' '```' '```' 'nothing' '```' >"$scratch/bad.md"
+take "$scratch/bad.md"
 refuse "planted: a page without an entry" "no example uses wait" covers "$scratch/bad.md"
 finish

@@ -5,12 +5,15 @@
     snippets.py --cover PAGE    reads `curtain help lua` on stdin; fails when an entry stands in no Lua block
 
 KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua main (main.lua), lua rom
-(rom.lua), lua error (the body of a task that faults; the next block is what it says), lua = PATH (the text of a file of
-the repository), sh (commands), none (plain text).
+(rom.lua), lua = PATH (the text of a file of the repository), sh (commands), none (plain text). Of these the next block
+is what is said: lua error (the body of a task that faults), lua main error (a main.lua that faults where rom.lua gives
+no room), lua rom error (a rom.lua that is refused), lua check (the body of a task in which check finds something).
 """
 import os
 import re
 import sys
+
+WRONG = "lua error", "lua main error", "lua rom error", "lua check"
 
 
 def blocks(page):
@@ -36,19 +39,20 @@ def write(page, out):
             with open(os.path.join(out, f"{start}.file"), "w", encoding="utf-8") as f:
                 f.write(kind[6:].strip() + "\n" + text)
             continue
-        if kind == "lua error":
+        if kind in WRONG:
             error = start
         elif error is not None:
             with open(os.path.join(out, f"{error}.says"), "w", encoding="utf-8") as f:
                 f.write(text)
             error = None
             continue
-        with open(os.path.join(out, f"{start}.{kind.replace('lua ', '')}"), "w", encoding="utf-8") as f:
+        name = kind.replace("lua ", "").replace(" ", "-")
+        with open(os.path.join(out, f"{start}.{name}"), "w", encoding="utf-8") as f:
             f.write(text)
 
 
 def cover(page):
-    lua = "".join(text for _, kind, text in blocks(page) if kind.startswith("lua") and kind != "lua error")
+    lua = "".join(text for _, kind, text in blocks(page) if kind.startswith("lua") and kind not in WRONG)
     missing = []
     for line in sys.stdin:
         name = re.match(r"[a-z_]+(?:([.:])([a-z_]+))?", line)

@@ -567,6 +567,8 @@ static void test_said(void **state)
         { "bg.plane().fog = { to = 3 }", "plane: fog: far: expected a number from 1 to 16383 px, got nil" },
         { "bg.lines(1, { wav = 3, every = 9 })", "bg.lines: unknown argument \"wav\" (did you mean \"wave\"?)" },
         { "bg.lines(1, { 1, 'x' })", "bg.lines: line 2: expected a number from -16383 to 16383 px, got \"x\"" },
+        { "bg.plane().fog = { to = 'blue', far = 3 }",
+          "plane: fog: to: expected a colour, 0x000000 to 0xffffff, got \"blue\"" },
         { "bg.def('a', print) bg.show('b')", "bg.show: background \"b\" is not declared (did you mean \"a\"?)" },
     };
     struct board_start start = { .difficulty = -1 };

@@ -861,6 +861,8 @@ static void test_faults(void **state)
     (void)state;
     fault("laser.beam { kind = 'rya', x = 1, y = 1, length = 9, hold = 1 }",
           "laser.beam: laser kind \"rya\" is not declared (did you mean \"ray\"?)");
+    fault("pattern.ring { kind = 'ray', x = 1, y = 1, n = 3, speed = 3 }",
+          "pattern.ring: bullet kind \"ray\" is not declared (laser kind \"ray\" is)");
     fault("laser.beam { kind = 'ray', x = 1, y = 1, length = 9 }",
           "laser.beam: hold: expected forever or a whole number from 0 to 1000000000 frames, got nil");
     fault("laser.beam { kind = 'ray', x = 1, follow = p, length = 9, hold = 2 }",

@@ -249,7 +249,7 @@ static void test_hashes(void **state)
     struct rig_game g;
     struct rig r;
     uint64_t plain[MAX_PARTS], cached[MAX_PARTS];
-    int there = 0;
+    int there = 0, part = 0;
 
     (void)state;
     rig_with_sys(&g, NULL,
@@ -258,17 +258,18 @@ static void test_hashes(void **state)
     size_t size = board_hash_cache_size(r.b);
     uint8_t *copies = calloc(size + 64, 1);
     memset(copies + size, 0x5a, 64);
+    while (strcmp(board_part(r.b, part), "screen"))
+        part++;
     for (int n = 0; n < 20; n++) {
         rig_run(&r, 1);
         board_hashes(r.b, plain);
         board_hashes_cached(r.b, copies, cached);
         assert_memory_equal(plain, cached, sizeof plain[0] * PARTS);
         assert_int_equal(board_hash_cache_size(r.b), size);
-        there += plain[PARTS - 1] != 0;
+        there += plain[part] != 0;
         for (int k = 0; k < 64; k++)
             assert_int_equal(copies[size + (size_t)k], 0x5a);
     }
-    assert_string_equal(board_part(r.b, PARTS - 1), "screen");
     assert_int_equal(there, 9);
     assert_true(board_part_hash(r.b, PARTS - 1) == 0);
     r.b->screen.bars_at = 1 << 16; /* any bit of any register */
