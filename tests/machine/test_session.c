@@ -384,12 +384,12 @@ static void reloads(void **state)
     (void)state;
     snprintf(path, sizeof path, "%s/reload.demo", dir);
     open_session(&s, false, path);
-    play_to(&s, 1500);
+    play_to(&s, 1900);
     uint64_t shown = picture(&s);
     assert_true(session_reload(&s, dir, false)); /* the same ROM */
     assert_int_equal(s.state, SESSION_PLAYING);
     edit("stages/habits.lua", habit, faster);
-    lands(&s, 1500, &demo.start);
+    lands(&s, 1900, &demo.start);
     assert_true(picture(&s) != shown); /* the stage being played has changed */
     session_goto(&s, 900);             /* its past is of the new script */
     uint64_t unused, hash = fresh(&demo.start, 900, &unused);
