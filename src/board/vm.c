@@ -418,6 +418,8 @@ static void load_std(lua_State *L, int i, int sys)
     if (std_adds_to(i) && api_off(&vm_board(L)->cart.m, std_adds_to(i)))
         return;
     vm_load(L, path);
+    snprintf(path, sizeof path, "@@std/%s.lua", name);
+    lualib_drop_locals(L, path);
     lua_pushvalue(L, sys);
     lua_call(L, 1, 1);
     lua_pushglobaltable(L);
@@ -489,6 +491,7 @@ int vm_boot(lua_State *L)
     if (b->start.practice.section[0] && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
                  b->start.practice.section, b->cart.m.entry);
+    lua_gc(L, LUA_GCCOLLECT); /* what only loading needed */
     return 0;
 }
 
