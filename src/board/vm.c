@@ -482,6 +482,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (int i = 0; i < STD_MODULES; i++)
         load_std(L, i, sys);
+    lua_gc(L, LUA_GCCOLLECT); /* the game's scripts get the place of what only loading needed */
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
@@ -491,7 +492,6 @@ int vm_boot(lua_State *L)
     if (b->start.practice.section[0] && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
                  b->start.practice.section, b->cart.m.entry);
-    lua_gc(L, LUA_GCCOLLECT); /* what only loading needed */
     return 0;
 }
 
