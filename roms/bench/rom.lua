@@ -30,7 +30,7 @@ return {
       { 9, 10, 11, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 12, 0 }, { 0, 0, 9, 10, 11, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0 } } },
   },
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
-    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together" },
+    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together", "looks" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },
     -- more of it: a switch has room for 16 words
@@ -41,6 +41,7 @@ return {
       "emit" },
     price_verb = { "none", "shift", "aim_all", "turn_all", "value", "clear_circle", "clear_box", "clear_line", "sweep", "near",
       "near_box", "near_line", "found" },
+    price_look = { "none", "dots", "sparks_fly", "sparks_burst", "sparks_ring", "sparks_row", "trails", "stand", "follow" },
     price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing" },
     picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
   players = 1,

@@ -5,7 +5,7 @@ local part = board.dip("price_part")
 local function with(what) return part == "everything" or part == "only_" .. what end
 
 local CURVES, BEAMS, ITEMS = 56, 8, 512
-local LIFE, BURST = 64, 32 -- 2,048 sparks at a time
+local LIFE, BURST = 65, 32 -- at the end of a frame 64 bursts are there, 2,048 sparks
 
 local function lasers()
   laser.def("worm", { strip = "ray", width = 8, hit = { share = 0.5 } })

@@ -41,4 +41,8 @@ void lualib_trace(lua_State *L);
  * collector. */
 void lualib_check_metatables(lua_State *L);
 
+/* The Lua function on top becomes one whose locals have no names; chunk is what it was loaded with. For the standard
+ * library: a fault in it is told without the name of a local. */
+void lualib_drop_locals(lua_State *L, const char *chunk);
+
 #endif

@@ -418,6 +418,8 @@ static void load_std(lua_State *L, int i, int sys)
     if (std_adds_to(i) && api_off(&vm_board(L)->cart.m, std_adds_to(i)))
         return;
     vm_load(L, path);
+    snprintf(path, sizeof path, "@@std/%s.lua", name);
+    lualib_drop_locals(L, path);
     lua_pushvalue(L, sys);
     lua_call(L, 1, 1);
     lua_pushglobaltable(L);
@@ -480,6 +482,7 @@ int vm_boot(lua_State *L)
     int sys = lua_gettop(L);
     for (int i = 0; i < STD_MODULES; i++)
         load_std(L, i, sys);
+    lua_gc(L, LUA_GCCOLLECT); /* the game's scripts get the place of what only loading needed */
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);

@@ -25,6 +25,9 @@ void section_replay(void);
 void section_memory(void);
 void section_guards(void);
 
+/* The end of section "prices": what is only seen. */
+void looks_prices(void);
+
 /* The end of section "pictures": backgrounds. */
 void scenery_prices(void);
 

@@ -222,4 +222,5 @@ void section_prices(void)
     report_text("What it takes to fire one, in figures of 64; it is gone in the same frame.");
     print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | in all> | beyond `bullet.fire`>");
     item_prices();
+    looks_prices();
 }

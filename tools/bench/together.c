@@ -3,7 +3,7 @@
  */
 #include "bench.h"
 
-enum { BULLETS = 8192, LASERS = 64, ITEMS = 512, SPARKS = 2048, WARM = 70, ROUNDS = 15, FRAMES = 10 };
+enum { BULLETS = 8192, LASERS = 64, ITEMS = 512, SPARKS = 2048, BURST = 32, WARM = 70, ROUNDS = 15, FRAMES = 10 };
 
 static const struct share {
     const char *dip, *what;
@@ -88,7 +88,7 @@ void section_together(void)
                                                           .price = SHARES[i].dip,
                                                           .n = BULLETS,
                                                           .bullets = BULLETS,
-                                                          .sparks = SPARKS,
+                                                          .sparks = SPARKS + BURST,
                                                           .scenery = true });
         for (int f = 0; f < WARM; f++)
             bench_tick(&runs[i].scene);

@@ -86,9 +86,12 @@ const struct api_entry *api_entry(int i)
 
 const struct api_entry *api_find(const char *name)
 {
-    for (int i = 0; i < api_count(); i++)
-        if (!strcmp(api_entry(i)->name, name))
-            return api_entry(i);
+    for (int m = 0; m < api_module_count; m++)
+        for (int i = 0; i < api_modules[m]->n; i++) {
+            const struct api_entry *e = &api_modules[m]->entries[i];
+            if (e->name[0] == name[0] && !strcmp(e->name, name))
+                return e;
+        }
     return NULL;
 }
 
@@ -296,9 +299,10 @@ void api_open(lua_State *L)
     lua_newtable(L);
     api_add_space(L, "sys");
     int sys = lua_gettop(L);
-    for (int i = 0; i < api_count(); i++)
-        if (!(api_entry(i)->flags & API_LUA))
-            install(L, api_entry(i));
+    for (int m = 0; m < api_module_count; m++)
+        for (int i = 0; i < api_modules[m]->n; i++)
+            if (!(api_modules[m]->entries[i].flags & API_LUA))
+                install(L, &api_modules[m]->entries[i]);
     lua_pushcfunction(L, sys_check);
     lua_setfield(L, sys, "check");
     api_rom_open(L);

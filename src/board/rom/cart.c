@@ -169,11 +169,18 @@ static bool header_ok(const struct sprite *s)
            in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
 }
 
+/* Eight pixels at a time: each is 0, or its upper half the bank and its lower half not 0. */
 static bool row_ok(const uint8_t *row, const struct sprite *s)
 {
-    for (int x = 0; x < s->w; x++)
-        if (row[x] != 0 && (row[x] >> 4 != s->bank || row[x] % 16 == 0))
+    const uint64_t ones = 0x0101010101010101, uppers = 0xf0 * ones, lowers = 0x0f * ones;
+
+    for (int x = 0; x < s->pitch; x += 8) {
+        uint64_t pixels;
+        memcpy(&pixels, row + x, sizeof pixels);
+        const uint64_t drawn = ((pixels & lowers) + lowers) >> 4 & ones; /* 1 where the lower half is not 0 */
+        if ((pixels & uppers) != drawn * ((uint64_t)s->bank << 4))
             return false;
+    }
     for (int x = s->w; x < s->pitch; x++)
         if (row[x] != 0)
             return false;

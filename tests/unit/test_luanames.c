@@ -1,0 +1,177 @@
+/*
+ * test_luanames.c - a function whose locals lost their names is the same function: the same code, constants, lines and
+ * upvalues, of every module of the standard library and of Lua that has all sorts of constants in it.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include <dirent.h>
+#include <lauxlib.h>
+#include <lua.h>
+#include <lualib.h>
+#include "../../src/board/lualib.h"
+
+static const char SORTS[] =
+    "local first, second = ...\n"
+    "local long <const> = 'a text of more than forty characters, which Lua keeps in another way'\n"
+    "local function inner(x, ...)\n"
+    "  for i = 1, 300 do local y = i * 1.5 + 0x7fffffffffffffff first = first + y end\n"
+    "  return function() return x, first, long, nil, true, false, -0.0, '' end, ...\n"
+    "end\n"
+    "goto done\n"
+    "::done::\n"
+    "return inner(second, 'b', nil)\n";
+
+static lua_State *L;
+
+static int setup(void **state)
+{
+    (void)state;
+    L = luaL_newstate();
+    luaL_openlibs(L);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    lua_close(L);
+    return 0;
+}
+
+static void load(const char *text, size_t n)
+{
+    assert_int_equal(luaL_loadbufferx(L, text, n, "@here.lua", "t"), LUA_OK);
+}
+
+/* The dump of the function on top stands in its place. */
+static const char *dumped(int strip, size_t *n)
+{
+    const int f = lua_gettop(L);
+
+    lua_getglobal(L, "string");
+    lua_getfield(L, -1, "dump");
+    lua_pushvalue(L, f);
+    lua_pushboolean(L, strip);
+    lua_call(L, 2, 1);
+    lua_replace(L, f);
+    lua_settop(L, f);
+    return lua_tolstring(L, f, n);
+}
+
+/* Bare dumps have neither lines nor names: they are equal. The whole one is shorter by the names. */
+static void assert_same(const char *text, size_t size)
+{
+    size_t n[4];
+    const char *dump[4];
+
+    for (int i = 0; i < 4; i++) {
+        load(text, size);
+        if (i & 1)
+            lualib_drop_locals(L, "@here.lua");
+        dump[i] = dumped(i < 2, &n[i]);
+    }
+    assert_int_equal(n[0], n[1]);
+    assert_memory_equal(dump[0], dump[1], n[0]);
+    assert_true(n[3] < n[2]);
+    lua_settop(L, 0);
+}
+
+static void modules_stay_the_same(void **state)
+{
+    static char text[1 << 16];
+    DIR *d = opendir("scripts");
+    int modules = 0;
+
+    (void)state;
+    assert_non_null(d);
+    for (struct dirent *e; (e = readdir(d));) {
+        char path[512];
+        if (!strstr(e->d_name, ".lua"))
+            continue;
+        snprintf(path, sizeof path, "scripts/%s", e->d_name);
+        FILE *f = fopen(path, "rb");
+        assert_non_null(f);
+        size_t n = fread(text, 1, sizeof text, f);
+        assert_true(n < sizeof text);
+        fclose(f);
+        assert_same(text, n);
+        modules++;
+    }
+    closedir(d);
+    assert_true(modules > 8);
+}
+
+static void all_sorts_stay_the_same(void **state)
+{
+    (void)state;
+    assert_same(SORTS, sizeof SORTS - 1);
+    for (int dropped = 0; dropped < 2; dropped++) {
+        load(SORTS, sizeof SORTS - 1);
+        if (dropped)
+            lualib_drop_locals(L, "@here.lua");
+        lua_pushnumber(L, 0.25);
+        lua_pushliteral(L, "two");
+        lua_call(L, 2, LUA_MULTRET);
+        assert_int_equal(lua_gettop(L), 3);
+        assert_string_equal(lua_tostring(L, 2), "b");
+        lua_settop(L, 1);
+        lua_call(L, 0, LUA_MULTRET);
+        assert_int_equal(lua_gettop(L), 8);
+        assert_string_equal(lua_tostring(L, 1), "two");
+        assert_true(lua_tonumber(L, 2) > 1e20);
+        lua_settop(L, 0);
+    }
+}
+
+/* Lines, globals and upvalues are told as before; a local has no name. */
+static void faults_have_their_place(void **state)
+{
+    static const struct {
+        const char *text, *before, *after;
+    } of[] = {
+        { "local a\n\nreturn a.x", "here.lua:3: attempt to index a nil value (local 'a')",
+          "here.lua:3: attempt to index a nil value" },
+        { "local a\nreturn (function()\nreturn a.x end)()", "here.lua:3: attempt to index a nil value (upvalue 'a')",
+          "here.lua:3: attempt to index a nil value (upvalue 'a')" },
+        { "\nreturn gone.x", "here.lua:2: attempt to index a nil value (global 'gone')",
+          "here.lua:2: attempt to index a nil value (global 'gone')" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+        for (int dropped = 0; dropped < 2; dropped++) {
+            load(of[i].text, strlen(of[i].text));
+            if (dropped)
+                lualib_drop_locals(L, "@here.lua");
+            assert_int_equal(lua_pcall(L, 0, 0, 0), LUA_ERRRUN);
+            assert_string_equal(lua_tostring(L, -1), dropped ? of[i].after : of[i].before);
+            lua_settop(L, 0);
+        }
+}
+
+/* It takes less memory. */
+static void takes_less(void **state)
+{
+    (void)state;
+    load(SORTS, sizeof SORTS - 1);
+    lua_gc(L, LUA_GCCOLLECT);
+    const int before = lua_gc(L, LUA_GCCOUNT) * 1024 + lua_gc(L, LUA_GCCOUNTB);
+    lualib_drop_locals(L, "@here.lua");
+    lua_gc(L, LUA_GCCOLLECT);
+    assert_true(lua_gc(L, LUA_GCCOUNT) * 1024 + lua_gc(L, LUA_GCCOUNTB) < before);
+    assert_int_equal(lua_gettop(L), 1);
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
+    const struct CMUnitTest tests[] = { TEST(modules_stay_the_same), TEST(all_sorts_stay_the_same),
+                                        TEST(faults_have_their_place), TEST(takes_less) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
