@@ -182,7 +182,7 @@ verified 'a fault that does not come' ends 200
 local_is '0, 11, 0, 0'
 as_they_were ends
 again 'nor does it after a difference' 1 ends \
-    "rerecorded: frame 20: script, player differ; score 100 -> 110; moments as before; $gone; \
+    "rerecorded: frame 20: script, player, fix differ; score 100 -> 110; moments as before; $gone; \
 length 200 as before$doubt"
 sed -i 's/local late/error("at once", 0) local late/' g/main.lua
 as_they_were old
@@ -197,7 +197,7 @@ aged new.demo touched.was 2
 as_they_were touched
 outside='the board was touched from outside, which a demo does not hold'
 again 'touched from outside' 2 touched \
-    "frame 20: script, player differ; not rerecorded: $outside$doubt"
+    "frame 20: script, player, fix differ; not rerecorded: $outside$doubt"
 check 'touched: left alone' cmp touched.demo touched.was
 points
 again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"

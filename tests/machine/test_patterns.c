@@ -469,7 +469,8 @@ static void test_errors(void **state)
         "first: write function(e) ... end)");
     says(RING "fire = 'bomb' }",
          "main.lua:2: pattern.ring: fire: expected bullet, shot, bolt, curve or beam, got \"bomb\"");
-    says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: shot kind \"dot\" is not declared");
+    says(RING "fire = 'shot' }",
+         "main.lua:2: pattern.ring: shot kind \"dot\" is not declared (bullet kind \"dot\" is)");
     says(RING "by = player.get(1) }",
          "main.lua:2: pattern.ring: by is an argument of shots (did you mean to add fire = \"shot\"?)");
     says("pattern.polygon {" DOT "n = 12, sides = 5 }",
