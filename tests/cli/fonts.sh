@@ -32,7 +32,7 @@ rom = open(sys.argv[1], "rb").read()
 count, = struct.unpack_from("<I", rom, 16)
 for i in range(count):
     name, at, size, _ = struct.unpack_from("<4I", rom, 32 + 16 * i)
-    if rom[name:rom.index(b"\0", name)] == b"font/jp":
+    if rom[name:rom.index(b"\0", name)] == b"fonts/jp":
         n, = struct.unpack_from("<I", rom, at + 4)
         print("".join(chr(struct.unpack_from("<I", rom, at + 8 + 16 * k)[0]) for k in range(n)))
 PY

@@ -137,7 +137,7 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
     lumps[k++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[k++] = (struct lump){ "palette/other", palette, sizeof palette };
     lumps[k++] = (struct lump){ "font", font, sizeof font };
-    lumps[k++] = (struct lump){ "font/tiny", tiny, sizeof tiny };
+    lumps[k++] = (struct lump){ "fonts/tiny", tiny, sizeof tiny };
     lumps[k++] = (struct lump){ "gfx/dot", dot, sizeof dot };
     lumps[k++] = (struct lump){ "gfx/arrow", arrow, sizeof arrow };
     lumps[k++] = (struct lump){ "gfx/wink", wink, sizeof wink };

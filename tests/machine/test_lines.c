@@ -319,7 +319,7 @@ static void test_no_widths(void **state)
     end();
     struct manifest m = with_lines(8);
     rig_script(&g, &m, script);
-    int i = rom_find(&g.image.rom, "font/tiny");
+    int i = rom_find(&g.image.rom, "fonts/tiny");
     struct lump l;
     rom_lump(&g.image.rom, i, &l);
     ((uint8_t *)(uintptr_t)l.data)[FACE_HEAD + 12] = 60;

@@ -90,9 +90,9 @@ static bool open_faces(struct cart *c, char *err, size_t err_size)
     struct lump l;
     char why[128];
 
-    c->first_face = range(c->rom, "font/", "font0", &c->faces);
+    c->first_face = range(c->rom, "fonts/", "fonts0", &c->faces);
     if (c->faces > CART_MAX_FACES)
-        return err_set(err, err_size, "%d lumps \"font/...\", expected at most %d", c->faces, CART_MAX_FACES);
+        return err_set(err, err_size, "%d lumps \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
     for (int i = 0; i < c->faces; i++) {
         rom_lump(c->rom, c->first_face + i, &l);
         if (!face_open(&face, l.data, l.size, why, sizeof why))
@@ -410,7 +410,7 @@ const char *cart_face_name(const struct cart *cart, int i)
 
     assert(i >= 0 && i < cart->faces);
     rom_lump(cart->rom, cart->first_face + i, &l);
-    return l.name + strlen("font/");
+    return l.name + strlen("fonts/");
 }
 
 struct face cart_face(const struct cart *cart, int i)
@@ -424,7 +424,7 @@ struct face cart_face(const struct cart *cart, int i)
 
 int cart_find_face(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "font/", name, cart->first_face);
+    return index_in(cart, "fonts/", name, cart->first_face);
 }
 
 bool cart_has_glyph(const struct cart *cart, uint32_t code)

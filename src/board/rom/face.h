@@ -3,7 +3,7 @@
  * rom.lua.
  * floor: board
  *
- * The lump "font/NAME": u16 height of a line in px, u16 zero, u32 how many glyphs; for each, ascending by code, u32
+ * The lump "fonts/NAME": u16 height of a line in px, u16 zero, u32 how many glyphs; for each, ascending by code, u32
  * code, u32 where its pixels begin in the lump, u8 w h, i8 x y of its top left corner from the pen and the line's top,
  * u8 advance, 3 zero bytes; then the pixels, rows of w padded with zeros to a multiple of 8, shades 0 to 15.
  */

@@ -316,7 +316,7 @@ static bool add_face(struct packer *p, const struct art_font *font)
     faces_close(&f);
     if (!good)
         return false;
-    return size > 0 ? add(p, "font/", font->name, data, size) : err_set(p->err, p->err_size, "out of memory");
+    return size > 0 ? add(p, "fonts/", font->name, data, size) : err_set(p->err, p->err_size, "out of memory");
 }
 
 static bool add_faces(struct packer *p)
