@@ -172,19 +172,19 @@ enum {
     C_EVERY = C_LASERS
 };
 
+/* What all clears take, of bullets and of lasers. */
+#define CLEAR_PARAMS_OF_ALL                                                                                            \
+    { "tag", A_STR, OPT, 0, 0, NULL, NULL }, { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },                            \
+        { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL }, SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                            \
+        { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL }, { "from", A_THING, OPT, PLACES, 0, NULL, NULL },             \
+        { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" }, { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },                  \
+        SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT), { "all", A_BOOL, OPT, 0, 0, NULL, "false" },                    \
+    {                                                                                                                  \
+        "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL                                                                    \
+    }
+
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
-    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
-    SHAPE_BOX_PARAMS(OPT),
-    SHAPE_LINE_PARAMS(OPT),
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    CLEAR_PARAMS_OF_ALL,
     { "lasers", A_BOOL, OPT, 0, 0, NULL, "true" },
 };
 
@@ -312,18 +312,7 @@ int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
     }
 
 const struct api_param api_laser_clear_params[LASER_CLEAR_PARAMS] = {
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
-    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
-    SHAPE_BOX_PARAMS(OPT),
-    SHAPE_LINE_PARAMS(OPT),
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    CLEAR_PARAMS_OF_ALL,
     EVERY_PARAM,
 };
 
