@@ -3,8 +3,9 @@
  *
  * A counting sort lists every kind's bullets in slot order: as destinations (stamp.h) of a picture they all show, which
  * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's
- * edge. Those that are turned or animated are drawn in batches of their own pictures. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the topmost
- * kinds that are enough to cover it, then, of the others, those that can still be seen.
+ * edge. Those that are turned or animated are drawn in batches of their own pictures. When the overdraw is high,
+ * bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to cover it,
+ * then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
