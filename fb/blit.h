@@ -33,8 +33,8 @@ struct blit_item {
 /* Draws n of them in order: images of that size and pitch, on a surface of that pitch. */
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch);
 
-/* As blit_sprite, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite would
- * have put there. */
+/* As blit_sprite, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite
+ * would have put there. */
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                   const uint8_t table[65536]);
 
