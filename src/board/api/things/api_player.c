@@ -559,15 +559,19 @@ enum { ADD_POINTS, ADD_PLAYER };
 static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 
-enum { ARG_TABLE };
+enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+static const struct api_param rows_of[] = { { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },
+                                            { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL } };
 
-enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE };
+enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
-                                          { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
+static const struct api_param enter[] = {
+    { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },         { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
+    { "score", A_INT, REQ, -1e15, 1e15, "points", NULL },   { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL },
+    { "stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL }, { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0" }
+};
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -577,19 +581,37 @@ static int score_add(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static void push_row(lua_State *L, const struct nv_row *row)
+{
+    lua_createtable(L, 0, 6);
+    lua_pushstring(L, row->name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, row->score);
+    lua_setfield(L, -2, "score");
+    if (row->ship[0]) {
+        lua_pushstring(L, row->ship);
+        lua_setfield(L, -2, "ship");
+    }
+    if (row->stage && row->stage != NV_CLEARED) {
+        lua_pushinteger(L, row->stage);
+        lua_setfield(L, -2, "stage");
+    }
+    lua_pushboolean(L, row->stage == NV_CLEARED);
+    lua_setfield(L, -2, "clear");
+    lua_pushinteger(L, row->continues);
+    lua_setfield(L, -2, "continues");
+}
+
 static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 {
-    char name[NV_NAME + 1];
-    int64_t score;
+    struct nv_row rows[NV_ROWS];
+    const char *ship = v[ROWS_SHIP].given ? lua_tostring(L, v[ROWS_SHIP].at) : NULL;
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    lua_newtable(L);
-    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
-        lua_createtable(L, 0, 2);
-        lua_pushstring(L, name);
-        lua_setfield(L, -2, "name");
-        lua_pushinteger(L, score);
-        lua_setfield(L, -2, "score");
+    int n = nvram_rows(&b->nvram, lua_tostring(L, v[ROWS_TABLE].at), ship, rows);
+    lua_createtable(L, n, 0);
+    for (int r = 0; r < n; r++) {
+        push_row(L, &rows[r]);
         lua_rawseti(L, -2, r + 1);
     }
     return 1;
@@ -597,16 +619,24 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
-    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    int r =
-        nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
+    const char *table = lua_tostring(L, v[ENTER_TABLE].at);
+    struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
+    snprintf(row.name, sizeof row.name, "%s", lua_tostring(L, v[ENTER_NAME].at));
+    if (v[ENTER_SHIP].given)
+        snprintf(row.ship, sizeof row.ship, "%s", lua_tostring(L, v[ENTER_SHIP].at));
+    if (v[ENTER_STAGE].given)
+        row.stage = (uint8_t)v[ENTER_STAGE].i;
+    if (v[ENTER_CLEAR].i)
+        row.stage = NV_CLEARED;
+    int r = nvram_enter(&b->nvram, table, &row);
     if (r == -2)
         return api_error(L, "score.enter", NO_NVRAM, b->cart.m.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
     if (!board_lists(b))
-        board_add_marker(b, MARKER_ROW, lua_tostring(L, v[ENTER_TABLE].at), "", "", r + 1);
+        board_add_marker(b, MARKER_ROW, table, "", "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
 }
@@ -626,9 +656,10 @@ static const struct api_entry entries[] = {
       "pressed, then again every 5 frames once held for 20" },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
       "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
-    { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
-      "a lasting table's rows, best first: { name=, score= }" },
+    { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
+      "a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the best of "
+      "all" },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      "enters a score into a lasting table; its row, or nil when it is not good enough" },
+      "enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough" },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };
