@@ -86,45 +86,44 @@ local function quieten()
   enemy.each(nil, function(e) e:remove() end)
 end
 
--- How many stages were cleared.
-local function play_stages(game, stages, players)
+local function play_stages(game, stages, run, records)
   for i, name in ipairs(stages) do
     local title = text.lang("STAGE %s"):format(menu.label(name))
     hud.banner({ title }, 150)
-    if not finished(stage.play(name, game)) then return i - 1 end
+    if not finished(stage.play(name, game)) then return end
     quieten()
-    menu.results(text.lang("%s CLEAR"):format(title), players, stopped)
-    if stopped() then return i end
+    local rows, new = records.stage(run, name, i == #stages)
+    menu.results(text.lang("%s CLEAR"):format(title), #run.ships, stopped, rows, new)
+    if stopped() then return end
     if i < #stages then
       sys.wipe()
       hud.refresh()
     end
   end
-  return #stages
 end
 
 -- Everybody whose score is among the best enters a name, then sees it in the table.
-local function enter_names(scores)
+local function enter_names(best)
   local name = board.difficulty()
-  for p, points in ipairs(scores) do
-    local rank = menu.rank(name, points)
-    if rank then
-      score.enter(name, { name = menu.name(p, points), score = points })
-      menu.scores(name, SCORES, rank)
-    end
+  for _, e in ipairs(best) do
+    e.row.name = menu.name(e.p, e.points)
+    menu.scores(name, SCORES, score.enter(name, e.row), e.row.ship)
   end
 end
 
 local function game(a, ships)
-  local scope, scores = enter(ships, "QUIT"), {}
+  local scope, records = enter(ships, "QUIT"), sys.read("boot/records")
+  local run = records.begin(ships, board.difficulty())
   sys.mark("game", ships[1], nil, nil, #ships)
-  local cleared = play_stages(scope, a.stages, #ships)
+  play_stages(scope, records.open(a.stages), run, records)
   local all = not stopped()
-  sys.mark("over", all and "clear" or quit and "quit" or "over", nil, nil, cleared)
+  sys.mark("over", all and "clear" or quit and "quit" or "over", nil, nil, run.stages)
+  local new = quit and {} or records.over(run)
   last_words(all and "ALL STAGES CLEAR" or "GAME OVER")
-  for p = 1, #ships do scores[p] = hud.score(p) end
+  for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
+  local best = records.best(run, #a.players > 1)
   leave(scope, #ships)
-  if not quit then enter_names(scores) end
+  if not quit then enter_names(best) end
 end
 
 -- The choices before a game, as few as there are; sets the difficulty. Returns each player's ship, or nil for back.
@@ -213,6 +212,7 @@ function boot.run(args)
   end
   for _, name in ipairs(a.stages) do stage.expect("boot.run", tostring(name)) end
   if #a.players == 0 or #a.stages == 0 then sys.fail("boot.run", "stages and players: expected at least one of each") end
+  sys.read("boot/records").expect(a)
   local practice, with = sys.practice()
   if practice == "" then return task.go(front, a) end
   expect_registers(a.players[1], with)

@@ -128,7 +128,7 @@ local function tally(row, i, many)
 end
 
 -- What a stage brought; over when somebody says so, or by itself, or when stopped() holds.
-function menu.results(title, players, stopped)
+function menu.results(title, players, stopped, rows, new)
   local top = hud.rows // 3
   local row = hud.centre(top, title, hud.banks.bright) + 2
   for i = 1, players do row = tally(row, i, players > 1) end
@@ -138,9 +138,9 @@ function menu.results(title, players, stopped)
 end
 
 -- The score table; mark is a row to show bright. Over when somebody presses, or after so many frames.
-function menu.scores(name, over, mark)
+function menu.scores(name, over, mark, ship)
   text.clear()
-  local rows, row = score.rows(name), math.max(1, hud.rows // 2 - RANKS - 2)
+  local rows, row = score.rows(name, ship), math.max(1, hud.rows // 2 - RANKS - 2)
   hud.centre(row, text.lang("BEST OF %s"):format(menu.label(name)), hud.banks.bright)
   for i = 1, RANKS do
     local r = rows[i] or { name = "--------", score = 0 }
@@ -152,16 +152,6 @@ function menu.scores(name, over, mark)
   local answered = wait_until(accepted, over)
   text.clear()
   return answered
-end
-
--- The row a score would take in its table, or nil.
-function menu.rank(name, points)
-  if points <= 0 then return nil end
-  for i, r in ipairs(score.rows(name)) do
-    if points > r.score then return i <= RANKS and i or nil end
-  end
-  local n = #score.rows(name)
-  return n < RANKS and n + 1 or nil
 end
 
 local MIN, MAX = 3, 8 -- letters of a name

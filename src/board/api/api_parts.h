@@ -312,6 +312,9 @@ int api_ship_register(lua_State *L, int32_t kind, const char *name);
 /* Pushes how a kind of player wants its register i shown, or nil. */
 void api_register_show(lua_State *L, int32_t kind, int i);
 
+/* Pushes the name of the unlock that a kind of player needs, or nil. */
+void api_player_needs(lua_State *L, int32_t kind);
+
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);
 

@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music unlock test" },
+    { "", '.', "option bomb game talk say choose sound music test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
@@ -22,7 +22,7 @@ static const struct {
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
+    { "player.def", '{', "bomb bomb_focus deathbomb options" },
     { "shot.def", '{', "every pierce" },
 };
 

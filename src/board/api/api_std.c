@@ -82,7 +82,10 @@ static const struct api_param point[] = { { "x", A_NUM, OPT, -WORLD, WORLD, "px"
 static const struct api_param path_run[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                              { "route", A_ROUTE, REQ, 0, 0, NULL, NULL },
                                              { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" } };
-static const struct api_param stage_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param bg_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param stage_def[] = { NAME,
+                                              { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                              { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
 static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
 static const struct api_param wave[] = {
     { "n", A_INT, REQ, 0, 4096, "enemies", NULL },   EVERY,
@@ -114,6 +117,37 @@ static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                             { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
+static const struct api_param rule[] = {
+    { "on", A_STR, OPT, 1, 31, NULL, NULL },    { "name", A_STR, OPT, 1, 31, NULL, NULL },
+    { "kind", A_STR, OPT, 1, 31, NULL, NULL },  { "points", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "times", A_ANY, OPT, 0, 0, NULL, NULL },  { "gain", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "most", A_TABLE, OPT, 0, 0, NULL, NULL }, { "set", A_TABLE, OPT, 0, 0, NULL, NULL }
+};
+static const struct api_param count[] = { NAME,
+                                          { "n", A_INT, REQ, 0, INT32_MAX, NULL, NULL },
+                                          { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param tally[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param tally_line[] = { { "label", A_STR, REQ, 1, 31, NULL, NULL },
+                                               { "value", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "points", A_INT, REQ, 0, 1e12, "points", NULL },
+                                               { "stage", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                               { "last", A_BOOL, OPT, 0, 0, NULL, "false" } };
+#define UNLOCK_NAME                                                                                                    \
+    {                                                                                                                  \
+        "name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */                                   \
+    }
+static const struct api_param unlock_def[] = { UNLOCK_NAME,
+                                               { "when", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "title", A_STR, OPT, 1, 63, NULL, NULL },
+                                               { "hint", A_STR, OPT, 1, 127, NULL, NULL } };
+static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NULL, NULL },
+                                                { "mode", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "ship", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL },
+                                                { "score", A_INT, OPT, 1, 1e12, "points", NULL },
+                                                { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param unlock_has[] = { UNLOCK_NAME };
 static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
@@ -163,7 +197,8 @@ static const struct api_entry entries[] = {
         "leaves a spark of that kind where a thing is, one each `every` frames: its after-images, until the task's "
         "owner "
         "or the thing goes"),
-    LUA("stage.def", stage_def, 2, API_LOAD, NULL, "declares a stage: one task, plain code"),
+    LUA("stage.def", stage_def, 2, API_LOAD, NULL,
+        "declares a stage: one task, plain code; needs: an unlock without which boot.run passes it over"),
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),
     LUA("stage.wave", wave, 0, 0, NULL,
@@ -178,10 +213,23 @@ static const struct api_entry entries[] = {
     LUA("boss.def clear", phase_clear, 0, API_SYS, NULL,
         "what the bullets leave that are there at a phase's end; items if it is beaten"),
     LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
-    LUA("bg.def", stage_def, 2, API_LOAD, NULL,
+    LUA("bg.def", bg_def, 2, API_LOAD, NULL,
         "declares a background: a task that sets up layers and plane, which are all off when it begins"),
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
+    LUA("score.rule", rule, 0, API_LOAD, NULL,
+        "what a deed is worth: points, times a multiple; gain, most, set: of registers. on: graze, kill, take, death, "
+        "bomb; name: one that score.count tells"),
+    LUA("score.count", count, 3, 0, NULL, "n deeds of a rule's own name, by player p"),
+    LUA("score.tally", tally, 1, API_LOAD, NULL, "what a stage brings at its end: { label, value, points }, .."),
+    LUA("score.tally line", tally_line, 0, API_SYS, NULL,
+        "value: a property, a register or f(p); stage: since it began; last: after the last one alone"),
+    LUA("unlock.def", unlock_def, 1, API_LOAD, NULL,
+        "declares what can be earned; when: conditions, or f(run) at a run's end; kept under \"unlock/NAME\""),
+    LUA("unlock.def when", unlock_when, 0, API_SYS, NULL,
+        "all must hold: clear = true or a stage, at least that difficulty and score, at most so many continues, "
+        "spell = \"boss/id\" captured"),
+    LUA("unlock.has", unlock_has, 1, 0, "boolean", "has it been earned?"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };

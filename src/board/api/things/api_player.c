@@ -26,7 +26,8 @@ enum {
     D_LINE,
     D_FULL,
     D_PULL,
-    D_PICTURES
+    D_PICTURES,
+    D_NEEDS
 };
 
 static const struct api_param def[] = {
@@ -45,6 +46,7 @@ static const struct api_param def[] = {
     { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
     { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
     { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "needs", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -258,17 +260,32 @@ int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_RE
 
 static const char run_key = 0; /* registry: kind -> run */
 
-static void keep_run(lua_State *L, int32_t kind, int at)
+static const char needs_key = 0; /* registry: kind -> the unlock it needs */
+
+/* Keeps the value at `at` for a kind. Only a game that gives one has the table. */
+static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) != LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &run_key);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, key);
     }
     lua_pushvalue(L, at);
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);
+}
+
+void api_player_needs(lua_State *L, int32_t kind)
+{
+    int top = lua_gettop(L);
+
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &needs_key) == LUA_TTABLE) {
+        lua_rawgeti(L, -1, kind);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
 }
 
 static void refuse_full(lua_State *L, int32_t kind, const char *name)
@@ -346,7 +363,9 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     define_items(L, b, i, v);
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
-        keep_run(L, i, v[D_RUN].at);
+        keep_of_kind(L, &run_key, i, v[D_RUN].at);
+    if (v[D_NEEDS].given)
+        keep_of_kind(L, &needs_key, i, v[D_NEEDS].at);
     return 0;
 }
 
@@ -623,9 +642,9 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    snprintf(row.name, sizeof row.name, "%s", lua_tostring(L, v[ENTER_NAME].at));
+    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* of no more bytes than there is room for */
     if (v[ENTER_SHIP].given)
-        snprintf(row.ship, sizeof row.ship, "%s", lua_tostring(L, v[ENTER_SHIP].at));
+        strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
     if (v[ENTER_STAGE].given)
         row.stage = (uint8_t)v[ENTER_STAGE].i;
     if (v[ENTER_CLEAR].i)

@@ -1,0 +1,101 @@
+-- boot/records.lua - what a run leaves behind: the tally of a stage, what it unlocked, its rows in the score tables. It
+-- is kept in nvram, which the cabinet writes for runs alone that were played from their title on, forwards, at full
+-- speed and by nobody else.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local records = {}
+
+local FEW = 14 -- the most stages that a row tells of; nvram.h
+
+local scoring, unlocks = rawget(sys, "scoring"), rawget(sys, "unlock") -- nil where the game names nothing of them
+
+-- Fails unless all is declared that rules, tally, unlocks and `needs` name. a: boot.run's arguments.
+function records.expect(a)
+  if scoring then scoring.expect() end
+  if unlocks then return unlocks.expect(a) end
+  local function refuse(api, needs)
+    if needs then sys.unknown(api, "unlock", needs, {}) end
+  end
+  for _, kind in ipairs(a.players) do refuse("player.def", sys.ship(kind).needs) end
+  for _, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs) end
+  for _, mode in ipairs(a.modes or {}) do refuse("boot.run", mode.needs) end
+end
+
+-- What keeps something closed that needs this unlock: a hint, or ""; nil: it is open.
+function records.closed(needs) return needs and unlocks.closed(needs) end
+
+-- The stages of the list that are open now.
+function records.open(stages)
+  local list, needs = {}, rawget(sys, "stage_needs") or {}
+  for _, name in ipairs(stages) do
+    if not records.closed(needs[name]) then list[#list + 1] = name end
+  end
+  return list
+end
+
+-- A run begins: ships by player, the rest as `when` of unlock.def is asked.
+function records.begin(ships, difficulty, mode)
+  return { ships = ships, difficulty = difficulty, mode = mode, continues = 0, cleared = {}, stages = 0, clear = false }
+end
+
+local function earn(run)
+  if not unlocks then return {} end
+  run.players = {}
+  for p, ship in ipairs(run.ships) do run.players[p] = { ship = ship, score = hud.score(p) } end
+  return unlocks.earn(run)
+end
+
+-- A word for each line of the tallies, and what each player got for it; nil: there is no tally.
+local function tallies(n, last)
+  local rows, row_of = {}, {}
+  for p = 1, n do
+    local lines = scoring and scoring.tally(player.get(p), last)
+    if not lines then return end
+    for _, line in ipairs(lines) do
+      local word = text.lang(line.label)
+      local row = row_of[word] or { n == 1 and word .. " " .. line.value or word, 0, 0 }
+      if not row_of[word] then rows[#rows + 1] = row end
+      row_of[word], row[p + 1] = row, line.points
+    end
+  end
+  rows[#rows + 1] = { "SCORE", hud.score(1), n > 1 and hud.score(2) or nil }
+  return rows
+end
+
+-- The run's next stage is cleared, the last one or not. Returns the rows of its results, or nil for the usual ones, and
+-- the titles of what it unlocked.
+function records.stage(run, name, last)
+  run.stages, run.cleared[name], run.clear = run.stages + 1, true, last
+  local rows = tallies(#run.ships, last)
+  run.stage = name
+  local new = earn(run)
+  run.stage = nil
+  return rows, new
+end
+
+-- The run is over. Returns the titles of what it unlocked.
+function records.over(run) return earn(run) end
+
+-- The place a score would take in its table, or nil.
+local function rank(difficulty, ship, points)
+  local rows, place = score.rows(difficulty, ship), 1
+  while rows[place] and rows[place].score >= points do place = place + 1 end
+  return points > 0 and place <= 10 and place or nil
+end
+
+-- Those whose scores are among the best, as { p, points, rank, row } each; row: what is entered, but for the name. A game
+-- of one ship has one table a difficulty, another one for each ship.
+function records.best(run, many)
+  local list = {}
+  for p, ship in ipairs(run.ships) do
+    local points, of = hud.score(p), many and ship or nil
+    local place = rank(run.difficulty, of, points)
+    if place then
+      local stage = math.min(run.stages + 1, FEW)
+      local row = { score = points, ship = of, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
+      list[#list + 1] = { p = p, points = points, rank = place, row = row }
+    end
+  end
+  return list
+end
+
+return records
