@@ -114,9 +114,13 @@ static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                             { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
-static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param boot_run[] = {
+    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL }, { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+    { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+};
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \
