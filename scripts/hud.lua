@@ -7,7 +7,7 @@ hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
 hud.banks = { plain = 0, bright = 0, faint = 0 } -- a game with coloured text sets these in main.lua
 
 -- The font's own picture for a code from 128 on, or else a plain character.
-function hud.glyph(code, plain) return code - 32 < sys.glyphs() and string.char(code) or plain end
+function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
 
 -- How many characters s has; kept for texts of the game, which come again each frame.
 local known = {}
@@ -86,7 +86,7 @@ local function add(rows, first, middle, last)
 end
 
 -- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
-local function bar(value, full, cells)
+function hud.bar(value, full, cells)
   local eighths = math.min(value, full) * cells * 8 // full
   if value > 0 and eighths < 1 then eighths = 1 end
   local whole, rest = eighths // 8, eighths % 8
@@ -106,7 +106,7 @@ local function register(i, k)
   if not n then return "" end
   local name = r.name:upper() .. " "
   if r.show == "icons" then return name .. icons(GRAZE, n) end
-  if r.show == "bar" then return name .. bar(n, r.max, math.max(1, math.min(8, width - #name))) end
+  if r.show == "bar" then return name .. hud.bar(n, r.max, math.max(1, math.min(8, width - #name))) end
   return name .. n
 end
 
@@ -128,7 +128,7 @@ local function boss_rows(rows)
   if not b then return end
   if PANEL then rows[#rows + 1] = "" end
   local full, line = b.hp, b.ends and ("%3d"):format(values.ends) or ""
-  rows[#rows + 1] = (full and bar(b.enemy.hp, full, width - 4) or (" "):rep(width - 4)) .. " " .. line
+  rows[#rows + 1] = (full and hud.bar(b.enemy.hp, full, width - 4) or (" "):rep(width - 4)) .. " " .. line
   for _, s in ipairs(hud.wrap(b.title, width)) do
     rows[#rows + 1], line = s, s
     len(s)

@@ -32,16 +32,15 @@ function records.open(stages)
   return list
 end
 
--- A run begins: ships by player, the rest as `when` of unlock.def is asked.
-function records.begin(ships, difficulty, mode)
-  return { ships = ships, difficulty = difficulty, mode = mode, continues = 0, cleared = {}, stages = 0, clear = false }
+-- A run begins; run.mode, stages and ships are there. What `when` of unlock.def is asked of it stands in it from now on.
+function records.begin(run)
+  run.difficulty, run.ship, run.players = board.difficulty(), run.ships[1], #run.ships
+  run.continues, run.clear, run.cleared, run.reached, run.scores = 0, false, {}, 0, {}
 end
 
 local function earn(run)
-  if not unlocks then return {} end
-  run.players = {}
-  for p, ship in ipairs(run.ships) do run.players[p] = { ship = ship, score = hud.score(p) } end
-  return unlocks.earn(run)
+  for p = 1, run.players do run.scores[p] = hud.score(p) end
+  return unlocks and unlocks.earn(run) or {}
 end
 
 -- A word for each line of the tallies, and what each player got for it; nil: there is no tally.
@@ -64,8 +63,8 @@ end
 -- The run's next stage is cleared, the last one or not. Returns the rows of its results, or nil for the usual ones, and
 -- the titles of what it unlocked.
 function records.stage(run, name, last)
-  run.stages, run.cleared[name], run.clear = run.stages + 1, true, last
-  local rows = tallies(#run.ships, last)
+  run.reached, run.cleared[name] = run.reached + 1, true
+  local rows = tallies(run.players, last)
   run.stage = name
   local new = earn(run)
   run.stage = nil
@@ -86,14 +85,11 @@ end
 -- of one ship has one table a difficulty, another one for each ship.
 function records.best(run, many)
   local list = {}
-  for p, ship in ipairs(run.ships) do
-    local points, of = hud.score(p), many and ship or nil
-    local place = rank(run.difficulty, of, points)
-    if place then
-      local stage = math.min(run.stages + 1, FEW)
-      local row = { score = points, ship = of, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
-      list[#list + 1] = { p = p, points = points, rank = place, row = row }
-    end
+  for p, points in ipairs(run.scores) do
+    local ship = many and run.ships[p] or nil
+    local place, stage = rank(run.difficulty, ship, points), math.min(run.reached + 1, FEW)
+    local row = { score = points, ship = ship, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
+    if place then list[#list + 1] = { p = p, points = points, rank = place, row = row } end
   end
   return list
 end

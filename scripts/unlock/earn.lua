@@ -1,5 +1,5 @@
--- unlock/earn.lua - does a run earn an unlock? run: stage, the one just cleared, or nil at the run's end; cleared, stages
--- by name; clear, all of them; mode, difficulty, continues, and players: { ship, score } each.
+-- unlock/earn.lua - does a run earn an unlock? run.stage: the one just cleared, or nil at the run's end; cleared: stages
+-- by name; clear: all of them; mode, difficulty, continues; ships and scores, by player.
 
 -- The place of a difficulty, easiest first.
 local function grade(sys, name)
@@ -23,8 +23,8 @@ return function(when, run)
   if when.mode and when.mode ~= run.mode or when.continues and run.continues > when.continues then return false end
   if when.difficulty and grade(sys, run.difficulty) < grade(sys, when.difficulty) then return false end
   if when.spell and not captured(when.spell) then return false end
-  for _, p in ipairs(run.players) do
-    if (not when.ship or when.ship == p.ship) and p.score >= (when.score or 0) then return true end
+  for p, ship in ipairs(run.ships) do
+    if (not when.ship or when.ship == ship) and run.scores[p] >= (when.score or 0) then return true end
   end
   return false
 end

@@ -270,7 +270,7 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
 }
 
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                         *const layers[] = { "back", "middle", "front" }, *const depths[] = { "back", "front" },
+                         *const layers[] = { "back", "middle", "front", "over" }, *const depths[] = { "back", "front" },
                          *const aligns[] = { "left", "center", "right" },
                          *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",

@@ -148,9 +148,13 @@ static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NUL
                                                 { "score", A_INT, OPT, 1, 1e12, "points", NULL },
                                                 { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
-static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param boot_run[] = {
+    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL }, { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+    { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+};
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
@@ -183,7 +184,13 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     int32_t kind = (int32_t)v[ARG_KIND].i;
     int n = api_player_registers(L, kind, names);
 
-    lua_createtable(L, 0, 2);
+    lua_createtable(L, 0, 5);
+    lua_pushstring(L, cart_sprite_name(&b->cart, b->player_kinds.sprite[kind]));
+    lua_setfield(L, -2, "sprite");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
+    lua_setfield(L, -2, "speed");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.focus[kind]));
+    lua_setfield(L, -2, "focus");
     lua_pushinteger(L, b->player_kinds.lives[kind]);
     lua_setfield(L, -2, "lives");
     lua_createtable(L, n, 0);
@@ -365,10 +372,17 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+static const struct api_param sys_glyph[] = { { "code", A_INT, REQ, 0, 255, NULL, NULL } };
+
+static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    (void)v;
-    lua_pushinteger(L, b->cart.n_glyphs);
+    lua_pushboolean(L, text_has(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
+    return 1;
+}
+
+static int sys_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, api_off(&b->cart.m, lua_tostring(L, v[ARG_NAME].at)) == NULL);
     return 1;
 }
 
@@ -465,7 +479,8 @@ static const struct api_entry entries[] = {
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
     { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
-    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table", "lives, registers and needs of a kind of player" },
+    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
+      "what the screens tell of a kind of player: picture, speed, lives, registers, needs" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
     { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
@@ -483,7 +498,8 @@ static const struct api_entry entries[] = {
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
-    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
+    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },

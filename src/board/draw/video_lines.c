@@ -8,7 +8,7 @@
 #include "../../../fb/text.h"
 #include "../video.h"
 
-enum { MARGIN = 4, CELL_GAP = 1, UNSPACED = 0x2e80 };
+enum { MARGIN = 6, CELL_GAP = 1, UNSPACED = 0x2e80 };
 
 struct page {
     const struct cart *cart;
@@ -151,13 +151,11 @@ static int aligned(int align, int px)
 static void draw_box(struct draw_target *c, const struct page *p, const struct lines *l, uint32_t i, int x, int y)
 {
     int widest, rows = measure(p, &widest);
-    const uint8_t bank = (uint8_t)(l->bank[i] * 16);
 
     if (p->width)
         widest = p->width;
     x -= aligned(l->align[i], widest) + MARGIN;
-    fb_rect(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 1));
-    fb_frame(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 8));
+    video_plate(c, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, l->bank[i]);
 }
 
 static struct page page_of(const struct draw_target *c, int font)

@@ -1,0 +1,64 @@
+-- screens/results.lua - what a stage brought, over its last picture; values run up to what they are.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+local SHORTEST, LONGEST = 60, 300 -- frames; in the first, fire is not asked: players still press it when a boss bursts
+local RUN = 40                    -- frames that a value runs
+
+-- What stands there when nobody gives rows: { word, value of the first, value of the second } each.
+local function usual(players)
+  local rows = { { "SCORE" }, { "GRAZE" }, { "LIVES" } }
+  for p = 1, players do
+    local ship = player.get(p)
+    rows[1][p + 1], rows[2][p + 1], rows[3][p + 1] = hud.score(p), ship.grazes or 0, ship.lives or 0
+  end
+  return rows
+end
+
+local function value(n, age)
+  if math.type(n) ~= "integer" then return tostring(n or "") end
+  return tostring(n * math.min(age, RUN) // RUN)
+end
+
+-- One player: words at the left, values at the right. Two: words in the middle, values at both sides.
+local function draw_row(at, i, r, players, age)
+  local bank = page.bank(i, age, hud.banks.plain)
+  if not bank then return end
+  local word, col, cols = text.lang(r[1]), page.col + 2, page.cols - 4
+  local last = value(r[players + 1], age - 2 * i)
+  page.clear(at, 1)
+  hud.put(col + cols - sys.cells(last), at, last, bank)
+  if players == 1 then return hud.put(col, at, word, hud.banks.faint) end
+  hud.put(col, at, value(r[2], age - 2 * i), bank)
+  hud.put(col + (cols - sys.cells(word)) // 2, at, word, hud.banks.faint)
+end
+
+local function draw_players(row)
+  local words = { text.lang("PLAYER %d"):format(1), text.lang("PLAYER %d"):format(2) }
+  hud.put(page.col + 2, row, words[1], hud.banks.bright)
+  hud.put(page.col + page.cols - 2 - sys.cells(words[2]), row, words[2], hud.banks.bright)
+end
+
+-- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these.
+return function(title, players, stopped, rows)
+  rows = rows or usual(players)
+  local gap = page.low and 1 or 2
+  local h = #rows * gap + (players > 1 and 6 or 4)
+  local top = page.row + math.max(1, (page.rows - h) // 3)
+  local row
+  for age = 0, LONGEST do
+    if age <= RUN + 2 * #rows + 4 then
+      page.rule(top, age)
+      row = page.centre(top + 1, title, hud.banks.bright) + 1
+      if players > 1 then
+        draw_players(row)
+        row = row + 2
+      end
+      for i, r in ipairs(rows) do draw_row(row + (i - 1) * gap, i, r, players, age) end
+      page.rule(row + #rows * gap, age)
+    end
+    wait(1)
+    if stopped() or age > SHORTEST and page.pressed("fire") then break end
+  end
+  page.clear(top, row + #rows * gap + 1 - top)
+end
