@@ -38,7 +38,8 @@ sys.unlock = {}
 -- What keeps the thing that needs this unlock closed: its hint, or "" if it has none; nil: it is open.
 function sys.unlock.closed(needs)
   local u = needs and find("needs", needs)
-  if u and not has(u.name) then return u.hint or "" end
+  if not u or has(u.name) then return nil end
+  return u.hint or ""
 end
 
 -- Calls f(unlock, has) for each.
