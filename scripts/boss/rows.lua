@@ -131,7 +131,7 @@ end
 
 local function draw_bonus(b, age)
   if phase.bonus == 0 or age < STANDS + SLIDES then return end
-  local n = not b.missed and boss.bonus()
+  local n = not b.missed and b.worth()
   if not new("bonus", n) then return end
   text.clear { col = COL, row = spell.rest + #spell, w = COLS, h = 1 }
   right(spell.rest + #spell, n and ("%s %07d"):format(text.lang("BONUS"), n) or text.lang("FAILED"),

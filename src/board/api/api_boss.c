@@ -10,15 +10,11 @@
 
 /* ---- boss.def ---- */
 
-/* Pieces of boss.lua, by what needs them. */
-enum { NEED_ROWS, NEED_CAST, NEED_WARNING, NEED_CUT_IN, NEED_LAST, NEED_TALK, NEED_ARMOUR, NEEDS };
-static const char *const pieces[NEEDS] = { "rows", "cast", "warning", "cut_in", "last", "talk", "armour" };
-
-/* What is being read: stack indices, and the pieces needed so far. */
+/* What is being read: stack indices; and has it a last phase? */
 struct reading {
     lua_State *L;
     int boss, cast, ids, phases; /* cast: names of its members, 0: the boss is one */
-    unsigned needs;
+    bool last;
 };
 
 /* The field of the table at `at`; its type. */
@@ -89,7 +85,6 @@ static void read_cast(struct reading *r, int list)
     }
     lua_pushvalue(L, r->cast - 1);
     lua_setfield(L, r->boss, "cast");
-    r->needs |= 1u << NEED_CAST;
 }
 
 /* Fails over a word that names none of the cast. */
@@ -177,8 +172,8 @@ static void check_bonus(lua_State *L, int at, const char *id)
     lua_pop(L, 1);
 }
 
-/* What of a phase needs a piece. */
-static void add_needs(struct reading *r, int at, const char *id)
+/* A spell of a boss with a portrait cuts in unless it says otherwise. */
+static void read_cut_in(struct reading *r, int at, const char *id)
 {
     lua_State *L = r->L;
     const bool face = is_true(L, r->boss, "portrait"), asked = is_true(L, at, "cut_in");
@@ -188,15 +183,9 @@ static void add_needs(struct reading *r, int at, const char *id)
     if (asked && !is_true(L, at, "spell"))
         api_error(L, "boss.def", "phase \"%s\": cut_in: it has no spell, whose name is shown", id);
     if (face && is_true(L, at, "spell") && field(L, at, "cut_in") == LUA_TNIL) {
-        lua_pushboolean(L, 1); /* a spell of a boss with a portrait cuts in */
+        lua_pushboolean(L, 1);
         lua_setfield(L, at, "cut_in");
     }
-    if (is_true(L, at, "cut_in"))
-        r->needs |= 1u << NEED_CUT_IN;
-    if (is_true(L, at, "last"))
-        r->needs |= 1u << NEED_LAST;
-    if (number(L, at, "armour") > 0)
-        r->needs |= 1u << NEED_ARMOUR;
 }
 
 /* In place of the entry on top: the phase, checked. Talks before it stand in its `talk`. */
@@ -228,7 +217,8 @@ static void read_phase(struct reading *r)
         api_drops(L, "boss.def", lua_gettop(L));
         lua_setfield(L, at, "drops");
     }
-    add_needs(r, at, id);
+    read_cut_in(r, at, id);
+    r->last |= is_true(L, at, "last");
     lua_settop(L, at);
 }
 
@@ -263,7 +253,6 @@ static void read_phases(struct reading *r)
             field(L, talks + 1, "talk");
             lua_rawseti(L, talks, (lua_Integer)lua_rawlen(L, talks) + 1);
             lua_pop(L, 1);
-            r->needs |= 1u << NEED_TALK;
             continue;
         }
         read_phase(r);
@@ -282,11 +271,10 @@ static void read_phases(struct reading *r)
 
 static const struct api_param table_req[] = { { "boss", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
-/* What sys.check made of boss.def's arguments becomes the boss. Returns the pieces it needs. */
+/* What sys.check made of boss.def's arguments becomes the boss. Has it a last phase? */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct reading r = { .L = L, .boss = v[0].at, .needs = 1u << NEED_ROWS };
-    int n = 0;
+    struct reading r = { .L = L, .boss = v[0].at };
 
     (void)b;
     luaL_checkstack(L, 32, NULL);
@@ -300,15 +288,8 @@ static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
         lua_rawseti(L, -2, 1);
         lua_setfield(L, r.boss, "cast");
     }
-    if (number(L, r.boss, "warning") > 0)
-        r.needs |= 1u << NEED_WARNING;
     read_phases(&r);
-    lua_newtable(L);
-    for (int i = 0; i < NEEDS; i++)
-        if (r.needs >> i & 1) {
-            lua_pushstring(L, pieces[i]);
-            lua_rawseti(L, -2, ++n);
-        }
+    lua_pushboolean(L, r.last);
     return 1;
 }
 
@@ -395,7 +376,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "list", "checks a boss's cast and phases" },
+    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean", "checks a boss's cast and phases; is one a last one?" },
     { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
       "how often a spell was tried and captured; add 1: a try, 2: a capture" },
 };
