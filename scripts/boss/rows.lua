@@ -50,32 +50,32 @@ local function wipe()
   top, phase, spell, seen = nil, nil, nil, {}
 end
 
--- A bar each for those who have one; of several each has its name before it.
-local function list_bars(b)
-  local hp = phase and phase.hp
+-- A bar each for those who have one; of several each has its name before it, in a narrow panel above. Returns the row
+-- below them.
+local function list_bars(b, row)
+  local hp, label = phase and phase.hp, 0
   bars = {}
   if type(hp) ~= "table" then
-    if hp then bars[1] = { e = b.team[1], full = hp } end
-    return
+    if hp then bars[1] = { e = b.team[1], full = hp, row = row, col = LEFT, cols = SHORT } end
+    return row + (NARROW and 2 or 1)
   end
   for i, m in ipairs(b.boss.cast) do
-    local name = not NARROW and cut(text.lang(m.title), SHORT // 3) or nil
+    local name = cut(text.lang(m.title), NARROW and WIDTH or SHORT // 3)
     if hp[m.name] then bars[#bars + 1] = { e = b.team[i], full = hp[m.name], name = name } end
+    label = NARROW and 0 or math.max(label, sys.cells(name) + 1)
   end
+  for i, bar in ipairs(bars) do
+    hud.put(LEFT, row + (NARROW and 2 * i or i - 1), bar.name)
+    bar.row, bar.col, bar.cols = row + (NARROW and 2 * i + 1 or i - 1), LEFT + label, NARROW and WIDTH or SHORT - label
+  end
+  return row + (NARROW and 2 + 2 * #bars or #bars)
 end
 
 -- Writes what stays as it is in a phase, and finds the places of all else.
 local function lay_out(b, row)
   wipe()
   top, phase = row, b.phase
-  list_bars(b)
-  local label = 0
-  for _, bar in ipairs(bars) do label = math.max(label, bar.name and sys.cells(bar.name) + 1 or 0) end
-  for i, bar in ipairs(bars) do
-    bar.row, bar.col, bar.cols = row + i - 1, LEFT + label, SHORT - label
-    if bar.name then hud.put(LEFT, bar.row, bar.name) end
-  end
-  row = row + math.max(#bars, NARROW and 2 or 1)
+  row = list_bars(b, row)
   local pips, last = PIP:rep(math.min(b.left or 0, FEW))
   for _, line in ipairs(hud.wrap(text.lang(b.boss.title), NARROW and WIDTH or SHORT)) do
     hud.put(LEFT, row, line)
