@@ -87,6 +87,9 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
  * besides its own, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
+/* sys.check(name, ...): a table of the arguments of the entry of that name, checked, with its defaults. */
+int api_sys_check(lua_State *L);
+
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 

@@ -98,17 +98,38 @@ static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
 static const struct api_param boss_def[] = { NAME,
                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
-                                             { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                             { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL } };
+                                             { "kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL },
+                                             { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                             { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                             { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                             { "warning", A_INT, OPT, 0, 65535, "frames", "0" } };
+static const struct api_param boss_cast[] = { NAME,
+                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
+                                              { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
+                                              { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param boss_talk[] = { { "talk", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param boss_fight[] = { NAME, { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
+static const struct api_param boss_history[] = { NAME,
+                                                 { "id", A_STR, REQ, 1, 31, NULL, NULL },
+                                                 { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
+                                                 { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
+                                          { "hp", A_ANY, OPT, 0, 0, NULL, NULL },
                                           { "time", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
-                                          { "run", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                          { "run", A_ANY, OPT, 0, 0, NULL, NULL },
                                           { "spell", A_STR, OPT, 0, 127, NULL, NULL },
                                           { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
+                                          { "bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL },
                                           { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                          { "last", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                          { "safe", A_INT, OPT, 0, 65535, "frames", "0" },
+                                          { "armour", A_INT, OPT, 0, 65535, "frames", "0" },
+                                          { "rate", A_NUM, OPT, 0, 1, NULL, "0.25" },
+                                          { "down", A_DOWN, OPT, 0, 0, NULL, "all" },
+                                          { "cut_in", A_BOOL, OPT, 0, 0, NULL, NULL },
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
                                           { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -211,12 +232,23 @@ static const struct api_entry entries[] = {
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
       "is the stage being run through, to the mark it starts at?" },
-    LUA("boss.def", boss_def, 1, API_LOAD, NULL, "declares a boss: phases = { { id, hp, time, run, ... }, ... }"),
+    LUA("boss.def", boss_def, 1, API_LOAD, NULL,
+        "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
+        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with it; "
+        "warning: so long a band sweeps before"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
-        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten"),
+        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate of "
+        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, and a "
+        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and down "
+        "says whether all bars or any must be emptied"),
+    LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one of the cast of boss.def"),
+    LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a talk among the phases of boss.def: f(e), with the boss safe"),
     LUA("boss.def clear", phase_clear, 0, API_SYS, NULL,
         "what the bullets leave that are there at a phase's end; items if it is beaten"),
-    LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
+    LUA("boss.fight", boss_fight, 1, 0, "boolean",
+        "flies in, fights all phases; true if every one was beaten; clock: the stage's goes on"),
+    LUA("boss.history", boss_history, 2, 0, "tries, captures",
+        "how often that spell was fought and captured, at the difficulty played or that one, with that ship or any"),
     LUA("bg.def", bg_def, 2, API_LOAD, NULL,
         "declares a background: a task that sets up layers and plane, which are all off when it begins"),
     LUA("bg.show", bg_show, 1, 0, NULL,
@@ -239,11 +271,12 @@ static const struct api_entry entries[] = {
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser;
+    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_boss;
 const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,
                                                  &api_player, &api_screen, &api_rng,   &api_query,
                                                  &api_save,   &api_board,  &api_sys,   &api_std,
-                                                 &api_item,   &api_line,   &api_bg,    &api_laser };
+                                                 &api_item,   &api_line,   &api_bg,    &api_laser,
+                                                 &api_boss };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
