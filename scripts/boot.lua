@@ -97,6 +97,7 @@ local function play_stages(game, stages, players)
     hud.banner({ title }, 150)
     if not finished(stage.play(name, game)) then return i - 1 end
     quieten()
+    hud.banner()
     show("results", text.lang("%s CLEAR"):format(title), players, stopped)
     if stopped() then return i end
     if i < #stages then

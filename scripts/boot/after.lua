@@ -39,8 +39,10 @@ local function enter_names(show, run)
   end
   if #entries == 0 then return end
   local names, row = show("name", entries), nil
+  if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
-    local name = type(names) == "table" and names[i] or type(names) == "string" and names or "AAA"
+    local name = type(names) == "table" and names[i] or nil
+    if not name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
     local at = score.enter(run.difficulty, { name = name, score = e.points })
     row = row and at and math.min(row, at) or row or at
   end

@@ -6,7 +6,7 @@ local page = sys.read("menu/page")
 local RANKS = 10 -- rows of the table
 
 return function(name, over, mark)
-  text.clear()
+  page.begin()
   local rows, row = score.rows(name), math.max(1, hud.rows // 2 - RANKS - 2)
   page.centre(row, text.lang("BEST OF %s"):format(menu.label(name)), hud.banks.bright)
   for i = 1, RANKS do
@@ -17,6 +17,6 @@ return function(name, over, mark)
   end
   wait(1)
   local answered = wait_until(page.accepted, over)
-  text.clear()
+  page.done()
   return answered
 end
