@@ -97,6 +97,7 @@ local function play_stages(game, run, records)
     hud.banner({ title }, 150)
     if not finished(stage.play(name, game)) then return end
     quieten()
+    hud.banner()
     show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records.stage(run, name, i == #stages))
     if stopped() then return end
     if i < #stages then

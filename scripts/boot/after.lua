@@ -24,8 +24,10 @@ local function enter_names(a, show, run)
   local entries = sys.read("boot/records").best(run, #a.players > 1)
   if #entries == 0 then return end
   local names, first = show("name", entries), {}
+  if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
-    e.row.name = type(names) == "table" and names[i] or type(names) == "string" and names or "AAA"
+    e.row.name = type(names) == "table" and names[i] or nil
+    if not e.row.name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
     local at, ship = score.enter(run.difficulty, e.row), e.row.ship or ""
     first[ship] = first[ship] and at and math.min(first[ship], at) or first[ship] or at
   end

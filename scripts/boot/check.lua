@@ -72,8 +72,8 @@ end
 local function check_figures(kind, figures)
   for _, f in ipairs(figures) do
     local good = type(f) == "table" and type(f[1]) == "string" and math.type(f[2]) == "integer"
-    if not good or f[2] < 0 or f[2] > 6 then
-      fail(("ship %s: figures"):format(kind), 'a list of { "WORD", 0 to 6 }', type(f) == "table" and "another" or type(f))
+    if not good or f[2] < 0 or f[2] > 5 then
+      fail(("ship %s: figures"):format(kind), 'a list of { "Range", 0 to 5 }', type(f) == "table" and "another" or type(f))
     end
   end
 end
@@ -107,7 +107,7 @@ end
 
 local function check_staff(parts)
   for i, part in ipairs(parts) do
-    if type(part) ~= "table" then fail(("staff %d"):format(i), 'a list of texts, as { "ART", "A. Name" }', type(part)) end
+    if type(part) ~= "table" then fail(("staff %d"):format(i), 'a list of texts, as { "Art", "A. Name" }', type(part)) end
     for k, s in ipairs(part) do expect_text(("staff %d: text %d"):format(i, k), s, true) end
   end
 end

@@ -31,13 +31,13 @@ end
 -- A name, with arrows if there are more of them.
 local function title(row, name, n, before, behind, bank)
   page.clear(row, 1)
-  page.centre(row, (n > 1 and "%s %s %s" or "%2$s"):format(before, name, behind), bank)
+  page.centre(row, n > 1 and before .. " " .. name .. " " .. behind or name, bank)
 end
 
 local function turn(at, n, step) return (at - 1 + step) % n + 1 end
 
 -- head: above all pages; chapters: names of these, one may be ""; pages(c): those of chapter c, a list of { title, count,
--- draw(row, rows, age) }: count rows come one after the other. Begins at `chapter` and `at`, ends when somebody presses (true)
+-- draw(row, rows, age), every? }: count rows come one after the other, all are drawn again each `every` frames. Begins at `chapter` and `at`, ends when somebody presses (true)
 -- or nobody did for `limit` frames.
 function book.show(a)
   local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
@@ -49,7 +49,7 @@ function book.show(a)
     local row = page.head(a.head, math.max(age, idle)) -- it stands when pages are turned
     if #a.chapters > 1 then title(row, a.chapters[c], #a.chapters, UP, DOWN, hud.banks.bright) end
     if p.title ~= "" then title(row + titles * lines, p.title, #list, LEFT, RIGHT, hud.banks.plain) end
-    if page.opening(age, p.count) then
+    if page.opening(age, p.count) or p.every and age % p.every == 0 then
       local first, room = book.room(titles + 1)
       p.draw(first, room, age)
     end

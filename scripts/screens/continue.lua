@@ -10,19 +10,22 @@ return function(p, left)
   local col, row = page.col + (page.cols - W) // 2, page.row + (page.rows - H) // 2
   local answer = false
   page.clear(row, H, col, W)
-  page.frame(col, row, W, H)
+  screen.dim { share = 0.55, over = 6 }
+  local window = page.window(col, row, W, H)
   page.centre(row + 1, text.lang("PLAYER %d"):format(p), hud.banks.faint, col, W)
   page.centre(row + 2, "CONTINUE?", hud.banks.bright, col, W)
   if left then page.centre(row + 6, text.lang("%d LEFT"):format(left), hud.banks.plain, col, W) end
   page.centre(row + 7, "START: YES", hud.banks.faint, col, W)
   local frame = 0
   while frame < (SECONDS + 1) * 60 and not answer do
+    page.grow(window, frame)
     page.centre(row + 4, tostring(SECONDS - frame // 60), hud.banks.bright, col, W)
     wait(1)
     frame = frame + 1
     if page.pressed("bomb", p) then frame = (frame // 60 + 1) * 60 end
     answer = page.pressed("start", p)
   end
-  page.clear(row, H, col, W)
+  page.close(window)
+  screen.dim { share = 0, over = 6 }
   return answer
 end

@@ -11,7 +11,7 @@ return function(names, present, texts)
   end
   local function note(i, row)
     local words = texts[names[i]]
-    if words then page.centre(row, words) end
+    if words then page.text(row, words) end
   end
-  return names[page.ask("DIFFICULTY", { items = items, chosen = chosen, note = note, notes = 4 }) or 0]
+  return names[page.ask("DIFFICULTY", { items = items, chosen = chosen, note = note, notes = 6 }) or 0]
 end

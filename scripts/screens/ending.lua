@@ -10,7 +10,7 @@ local function put_ships(ships, row)
   local list = {}
   for i, kind in ipairs(ships) do
     local x = page.x + (#ships > 1 and (i == 1 and -32 or 32) or 0)
-    list[i] = sprite.put { sprite = sys.ship(kind).sprite, x = x, y = row * 8 + 80, screen = true }
+    list[i] = sprite.put { sprite = sys.ship(kind).sprite, x = x, y = row * 8 + 80, screen = true, layer = "over" }
   end
   return list
 end
@@ -18,6 +18,7 @@ end
 -- run: what was played: mode, difficulty, ships, scores, stages.
 return function(run)
   local row = page.row + page.rows // 2
+  page.begin()
   local ships, top = put_ships(run.ships, row), nil
   for age = 0, OVER do
     if page.opening(age, 6) then
@@ -26,7 +27,8 @@ return function(run)
       page.centre(top, "CONGRATULATIONS!", page.bank(1, age, hud.banks.bright) or hud.banks.faint)
       page.centre(top + 2, menu.label(run.difficulty), hud.banks.plain)
       for p, points in ipairs(run.scores) do
-        page.centre(row + 4 + 2 * p, text.lang("SCORE  %09d"):format(points), hud.banks.plain)
+        local line = text.lang("PLAYER %d  %09d"):format(p, points)
+        page.centre(row + 4 + 2 * p, line, hud.banks.plain)
       end
     end
     for _, ship in ipairs(ships) do
@@ -36,5 +38,5 @@ return function(run)
     if age > SOON and page.accepted() then break end
   end
   for _, ship in ipairs(ships) do ship:remove() end
-  text.clear()
+  page.done()
 end

@@ -10,8 +10,8 @@ return function(modes)
   end
   local function note(i, row)
     local words = modes[i].text
-    if words then page.centre(row, words) end
+    if words then page.text(row, words) end
   end
-  local i = page.ask("MODE", { items = items, closed = closed, note = note, notes = 4 })
+  local i = page.ask("MODE", { items = items, closed = closed, note = note, notes = 6 })
   return i and modes[i].name
 end

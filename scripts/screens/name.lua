@@ -4,6 +4,7 @@ local page = sys.read("menu/page")
 
 local MIN <const>, MAX <const> = 3, 8 -- letters of a name
 local SECONDS = 60
+local WIDEST = 26 -- cells of a column
 
 -- The signs of the wheel: letters, digits, and some more.
 local SIGNS = {}
@@ -15,14 +16,17 @@ local UP, DOWN = hud.glyph(150, "^"), hud.glyph(151, "v")
 
 local function sign(n) return SIGNS[n % #SIGNS + 1] end
 
-local function draw_wheel(e, row, col)
-  local x = col + (#e.signs - 1)
+local GAP <const> = 2 -- rows from one line to the next
+
+local function draw_wheel(e, row)
+  local apart = e.cols >= 2 * MAX + 2 and 2 or 1
+  local col = e.col + (e.cols - apart * (MAX - 1) - 1) // 2
+  local x, n = col + apart * (#e.signs - 1), e.signs[#e.signs]
   page.clear(row, 5, e.col, e.cols)
   for i = 1, MAX do
-    hud.put(col + i - 1, row + 2, e.signs[i] and sign(e.signs[i]) or "_", e.done and hud.banks.bright or hud.banks.plain)
+    hud.put(col + apart * (i - 1), row + 2, e.signs[i] and sign(e.signs[i]) or "_", hud.banks[e.done and "bright" or "plain"])
   end
   if e.done then return end
-  local n = e.signs[#e.signs]
   hud.put(x, row, UP, hud.banks.faint)
   hud.put(x, row + 1, sign(n - 1), hud.banks.faint)
   hud.put(x, row + 2, sign(n), hud.banks.bright)
@@ -32,11 +36,19 @@ end
 
 local function draw(e, row)
   page.centre(row, text.lang("PLAYER %d"):format(e.p), hud.banks.bright, e.col, e.cols)
-  page.centre(row + 1, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
-  if e.rank then page.centre(row + 2, text.lang("PLACE %d"):format(e.rank), hud.banks.faint, e.col, e.cols) end
-  draw_wheel(e, row + 4, e.col + (e.cols - MAX) // 2)
-  page.clear(row + 10, 1, e.col, e.cols)
-  if e.done then page.centre(row + 10, "READY", hud.banks.bright, e.col, e.cols) end
+  page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
+  row = row + 2 * GAP
+  if e.rank then page.centre(row, text.lang("PLACE %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
+  row = row + GAP + 1
+  draw_wheel(e, row)
+  page.clear(row + 6, 1, e.col, e.cols)
+  if e.done then page.centre(row + 6, "READY", hud.banks.bright, e.col, e.cols) end
+end
+
+local function put_plate(e, row)
+  return sprite.plate {
+    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (3 * GAP + 8) * 8 + 16, bank = hud.banks.plain,
+  }
 end
 
 -- One frame of a wheel. Is it another now?
@@ -63,9 +75,9 @@ local function name_of(e)
 end
 
 local function begin(entries)
-  local list, cols = {}, page.cols // #entries
+  local list = {}
   for i, entry in ipairs(entries) do
-    local col = page.col + (i - 1) * (page.cols - cols)
+    local col, cols = page.column(i, #entries, WIDEST)
     list[i] = { p = entry.p, points = entry.points, rank = entry.rank, signs = { 0 }, col = col, cols = cols }
   end
   return list
@@ -85,22 +97,27 @@ end
 -- come to an end in time has what stands there.
 return function(entries)
   local list, row, names = begin(entries), nil, {}
-  text.clear()
+  page.begin()
+  row = page.head("YOUR NAME?", 0) + (page.low and 1 or 3)
+  for _, e in ipairs(list) do e.plate = put_plate(e, row) end
   for age = 0, SECONDS * 60 do
     if page.opening(age, 0) then
-      row = page.head("YOUR NAME?", age) + (page.low and 1 or 3)
-      page.rule(page.row + page.rows - (page.low and 5 or 7), age)
-      page.centre(page.row + page.rows - (page.low and 4 or 6), "FIRE: NEXT  BOMB: BACK", hud.banks.faint)
-      page.centre(page.row + page.rows - (page.low and 3 or 5), "START: DONE", hud.banks.faint)
+      page.head("YOUR NAME?", age)
+      page.centre(page.row + page.rows - 2 - 3 * GAP, "FIRE: NEXT  BOMB: BACK", hud.banks.faint)
+      page.centre(page.row + page.rows - 2 - 2 * GAP, "START: DONE", hud.banks.faint)
     end
     if age % 60 == 0 then
       local left = text.lang("TIME %2d"):format(SECONDS - age // 60)
-      page.centre(page.row + page.rows - (page.low and 2 or 3), left, hud.banks.plain)
+      page.centre(page.row + page.rows - 2 - GAP, left, hud.banks.plain)
     end
     if go_on(list, row, age == 0) then break end
+    sys.tell_keys()
     wait(1)
   end
-  text.clear()
-  for i, e in ipairs(list) do names[i] = name_of(e) end
+  page.done()
+  for i, e in ipairs(list) do
+    names[i] = name_of(e)
+    e.plate:remove()
+  end
   return names
 end

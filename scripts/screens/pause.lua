@@ -14,9 +14,17 @@ return function(p, items)
   local w, h = math.min(page.cols - 2, widest + ROOM), 2 * #items + 5
   local col, row = page.col + (page.cols - w) // 2, page.row + (page.rows - h) // 2
   page.clear(row, h, col, w)
-  page.frame(col, row, w, h)
-  page.centre(row + 2, "PAUSE", hud.banks.bright, col, w)
-  local i = page.list { items = words, row = row + 4, col = col, cols = w, p = p, back = 1, limit = forever }
-  page.clear(row, h, col, w)
+  screen.dim { share = 0.55, over = 6 }
+  local window = page.window(col, row, w, h)
+  local function draw(age)
+    page.grow(window, age)
+    page.centre(row + 1, "PAUSE", hud.banks.bright, col, w)
+    page.rule(row + 2, age, col + 1, w - 2)
+  end
+  local i = page.list {
+    items = words, row = row + 4, col = col, cols = w, p = p, back = 1, limit = forever, draw = draw,
+  }
+  page.close(window)
+  screen.dim { share = 0, over = 6 }
   return i
 end

@@ -24,7 +24,7 @@ end
 local function draw_row(at, i, r, players, age)
   local bank = page.bank(i, age, hud.banks.plain)
   if not bank then return end
-  local word, col, cols = text.lang(r[1]), page.col + 2, page.cols - 4
+  local word, col, cols = text.lang(r[1]), page.col + 3, page.cols - 6
   local last = value(r[players + 1], age - 2 * i)
   page.clear(at, 1)
   hud.put(col + cols - sys.cells(last), at, last, bank)
@@ -35,30 +35,36 @@ end
 
 local function draw_players(row)
   local words = { text.lang("PLAYER %d"):format(1), text.lang("PLAYER %d"):format(2) }
-  hud.put(page.col + 2, row, words[1], hud.banks.bright)
-  hud.put(page.col + page.cols - 2 - sys.cells(words[2]), row, words[2], hud.banks.bright)
+  hud.put(page.col + 3, row, words[1], hud.banks.bright)
+  hud.put(page.col + page.cols - 3 - sys.cells(words[2]), row, words[2], hud.banks.bright)
+end
+
+local function draw_page(title, rows, players, top, gap, age)
+  local row = page.centre(top + 1, title, hud.banks.bright)
+  page.rule(row, age, page.col + 2, page.cols - 4)
+  row = row + 2
+  if players > 1 then
+    draw_players(row)
+    row = row + 2
+  end
+  for i, r in ipairs(rows) do draw_row(row + (i - 1) * gap, i, r, players, age) end
 end
 
 -- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these.
 return function(title, players, stopped, rows)
   rows = rows or usual(players)
-  local gap = page.low and 1 or 2
-  local h = #rows * gap + (players > 1 and 6 or 4)
-  local top = page.row + math.max(1, (page.rows - h) // 3)
-  local row
+  local words = hud.wrap(title, page.cols - 6)
+  local gap = 2 * #rows + 12 <= page.rows and 2 or 1
+  local h = #rows * gap + #words + (players > 1 and 6 or 4)
+  local top = page.row + math.max(3, (page.rows - h) // 3)
+  local window = page.window(page.col + 1, top, page.cols - 2, h)
+  screen.dim { share = 0.3, over = 12 }
   for age = 0, LONGEST do
-    if age <= RUN + 2 * #rows + 4 then
-      page.rule(top, age)
-      row = page.centre(top + 1, title, hud.banks.bright) + 1
-      if players > 1 then
-        draw_players(row)
-        row = row + 2
-      end
-      for i, r in ipairs(rows) do draw_row(row + (i - 1) * gap, i, r, players, age) end
-      page.rule(row + #rows * gap, age)
-    end
+    page.grow(window, age)
+    draw_page(title, rows, players, top, gap, age) -- each frame, for a pause takes away what it stands on
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end
-  page.clear(top, row + #rows * gap + 1 - top)
+  page.close(window)
+  screen.dim { share = 0, over = 12 }
 end

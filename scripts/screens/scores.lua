@@ -5,10 +5,10 @@ local page, book = sys.read("menu/page"), sys.read("menu/book")
 local RANKS <const> = 10 -- rows of a table
 local ARROW = hud.glyph(140, ">")
 
--- How far a score went, in `cells` at most: the words that there is room for.
-local function how_far(r, ship, cells)
+-- How far a score went, in `cells` at most: the words that there is room for. many: the table is of several ships.
+local function how_far(r, many, cells)
   local words = {}
-  if ship and r.ship then words[1] = menu.label(r.ship) end
+  if many and r.ship then words[1] = menu.label(r.ship) end
   if r.clear then
     words[#words + 1] = text.lang("ALL CLEAR")
   elseif r.stage then
@@ -23,38 +23,33 @@ local function how_far(r, ship, cells)
   return s
 end
 
-local function short(r) return r.clear and text.lang("ALL") or r.stage and "ST" .. r.stage or "" end
-
 local WIDTH <const> = math.min(page.cols - 3, 30) -- of a row
-local FAR <const> = 4 -- of that what stands behind a score in a low page
+local TURN <const> = 120 -- frames that a row shows a name, and then how far it went, where there is no room below it
+local COL <const> = page.col + (page.cols - WIDTH) // 2
 
--- Row i of a table at `row`: place, name, score, and how far it went: below, or in a low page behind it.
-local function draw_row(i, r, row, bank, marked, many)
-  local col = page.col + (page.cols - WIDTH) // 2
-  local name, points = r and r.name or "--------", r and tostring(r.score) or "0"
-  local behind = page.low and WIDTH >= 23 + FAR and FAR or 0
-  page.clear(row, page.low and 1 or 2)
-  hud.put(col - 1, row, marked and ARROW or " ", hud.banks.bright)
-  hud.put(col, row, ("%2d"):format(i), hud.banks.faint)
-  hud.put(col + 3, row, name, bank)
-  hud.put(col + WIDTH - behind - #points, row, points, bank)
-  if not r then return end
-  if not page.low then
-    hud.put(col + 3, row + 1, how_far(r, many, WIDTH - 3), hud.banks.faint)
-  elseif behind > 0 then
-    hud.put(col + WIDTH - sys.cells(short(r)), row, short(r), hud.banks.faint)
-  end
+-- Row i of a table: place, name, score, and how far it went.
+local function draw_row(i, r, row, gap, bank, marked, many, age)
+  local points = r and tostring(r.score) or "0"
+  local turned = r and gap < 3 and age // TURN % 2 == 1
+  local cells = turned and WIDTH - 4 - #points or WIDTH - 3
+  local far = r and (turned or gap > 2) and how_far(r, many, cells) or ""
+  page.clear(row, gap > 2 and 2 or 1)
+  if marked then hud.put(COL - 1, row, ARROW, hud.banks.bright) end
+  hud.put(COL, row, ("%2d"):format(i), hud.banks.faint)
+  if far ~= "" then hud.put(COL + 3, turned and row or row + 1, far, hud.banks.faint) end
+  if not turned or far == "" then hud.put(COL + 3, row, r and r.name or "--------", bank) end
+  hud.put(COL + WIDTH - #points, row, points, bank)
 end
 
 local function table_page(name, rows, mark, many)
   return {
-    title = name, count = RANKS,
+    title = name, count = RANKS, every = TURN,
     draw = function(row, room, age)
       local gap = math.max(1, math.min(3, room // RANKS))
       for i = 1, RANKS do
-        local r, bank = rows[i], nil
-        bank = page.bank(i, age, hud.banks[i == mark and "bright" or r and "plain" or "faint"])
-        if bank then draw_row(i, r, row + (i - 1) * gap, bank, i == mark, many) end
+        local r = rows[i]
+        local bank = page.bank(i, age, hud.banks[i == mark and "bright" or r and "plain" or "faint"])
+        if bank then draw_row(i, r, row + (i - 1) * gap, gap, bank, i == mark, many, age) end
       end
     end,
   }

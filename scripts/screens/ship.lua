@@ -3,8 +3,14 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local page = sys.read("menu/page")
 
 local SLIDE = 20 -- px from the side that a picture comes
-local CELLS = 6  -- of a bar
-local MOST <const> = 6 -- icons in a row
+local CELLS <const> = 5 -- of a bar, and icons in a row
+
+local WIDEST = 26      -- cells of a column
+
+local NAME = page.low and 8 or 10 -- rows from a column's top to the ship's name
+local TEXT = NAME + 2             -- and to what is told of it
+
+local APART = page.low and 1 or 2 -- rows from one line to the next
 
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
@@ -24,11 +30,11 @@ local function tell(kinds, about)
     if not more.figures then
       s.figures = {
         { text.lang("SPEED"), hud.bar(s.speed, speed, CELLS) }, { text.lang("FOCUS"), hud.bar(s.focus, focus, CELLS) },
-        { text.lang("LIVES"), s.lives > MOST and "x" .. s.lives or LIFE:rep(s.lives) },
+        { text.lang("LIVES"), s.lives > CELLS and "x" .. s.lives or LIFE:rep(s.lives) },
       }
       for _, r in ipairs(s.registers) do
         if r.show == "icons" and r.value > 0 then
-          s.figures[#s.figures + 1] = { menu.label(r.name), STAR:rep(math.min(r.value, MOST)) }
+          s.figures[#s.figures + 1] = { menu.label(r.name), STAR:rep(math.min(r.value, CELLS)) }
         end
       end
     end
@@ -37,8 +43,7 @@ local function tell(kinds, about)
 end
 
 local function column(p, players)
-  local cols = page.cols // players
-  local col = page.col + (p - 1) * (page.cols - cols)
+  local col, cols = page.column(p, players, WIDEST)
   return { p = p, switches = players > 1 and p or nil, col = col, cols = cols, at = 1, off = 0, age = 0 }
 end
 
@@ -47,32 +52,47 @@ local function draw_figures(c, row, figures)
   for _, f in ipairs(figures) do widest = math.max(widest, sys.cells(f[1])) end
   local col = c.col + math.max(1, (c.cols - widest - 1 - CELLS) // 2)
   for i, f in ipairs(figures) do
-    local at = row + (i - 1) * (page.low and 1 or 2)
+    local at = row + (i - 1) * APART
     local bank = page.bank(i, c.age, hud.banks.plain)
     if bank then
-      hud.put(col, at, f[1], hud.banks.faint)
+      hud.put(col, at, f[1], hud.banks.plain)
       hud.put(col + widest + 1, at, f[2], bank)
     end
   end
 end
 
+-- How many rows the words about a ship take in columns of that width, and a column in all.
+local function measure(ships, cols)
+  local lines, figures = 0, 0
+  for _, s in ipairs(ships) do
+    lines = math.max(lines, s.text == "" and 0 or #hud.wrap(text.lang(s.text), cols - 2))
+    figures = math.max(figures, #s.figures)
+  end
+  ships.figures = TEXT + (lines > 0 and lines * APART + 1 or 0)
+  ships.rows = ships.figures + figures * APART
+end
+
+local function put_plate(c, top, rows)
+  c.plate = sprite.plate {
+    x = c.col * 8 + 4, y = top * 8 - 12, w = c.cols * 8 - 8, h = rows * 8 + 16, bank = hud.banks.plain,
+  }
+end
+
 -- All of a column but its picture, in rows from `top` on.
 local function draw(c, ships, top, many)
-  local s, row = ships[c.at], top
-  page.clear(top, page.row + page.rows - (page.low and 3 or 6) - top, c.col, c.cols)
-  if many then page.centre(row, text.lang("PLAYER %d"):format(c.p), hud.banks.faint, c.col, c.cols) end
-  row = row + (page.low and 8 or 10)
+  local s, row = ships[c.at], top + NAME
+  page.clear(top, ships.rows, c.col, c.cols)
+  if many then page.centre(top, text.lang("PLAYER %d"):format(c.p), hud.banks.plain, c.col, c.cols) end
   local arrows = #ships > 1 and not c.ready
   page.centre(row, (arrows and LEFT .. " %s " .. RIGHT or "%s"):format(s.name), hud.banks.bright, c.col, c.cols)
-  row = row + 2
-  page.centre(row, s.text, hud.banks.plain, c.col, c.cols)
-  row = row + (page.low and 3 or 5)
-  if c.ready then page.centre(row + 2, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures) end
+  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols)
+  row = top + ships.figures
+  if c.ready then page.centre(row + APART, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures) end
 end
 
 local function draw_picture(c, ships, top)
   local x, y = (2 * c.col + c.cols) * 4, (top + (page.low and 4 or 5)) * 8
-  if not c.picture then c.picture = sprite.put { sprite = ships[c.at].sprite, x = x, y = y, screen = true } end
+  if not c.picture then c.picture = sprite.put { sprite = ships[c.at].sprite, x = x, y = y, screen = true, layer = "over" } end
   c.off = c.off * 3 // 4
   c.picture.x, c.picture.y = x + c.off, y + (c.ready and 0 or 2 * angle.sin(4 * c.age))
 end
@@ -94,10 +114,13 @@ end
 
 -- Until all are ready; false for back, or when nobody answers.
 local function choose(columns, ships)
-  local top, idle, done = nil, 0, nil
+  local top, idle, done = page.head("YOUR SHIP?", 0), 0, nil
+  measure(ships, columns[1].cols)
+  top = top + math.max(1, (page.row + page.rows - 6 - top - ships.rows) // 3)
+  for _, c in ipairs(columns) do put_plate(c, top, ships.rows) end
   for age = 0, math.maxinteger do
     if page.opening(age, 0) then
-      top = page.head("YOUR SHIP?", age)
+      page.head("YOUR SHIP?", age)
       page.foot("FIRE: OK  BOMB: BACK", age)
     end
     done = true
@@ -107,6 +130,7 @@ local function choose(columns, ships)
       done = done and c.ready and c.age > 8 * #columns
     end
     if done then return true end
+    sys.tell_keys()
     wait(1)
     idle = idle + 1
     for _, c in ipairs(columns) do
@@ -122,13 +146,14 @@ end
 -- names, one for each player; nil: back.
 return function(kinds, players, about)
   local columns, names = {}, {}
-  text.clear()
+  page.begin()
   for p = 1, players do columns[p] = column(p, players) end
   local done = choose(columns, tell(kinds, about))
   for p, c in ipairs(columns) do
-    if c.picture then c.picture:remove() end
+    c.picture:remove()
+    c.plate:remove()
     names[p] = kinds[c.at]
   end
-  text.clear()
+  page.done()
   return done and names or nil
 end

@@ -71,10 +71,13 @@ end
 
 -- parts: a list of { word, name, ... } each. START ends it, fire makes it faster.
 return function(parts)
-  text.clear()
-  if sys.on("text.line") then return roll(parts) end
-  for _, part in ipairs(parts) do
-    if not show_page(part) then break end
+  page.begin()
+  if sys.on("text.line") then
+    roll(parts)
+  else
+    for _, part in ipairs(parts) do
+      if not show_page(part) then break end
+    end
   end
-  text.clear()
+  page.done()
 end

@@ -35,6 +35,7 @@ local function wait_for_start(row, third, logo, limit)
     end
     if age % 60 == 0 then page.centre(row, "PRESS START", hud.banks.bright) end
     if age % 60 == 40 then page.clear(row, 1) end
+    sys.tell_keys()
     wait(1)
     if page.accepted() then
       page.clear(row, 1)
@@ -70,7 +71,7 @@ end
 local function choose(items, row, chosen)
   if #items == 1 then return 1 end
   local gap = page.low and #items > 4 and 1 or 2
-  return page.list { items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap }
+  return page.list { items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap, keys = true }
 end
 
 -- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil

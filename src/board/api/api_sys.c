@@ -150,6 +150,15 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
+/* Nor does this. */
+static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    (void)v;
+    b->output->out.menu = true;
+    return 0;
+}
+
 /* One { name, value } of a list, at place i. */
 static void push_register(lua_State *L, const char *name, int32_t value, int i)
 {
@@ -478,6 +487,8 @@ static const struct api_entry entries[] = {
     { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any", "runs a piece of the library, \"screens/title\"" },
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
     { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
+    { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
+      "for the cabinet, in each frame: a menu stands, and who has just come needs to know the keys" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
     { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
       "what the screens tell of a kind of player: picture, speed, lives, registers, needs" },
