@@ -7,15 +7,13 @@ local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyp
 
 local book = {}
 
-local lines = page.low and 1 or 2 -- from a title to the next
-
--- The first row of what stands on a page, below its titles, and how many there are down to the foot.
-function book.room(titles)
-  local row = page.row + (page.low and 4 or 8) + titles * lines
+-- The first row of what stands on a page, and how many there are down to the foot. chapters: how many.
+function book.room(chapters)
+  local row = page.row + (page.low and 6 or chapters > 1 and 13 or 11)
   return row, page.row + page.rows - (page.low and 3 or 6) - row
 end
 
--- Distributes entries of `height` rows each (height(i) of entry i) over pages; returns the first and the last of each.
+-- Distributes n entries of height(i) rows each over pages; returns the first and the last of each.
 function book.split(n, rows, height)
   local pages, used = {}, rows + 1
   for i = 1, n do
@@ -28,42 +26,54 @@ function book.split(n, rows, height)
   return pages
 end
 
--- A name, with arrows if there are more of them.
-local function title(row, name, n, before, behind, bank)
-  page.clear(row, 1)
-  page.centre(row, n > 1 and before .. " " .. name .. " " .. behind or name, bank)
+local function between(before, name, n, behind) return n > 1 and before .. " " .. name .. " " .. behind or name end
+
+-- What stands above a page. In a low one the chapter shares the head's row.
+local function titles(a, c, name, n, age)
+  local chapter = #a.chapters > 1 and between(UP, a.chapters[c], #a.chapters, DOWN)
+  local head, row = text.lang(a.head), nil
+  if page.low and chapter then
+    local both = head .. "  " .. chapter
+    row = page.head(sys.cells(both) <= page.cols - 2 and both or chapter, age)
+  else
+    row = page.head(a.head, age)
+    if chapter then
+      page.centre(row, chapter, hud.banks.bright)
+      row = row + 2
+    end
+  end
+  page.centre(row, between(LEFT, name, n, RIGHT), hud.banks.plain)
 end
 
 local function turn(at, n, step) return (at - 1 + step) % n + 1 end
 
 -- head: above all pages; chapters: names of these, one may be ""; pages(c): those of chapter c, a list of { title, count,
--- draw(row, rows, age), every? }: count rows come one after the other, all are drawn again each `every` frames. Begins at `chapter` and `at`, ends when somebody presses (true)
--- or nobody did for `limit` frames.
+-- draw(row, rows, age), every? }: count rows come one after the other, all are drawn again each `every` frames. Begins
+-- at `chapter` and `at`, ends when somebody presses (true) or nobody did for `limit` frames.
 function book.show(a)
   local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
-  local titles = (#a.chapters > 1 and 1 or 0)
-  local list = a.pages(c)
+  local list, row, rows = a.pages(c), book.room(#a.chapters)
   page.begin()
   while idle < (a.limit or page.IDLE) and not answered do
     local p = list[i]
-    local row = page.head(a.head, math.max(age, idle)) -- it stands when pages are turned
-    if #a.chapters > 1 then title(row, a.chapters[c], #a.chapters, UP, DOWN, hud.banks.bright) end
-    if p.title ~= "" then title(row + titles * lines, p.title, #list, LEFT, RIGHT, hud.banks.plain) end
     if page.opening(age, p.count) or p.every and age % p.every == 0 then
-      local first, room = book.room(titles + 1)
-      p.draw(first, room, age)
+      titles(a, c, p.title, #list, idle)
+      p.draw(row, rows, age)
+      page.foot("FIRE: BACK", idle)
     end
-    page.foot("FIRE: BACK", idle)
     wait(1)
     age, idle = age + 1, idle + 1
-    local up, right = page.step("up", "down"), page.step("left", "right")
-    if #a.chapters > 1 and up ~= 0 then
-      c, i, age, idle = turn(c, #a.chapters, up), 1, 0, page.cols
+    local up, right = #a.chapters > 1 and page.step("up", "down") or 0, page.step("left", "right")
+    if up ~= 0 then
+      c, i = turn(c, #a.chapters, up), 1
       list = a.pages(c)
-    elseif #list > 1 and right ~= 0 then
-      i, age, idle = turn(i, #list, right), 0, page.cols
+    else
+      i = turn(i, #list, right)
     end
-    if age == 0 then page.clear(row, page.row + page.rows - row) end
+    if up ~= 0 or right ~= 0 and #list > 1 then
+      age, idle = 0, page.cols -- rules and frames have grown
+      page.clear(page.row, page.rows)
+    end
     answered = page.accepted() or page.pressed("bomb")
   end
   page.done()

@@ -18,32 +18,37 @@ local function spells(b, difficulty, cols)
   return list
 end
 
-local gap <const> = page.low and 0 or 1
+local STEP <const> = 2 -- rows from one line to the next
 
--- Name, and in the row below at the right the numbers; in a low page behind it, where there is room.
-local function height(s) return #s.lines + (page.low and 0 or 1) + gap end
+local function numbers(s) return ("%d/%d"):format(s.captures, s.tries) end
+
+-- Its name, and behind it, or below, how often it was captured of all tries.
+local function height(s, cols)
+  local last = sys.cells(s.lines[#s.lines]) + 1 + #numbers(s) > cols
+  return #s.lines + (last and 1 or 0)
+end
+
+local function bank_of(s) return s.captures > 0 and "bright" or s.tries > 0 and "plain" or "faint" end
 
 local function draw(list, first, last, row, age, cols)
-  local col = page.col + (page.cols - cols) // 2
+  local col = page.col + (page.cols - cols) // 2 + 1
   for i = first, last do
     local s = list[i]
-    local bank = page.bank(i - first + 1, age, s.captures > 0 and hud.banks.bright or s.tries > 0 and hud.banks.plain or hud.banks.faint)
+    local bank, h = page.bank(i - first + 1, age, hud.banks[bank_of(s)]), height(s, cols)
     if bank then
-      local numbers = ("%d/%d"):format(s.captures, s.tries)
-      for k, line in ipairs(s.lines) do hud.put(col, row + k - 1, line, bank) end
+      for k, line in ipairs(s.lines) do hud.put(col, row + (k - 1) * STEP, line, bank) end
       if s.captures > 0 then hud.put(col - 2, row, STAR, bank) end
-      local at = row + #s.lines - (page.low and 1 or 0)
-      hud.put(col + cols - #numbers, at, numbers, page.bank(i - first + 1, age, hud.banks.plain))
+      hud.put(col + cols - #numbers(s), row + (h - 1) * STEP, numbers(s), hud.banks.faint)
     end
-    row = row + height(s)
+    row = row + h * STEP + 1
   end
 end
 
 local function pages_of(b, difficulty)
   local cols = math.min(page.cols - 6, 36)
-  local list = spells(b, difficulty, page.low and cols - 8 or cols)
-  local _, room = book.room(2)
-  local pages = book.split(#list, room, function(i) return height(list[i]) end)
+  local list = spells(b, difficulty, cols)
+  local _, room = book.room(#sys.difficulties())
+  local pages = book.split(#list, room, function(i) return height(list[i], cols) * STEP + 1 end)
   for i, p in ipairs(pages) do
     local first, last = p[1], p[2]
     pages[i] = {

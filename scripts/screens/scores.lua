@@ -15,7 +15,7 @@ local function how_far(r, many, cells)
     words[#words + 1] = text.lang("STAGE %d"):format(r.stage)
   end
   if r.continues > 0 then words[#words + 1] = text.lang("CONTINUES %d"):format(r.continues) end
-  local s = table.concat(words, "  ")
+  local s = table.concat(words, " ")
   while sys.cells(s) > cells do
     words[#words] = nil
     s = table.concat(words, " ")
@@ -24,32 +24,31 @@ local function how_far(r, many, cells)
 end
 
 local WIDTH <const> = math.min(page.cols - 3, 30) -- of a row
-local TURN <const> = 120 -- frames that a row shows a name, and then how far it went, where there is no room below it
 local COL <const> = page.col + (page.cols - WIDTH) // 2
+local TURN <const> = 120 -- frames that a row shows a name, and then how far it went
 
--- Row i of a table: place, name, score, and how far it went.
-local function draw_row(i, r, row, gap, bank, marked, many, age)
+-- Row i of a table.
+local function draw_row(i, r, row, bank, marked, far)
   local points = r and tostring(r.score) or "0"
-  local turned = r and gap < 3 and age // TURN % 2 == 1
-  local cells = turned and WIDTH - 4 - #points or WIDTH - 3
-  local far = r and (turned or gap > 2) and how_far(r, many, cells) or ""
-  page.clear(row, gap > 2 and 2 or 1)
+  local words = r and (far and how_far(r, far == "ship", WIDTH - 4 - #points) or r.name) or "--------"
+  page.clear(row, 1)
   if marked then hud.put(COL - 1, row, ARROW, hud.banks.bright) end
   hud.put(COL, row, ("%2d"):format(i), hud.banks.faint)
-  if far ~= "" then hud.put(COL + 3, turned and row or row + 1, far, hud.banks.faint) end
-  if not turned or far == "" then hud.put(COL + 3, row, r and r.name or "--------", bank) end
+  hud.put(COL + 3, row, words, r and far and hud.banks.faint or bank)
   hud.put(COL + WIDTH - #points, row, points, bank)
 end
 
+-- many: it is of several ships.
 local function table_page(name, rows, mark, many)
   return {
     title = name, count = RANKS, every = TURN,
     draw = function(row, room, age)
       local gap = math.max(1, math.min(3, room // RANKS))
+      local far = age // TURN % 2 == 1 and (many and "ship" or "stage")
       for i = 1, RANKS do
         local r = rows[i]
         local bank = page.bank(i, age, hud.banks[i == mark and "bright" or r and "plain" or "faint"])
-        if bank then draw_row(i, r, row + (i - 1) * gap, gap, bank, i == mark, many, age) end
+        if bank then draw_row(i, r, row + (i - 1) * gap, bank, i == mark, far) end
       end
     end,
   }

@@ -15,16 +15,20 @@ local function entries(cols)
   return list, got
 end
 
+local STEP <const> = 2 -- rows from one line to the next
+
+local function height(e) return #e.lines * STEP + 1 end
+
 local function draw(list, first, last, row, age, cols)
   local col = page.col + (page.cols - cols) // 2 + 1
   for i = first, last do
     local e = list[i]
     local bank = page.bank(i - first + 1, age, e.has and hud.banks.bright or hud.banks.plain)
     for k, s in ipairs(bank and e.lines or {}) do
-      hud.put(col + (k > 1 and 0 or 0), row + k - 1, s, k == 1 and bank or hud.banks.faint)
+      hud.put(col, row + (k - 1) * STEP, s, k == 1 and bank or hud.banks.faint)
     end
-    if bank then hud.put(col - 2, row, e.has and STAR or DOT, bank) end
-    row = row + #e.lines + (page.low and 0 or 1)
+    if bank then hud.put(col - 2, row, e.has and STAR or DOT, e.has and bank or hud.banks.faint) end
+    row = row + height(e)
   end
 end
 
@@ -33,7 +37,7 @@ return function(over)
   local cols = math.min(page.cols - 4, 32)
   local list, got = entries(cols)
   local _, room = book.room(1)
-  local pages = book.split(#list, room, function(i) return #list[i].lines + (page.low and 0 or 1) end)
+  local pages = book.split(#list, room, function(i) return height(list[i]) end)
   local title = text.lang("%d OF %d"):format(got, #list)
   for i, p in ipairs(pages) do
     local first, last = p[1], p[2]
