@@ -94,7 +94,8 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
     PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
-    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)
+    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
+    PART(registers_chip, registers, m->registers, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -479,6 +480,14 @@ static void next_frame(struct board *b)
     items_stay(&b->items);
 }
 
+static void drain_registers(struct board *b)
+{
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p])
+            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.registers[b->player.kind[p]], p);
+    registers_drain(&b->registers, b->registers.first, b->registers.count, 0);
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
@@ -493,6 +502,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count_down(&b->player);
+        if (b->registers.drains)
+            drain_registers(b);
         enemies_count_down(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);

@@ -27,6 +27,7 @@
 #include "../chips/nvram.h"
 #include "../chips/shown/pal.h"
 #include "../chips/player.h"
+#include "../chips/registers.h"
 #include "../chips/shown/screen.h"
 #include "../chips/shown/sparks.h"
 #include "../chips/shown/sprites.h"
@@ -128,6 +129,7 @@ struct board {
     struct bullets laser_heads;
     struct laser_kinds laser_kinds;
     struct laser_points laser_points;
+    struct registers registers;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -136,7 +138,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 31,
+    PARTS = 32,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];
@@ -185,6 +187,22 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
 
 /* What each player attracts. */
 void board_pulls(const struct board *b, struct item_pull pull[PADS]);
+
+/* The row of register reg of player p's ship; its value; and a write, which stops at what it may be. */
+static inline uint32_t board_register_row(const struct board *b, uint32_t p, uint32_t reg)
+{
+    return b->player_kinds.first[b->player.kind[p]] + reg;
+}
+
+static inline int32_t board_register(const struct board *b, uint32_t p, uint32_t reg)
+{
+    return registers_get(&b->registers, board_register_row(b, p, reg), p);
+}
+
+static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg, int64_t v)
+{
+    registers_set(&b->registers, board_register_row(b, p, reg), p, v);
+}
 
 /* The spark that bullet i's kind leaves when the bullet is cleared. */
 void board_vanish(struct board *b, uint32_t i);

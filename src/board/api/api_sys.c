@@ -169,11 +169,12 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     lua_setfield(L, -2, "lives");
     lua_createtable(L, n, 0);
     for (int i = 0; i < n; i++) {
-        push_register(L, names[i], b->player_kinds.start[kind * PLAYER_REGISTERS + i], i + 1);
+        const struct register_rule rule = registers_rule(&b->registers, b->player_kinds.first[kind] + (uint32_t)i);
+        push_register(L, names[i], rule.start, i + 1);
         lua_rawgeti(L, -1, i + 1);
         api_register_show(L, kind, i);
         lua_setfield(L, -2, "show");
-        lua_pushinteger(L, b->player_kinds.most[kind * PLAYER_REGISTERS + i]);
+        lua_pushinteger(L, rule.most);
         lua_setfield(L, -2, "max");
         lua_pop(L, 1);
     }

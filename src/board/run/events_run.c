@@ -420,7 +420,7 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
     const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
     int reg = name ? api_player_register(L, b, p, name) : -1;
 
-    return reg >= 0 && player_register_full(&b->player, &b->player_kinds, p, (uint32_t)reg);
+    return reg >= 0 && registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
 }
 
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
@@ -429,8 +429,7 @@ static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t k
         const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
         int reg = n ? api_player_register(L, b, p, api_names_at(b, N_ITEM_REGISTER, k)) : -1;
         if (reg >= 0)
-            player_set_register(&b->player, &b->player_kinds, p, (uint32_t)reg,
-                                (int64_t)b->player.regs[p * PLAYER_REGISTERS + (uint32_t)reg] + n);
+            board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);
     }
 }
 
