@@ -316,7 +316,7 @@ int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 /* The number of a register that the argument `what` names, or an error. */
 int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
 
-/* The whole number at `at` that is written to a register; none is too large or small, for a write stops at min and max.
+/* The whole number at `at` that is written to a register; none is too small, for a write stops at min and max.
  */
 int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
 

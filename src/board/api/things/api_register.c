@@ -318,7 +318,7 @@ int64_t api_register_value(lua_State *L, const char *of, const char *name, uint3
 
     if (lua_type(L, at) == LUA_TNUMBER) {
         v.i = lua_tointegerx(L, at, &whole);
-        if (whole && v.i != LUA_MAXINTEGER)
+        if (whole && v.i <= INT32_MAX)
             return v.i;
     }
     api_check(L, of, &p, at, &v);
