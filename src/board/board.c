@@ -433,6 +433,7 @@ static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
 
+    events_players(b, L);
     board_move(b);
     vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
     phase_done(b, PHASE_MOTION);
@@ -484,7 +485,8 @@ static void drain_registers(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++)
         if (b->player.in[p])
-            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.registers[b->player.kind[p]], p);
+            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.registers[b->player.kind[p]],
+                            p);
     registers_drain(&b->registers, b->registers.first, b->registers.count, 0);
 }
 

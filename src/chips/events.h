@@ -19,6 +19,7 @@ enum event_kind {
     EV_LEAVE,  /* a: enemy handle */
     EV_EXTEND, /* a: player */
     EV_TAKE,   /* a: player, b: item handle */
+    EV_BOMB,   /* a: player, b: 1 if the bomb saves it from a hit */
     EV_SCRIPT, /* a: index of what sys.emit queued */
     EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
     EV_LASER,  /* a: handle of a player's laser that touches enemies */

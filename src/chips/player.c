@@ -13,6 +13,9 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, safe),
     DERIVED(player_kinds, first, "set while scripts load, as names are, and never after"),
     DERIVED(player_kinds, registers, "set while scripts load"),
+    DERIVED(player_kinds, deathbomb, "set while scripts load"),
+    DERIVED(player_kinds, bomb, "set while scripts load"),
+    DERIVED(player_kinds, bomb_focus, "set while scripts load"),
     GROUP_COLUMN(player_kinds, magnet, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, line, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, pull, GROUP_ITEMS),
@@ -32,6 +35,9 @@ static const struct column columns[] = {
     COLUMN(player, grazes),
     COLUMN(player, score),
     COLUMN(player, flags),
+    COLUMN(player, hit),
+    COLUMN(player, bombing),
+    COLUMN(player, bomb),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -56,6 +62,9 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->grazes[i] = 0;
     p->score[i] = 0;
     p->flags[i] = 0;
+    p->hit[i] = 0;
+    p->bombing[i] = 0;
+    p->bomb[i] = 0;
 }
 
 bool player_retired(const struct player *p, uint32_t i)
@@ -113,6 +122,8 @@ void player_count_down(struct player *p)
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)
 {
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i])
+        if (p->in[i] && p->hit[i])
+            player_place(p, i, p->x[i], p->y[i]);
+        else if (p->in[i])
             move_one(p, kinds, i, held[i], area);
 }

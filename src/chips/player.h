@@ -34,13 +34,15 @@ struct player_kinds {
     fx *graze;  /* graze circle */
     fx *speed, *focus;
     int32_t *lives;
-    uint32_t *safe; /* frames after a death, and after joining */
-    uint16_t *first;    /* its registers' rows (registers.h) */
-    uint8_t *registers; /* how many */
-    fx *magnet;     /* px: items so near come; NULL, with the next: not asked for */
-    fx *line;       /* y px: above it all come; FX_MIN: nowhere */
-    fx *pull;       /* px/frame they come at */
-    uint8_t *full;  /* register + 1 at whose most all come always, 0: none */
+    uint32_t *safe;             /* frames after a death, and after joining */
+    uint16_t *first;            /* its registers' rows (registers.h) */
+    uint8_t *registers;         /* how many */
+    uint16_t *deathbomb;        /* frames after a hit in which a bomb saves */
+    uint8_t *bomb, *bomb_focus; /* its bombs, + 1; 0: none. The board gives them a meaning */
+    fx *magnet;                 /* px: items so near come; NULL, with the next: not asked for */
+    fx *line;                   /* y px: above it all come; FX_MIN: nowhere */
+    fx *pull;                   /* px/frame they come at */
+    uint8_t *full;              /* register + 1 at whose most all come always, 0: none */
 };
 
 struct player {
@@ -54,7 +56,10 @@ struct player {
     uint32_t *safe;    /* frames */
     uint32_t *grazes;
     int64_t *score;
-    uint8_t *flags; /* PLAYER_ */
+    uint8_t *flags;    /* PLAYER_ */
+    uint16_t *hit;     /* frames left in which a bomb saves it from the hit; 0: it was not hit */
+    uint32_t *bombing; /* frames its bomb goes on */
+    int64_t *bomb;     /* the scope of that bomb; the board gives it a meaning */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
@@ -75,7 +80,7 @@ uint16_t player_picture(const struct player *p, const struct player_kinds *kinds
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void player_count_down(struct player *p);
 
-/* Moves both by their held buttons (PAD_ bits), inside area. */
+/* Moves both by their held buttons (PAD_ bits), inside area; one that was hit stands. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
 
 #endif

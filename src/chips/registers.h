@@ -32,9 +32,9 @@ enum { RULE_START, RULE_LEAST, RULE_MOST, RULE_DRAIN, RULE_EVERY, RULE_HOLD, RUL
 
 struct registers {
     struct slots s;
-    int32_t *rule;  /* RULE_FIELDS a row */
-    int32_t *value; /* PADS a row */
-    int32_t *wait;  /* PADS a row: frames until it drains again */
+    int32_t *rule;         /* RULE_FIELDS a row */
+    int32_t *value;        /* PADS a row */
+    int32_t *wait;         /* PADS a row: frames until it drains again */
     uint32_t first, count; /* the run's rows */
     uint32_t drains;       /* so many rows drain */
 };

@@ -306,6 +306,9 @@ void api_drops(lua_State *L, const char *entry, int at);
 /* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */
 void api_items_check(lua_State *L, struct board *b);
 
+/* The number of the bomb that an argument of player.def names, 0: not given. */
+uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v);
+
 /* In place of a kind of ship: the registers of a run. */
 enum { RUN_REGISTERS = -1 };
 

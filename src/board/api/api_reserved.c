@@ -11,18 +11,17 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music unlock test" },
+    { "", '.', "talk say choose sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
-    { "on", '.', "start bomb continue" },
+    { "on", '.', "start continue" },
     { "enemy", ':', "orbit wander" },
-    { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
+    { "player.def", '{', "needs" },
     { "shot.def", '{', "every pierce" },
 };
 

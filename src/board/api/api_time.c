@@ -118,8 +118,9 @@ ON(kill, EV_KILL)
 ON(leave, EV_LEAVE)
 ON(extend, EV_EXTEND)
 ON(take, EV_TAKE)
-ON(phase, EV_TAKE + 1)
-ON(stage, EV_TAKE + 2)
+ON(bomb, EV_BOMB)
+ON(phase, EV_SCRIPT)
+ON(stage, EV_SCRIPT + 1)
 
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
@@ -143,6 +144,8 @@ static const struct api_entry entries[] = {
     { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy): an enemy left the field" },
     { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score, or an item, brought a life" },
     { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, item): it was taken, and can still be read" },
+    { "on.bomb", on_bomb, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(player, late): its bomb began; late: and saves it from a hit" },
     { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, id, won): a boss's phase is over" },
     { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
 };

@@ -16,7 +16,7 @@
 #include "../lasers_run.h"
 
 const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
-                                     "leave", "extend", "take", "phase", "stage" };
+                                     "leave", "extend", "take", "bomb",  "phase",     "stage" };
 
 enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
 
@@ -492,23 +492,31 @@ void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y)
     *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
 }
 
+void events_player_die(struct board *b, uint32_t p)
+{
+    board_event(b, EV_DEATH, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
+    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
+    if (b->player.safe[p] == 0)
+        b->player.safe[p] = 1;
+    b->player.lives[p]--;
+}
+
 static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
     if (b->start.practice.invincible) /* tested only here; `safe`, which scripts read and write, stays as it is */
         return;
-    if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
+    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b)) /* a handler may have
+                                                                                               removed it */
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
-    board_event(b, EV_DEATH, e->a, 0);
-    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
-    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
-    if (b->player.safe[p] == 0)
-        b->player.safe[p] = 1;
-    b->player.lives[p]--;
+    b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
+    if (!b->player.hit[p])
+        events_player_die(b, p);
 }
 
 /* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
@@ -557,6 +565,13 @@ static void apply_emitted(lua_State *L, const struct event *e)
     lua_settop(L, args - 2);
 }
 
+static void apply_bomb(lua_State *L, const struct event *e)
+{
+    push_thing(L, e->a);
+    lua_pushboolean(L, e->b != 0);
+    call_handlers(L, EV_BOMB, 2);
+}
+
 static void apply(struct board *b, lua_State *L, const struct event *e)
 {
     switch ((enum event_kind)e->kind) {
@@ -583,6 +598,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_TAKE:
         apply_take(b, L, e);
+        break;
+    case EV_BOMB:
+        apply_bomb(L, e);
         break;
     case EV_SCRIPT:
         apply_emitted(L, e);

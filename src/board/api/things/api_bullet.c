@@ -411,6 +411,10 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
         player = (uint8_t)(handle_slot(by->i) + 1);
+    if (player && b->player.hit[player - 1]) { /* it cannot fire */
+        lua_pushinteger(L, board_handle(b, H_SHOT, NO_SLOT));
+        return 1;
+    }
     return fire(L, b, v, true, "shot.fire", player);
 }
 

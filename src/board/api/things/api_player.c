@@ -22,7 +22,10 @@ enum {
     D_LINE,
     D_FULL,
     D_PULL,
-    D_PICTURES
+    D_PICTURES,
+    D_BOMB,
+    D_BOMB_FOCUS,
+    D_DEATHBOMB
 };
 
 static const struct api_param def[] = {
@@ -41,6 +44,9 @@ static const struct api_param def[] = {
     { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
     { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
     { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "bomb", A_STR, OPT, 1, 31, NULL, NULL },
+    { "bomb_focus", A_STR, OPT, 1, 31, NULL, NULL },
+    { "deathbomb", A_INT, OPT, 0, 600, "frames", "0" },
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -118,6 +124,9 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     if (v[D_REGISTERS].given)
         k->registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
     define_items(L, b, i, v);
+    k->bomb[i] = api_bomb_named(L, "bomb", i, &v[D_BOMB]);
+    k->bomb_focus[i] = api_bomb_named(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
+    k->deathbomb[i] = (uint16_t)v[D_DEATHBOMB].i;
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
         keep_run(L, i, v[D_RUN].at);
@@ -186,7 +195,22 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
+enum {
+    P_X,
+    P_Y,
+    P_LIVES,
+    P_SAFE,
+    P_FOCUS,
+    P_GRAZES,
+    P_SCORE,
+    P_INDEX,
+    P_KIND,
+    P_PICTURE,
+    P_FLIP_X,
+    P_HIDDEN,
+    P_STATE,
+    PROPS
+};
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
@@ -205,6 +229,9 @@ static const struct api_prop props[PROPS] = {
       "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies" },
     { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
+    { { "state", A_STR, REQ, 0, 0, NULL, NULL },
+      PROP_READ,
+      "fly, or hit: it stands and does not fire while a bomb can save it (deathbomb of player.def)" },
 };
 
 static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
@@ -241,6 +268,9 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case P_SCORE:
         lua_pushinteger(L, s->score[i]);
+        break;
+    case P_STATE:
+        lua_pushstring(L, s->hit[i] ? "hit" : "fly");
         break;
     case P_INDEX:
         lua_pushinteger(L, i + 1);
