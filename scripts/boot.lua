@@ -10,12 +10,12 @@ local over, quit -- the last player is out; the pause menu's other item was chos
 
 on.game_over(function() over = true end)
 
--- Shows player p's pause menu, whose second item reads `other`. A frozen board gives turns to the tasks of one scope
--- alone; the menu gets a scope of its own, so that none of the game's tasks run.
-local function pause(p, other)
+-- Calls f, a screen, while the game stands. A frozen board gives turns to the tasks of one scope alone; the screen gets a
+-- scope of its own, so that none of the game's tasks run.
+local function stand(f)
   local screen = sys.scope()
   local menu_task = task.own(screen, function()
-    quit = menu.pause(p, other) == 2
+    f()
     sys.freeze() -- without a scope: all go on
     hud.refresh()
     task.stop(screen)
@@ -24,12 +24,16 @@ local function pause(p, other)
   sys.freeze(screen)
 end
 
+local function ask(p, left, f)
+  stand(function() f(sys.read("screens/continue")(p, left)) end)
+end
+
 local function watch_pause(_, players, other)
   while true do
     wait(1)
     for p = 1, players do
       if not over and pad.take("start", 0, p) then
-        pause(p, other)
+        stand(function() quit = menu.pause(p, other) == 2 end)
         break
       end
     end
@@ -40,20 +44,21 @@ end
 local function fit_out(p, with)
   local ship = player.get(p)
   if with.lives > 0 then ship.lives = with.lives - 1 end
-  for _, r in ipairs(with.registers) do ship[r.name] = r.value end
+  for _, r in ipairs(with.registers) do sys.fit(p, r.name, r.value) end
 end
 
 -- Empties field and screen and brings the players in. other: the second item of the pause menu; with: what a practice
--- start gives the ships, or nil. Returns the scope that owns all tasks of this game.
-local function enter(ships, other, with)
+-- start gives the ships, or nil; continues: how often each may go on, or nil. Returns the scope that owns all tasks of
+-- this game.
+local function enter(ships, other, with, continues)
   sys.wipe()
   over, quit = false, false
-  for p, kind in ipairs(ships) do
-    sys.join(p, kind)
-    if with then fit_out(p, with) end
-  end
+  for p, kind in ipairs(ships) do sys.join(p, kind) end
   local game = sys.scope()
+  sys.start(game)
+  if with then fit_out(1, with) end
   hud.start(game, #ships)
+  if continues then sys.read("boot/continue")(game, #ships, continues, ask) end
   task.own(game, watch_pause, #ships, other)
   return game
 end
@@ -116,7 +121,7 @@ local function enter_names(scores)
 end
 
 local function game(a, ships)
-  local scope, scores = enter(ships, "QUIT"), {}
+  local scope, scores = enter(ships, "QUIT", nil, a.continues), {}
   sys.mark("game", ships[1], nil, nil, #ships)
   local cleared = play_stages(scope, a.stages, #ships)
   local all = not stopped()

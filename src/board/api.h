@@ -87,8 +87,10 @@ enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
         "dy", A_FX, OPT, -WORLD, WORLD, "px", "0"                                                                      \
     }
 enum {
-    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER,
-    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK | 1 << H_LASER,
+    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER |
+             1 << H_OPTION,
+    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK | 1 << H_LASER |
+             1 << H_OPTION,
 };
 
 /* Reads a place from the values of PLACE. False: from is dead. */

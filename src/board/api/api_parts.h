@@ -306,6 +306,9 @@ void api_drops(lua_State *L, const char *entry, int at);
 /* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */
 void api_items_check(lua_State *L, struct board *b);
 
+/* Reads the argument options of player.def for that kind of ship. */
+void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct api_value *options);
+
 /* The number of the bomb that an argument of player.def names, 0: not given. */
 uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v);
 

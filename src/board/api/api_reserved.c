@@ -14,9 +14,8 @@ static const struct {
     { "", '.', "talk say choose sound music unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
-    { "on", '.', "start continue" },
     { "enemy", ':', "orbit wander" },
-    { "boot.run", '{', "continues modes screens" },
+    { "boot.run", '{', "modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
     { "enemy.def", '{', "parts rate" },
@@ -62,6 +61,7 @@ static const struct {
     { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
     { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
+    { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 

@@ -15,8 +15,8 @@
 #include "../hit.h"
 #include "../lasers_run.h"
 
-const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
-                                     "leave", "extend", "take", "bomb",  "phase",     "stage" };
+const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
+                                     "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
 
 enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
 
@@ -475,9 +475,9 @@ static bool anyone_in(const struct board *b)
     return b->player.in[0] || b->player.in[1];
 }
 
-static void game_over(struct board *b)
+void events_game_over(struct board *b)
 {
-    if (b->core.over || anyone_in(b))
+    if (b->core.over || anyone_in(b) || b->core.continues[0] || b->core.continues[1])
         return;
     b->core.over = 1;
     board_event(b, EV_GAME_OVER, 0, 0);
@@ -536,7 +536,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     }
     b->player.lives[p] = 0;
     player_leave(&b->player, p);
-    game_over(b);
+    events_game_over(b);
 }
 
 /* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
@@ -611,9 +611,23 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_GAME_OVER:
     case EV_EXTEND:
+    case EV_CONTINUE:
         tell(L, e);
         break;
     }
+}
+
+void events_start(lua_State *L, int64_t game)
+{
+    struct board *b = vm_board(L);
+    const struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+    const int32_t current = b->tasks.current;
+
+    b->tasks.current = NO_SLOT; /* a handler cannot wait */
+    tasks_act_for(b, (struct tasks_now){ game, 0 });
+    call_handlers(L, EV_START, 0);
+    tasks_act_for(b, was);
+    b->tasks.current = current;
 }
 
 int events_run(lua_State *L)

@@ -407,10 +407,8 @@ static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
 static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + PLACE_FROM];
-    uint8_t player = 0;
+    const uint8_t player = by->given ? board_player_of(b, by->i) : 0;
 
-    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
-        player = (uint8_t)(handle_slot(by->i) + 1);
     if (player && b->player.hit[player - 1]) { /* it cannot fire */
         lua_pushinteger(L, board_handle(b, H_SHOT, NO_SLOT));
         return 1;

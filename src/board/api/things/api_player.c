@@ -25,7 +25,8 @@ enum {
     D_PICTURES,
     D_BOMB,
     D_BOMB_FOCUS,
-    D_DEATHBOMB
+    D_DEATHBOMB,
+    D_OPTIONS
 };
 
 static const struct api_param def[] = {
@@ -47,6 +48,7 @@ static const struct api_param def[] = {
     { "bomb", A_STR, OPT, 1, 31, NULL, NULL },
     { "bomb_focus", A_STR, OPT, 1, 31, NULL, NULL },
     { "deathbomb", A_INT, OPT, 0, 600, "frames", "0" },
+    { "options", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -127,6 +129,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->bomb[i] = api_bomb_named(L, "bomb", i, &v[D_BOMB]);
     k->bomb_focus[i] = api_bomb_named(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
     k->deathbomb[i] = (uint16_t)v[D_DEATHBOMB].i;
+    api_options_read(L, b, i, &v[D_OPTIONS]);
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
         keep_run(L, i, v[D_RUN].at);
@@ -152,6 +155,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     registers_start(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
     api_items_check(L, b);
+    options_drop_of(&b->options, i, 0); /* of the game before */
     b->core.extended[i] = 0;
     b->core.over = 0;
     input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
