@@ -119,8 +119,9 @@ static const struct api_param boot_run[] = {
     { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "continues", A_INT, OPT, 1, 99, NULL, NULL }, { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
 };
+static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \
@@ -186,21 +187,25 @@ static const struct api_entry entries[] = {
         "declares a background: a task that sets up layers and plane, which are all off when it begins"),
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
+    LUA("game.def", game_def, 0, API_LOAD, NULL,
+        "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
+        "frames too"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,
-                                                 &api_save,   &api_board,  &api_sys,   &api_std,
-                                                 &api_item,   &api_line,   &api_bg,    &api_laser };
+    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
+                                                 &api_sys,    &api_std,    &api_item,  &api_line,  &api_bg,
+                                                 &api_laser,  &api_bomb,   &api_option };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
-    api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing;
+    api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
+    api_option_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -218,4 +223,5 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_layer_thing,
                                                       &api_plane_thing,
                                                       &api_laser_thing,
-                                                      &api_lasers_thing };
+                                                      &api_lasers_thing,
+                                                      &api_option_thing };

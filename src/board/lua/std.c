@@ -20,6 +20,7 @@ static const struct {
     { "trail", " spark ", " trail ", "spark" },
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
+    { "game", " game ", NULL, NULL },
     { "boss", " boss ", NULL, NULL },
     { "bg", " bg ", " def show ", "bg" },
     { "hud", " hud ", NULL, NULL },
