@@ -14,19 +14,30 @@ on.game_over(function() over = true end)
 -- Shows a screen, the game's own or else the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
--- Shows player p's pause menu. A frozen board gives turns to the tasks of one scope alone; the menu gets a scope of its
--- own, so that none of the game's tasks run.
-local function pause(p, items)
+-- Calls f, a screen, while the game stands. A frozen board gives turns to the tasks of one scope alone; the screen gets a
+-- scope of its own, so that none of the game's tasks run.
+local function stand(f)
   local screen = sys.scope()
   local menu_task = task.own(screen, function()
-    local i = show("pause", p, items)
-    if i ~= 1 then left = items[i] end
+    f()
     sys.freeze() -- without a scope: all go on
     hud.refresh()
     task.stop(screen)
   end)
   if not task.alive(menu_task) then return task.stop(screen) end -- no room for it, and nobody would unfreeze the board
   sys.freeze(screen)
+end
+
+local function pause(p, items)
+  stand(function()
+    local i = show("pause", p, items)
+    if i ~= 1 then left = items[i] end
+  end)
+end
+
+-- Asks player p, who has so many continues left, and calls f with the answer.
+local function ask(p, n, f)
+  stand(function() f(show("continue", p, n)) end)
 end
 
 local function watch_pause(_, players, items)
@@ -45,20 +56,20 @@ end
 local function fit_out(p, with)
   local ship = player.get(p)
   if with.lives > 0 then ship.lives = with.lives - 1 end
-  for _, r in ipairs(with.registers) do ship[r.name] = r.value end
+  for _, r in ipairs(with.registers) do sys.fit(p, r.name, r.value) end
 end
 
--- Empties field and screen and brings the players in. with: what a practice start gives the ships, or nil. Returns the
--- scope that owns all tasks of this game.
-local function enter(ships, with)
+-- Empties field and screen and brings the players in. with: what a practice start gives the ships, or nil;
+-- continues: how often each may go on, or nil. Returns the scope that owns all tasks of this game.
+local function enter(ships, with, continues)
   sys.wipe()
   over, left = false, nil
-  for p, kind in ipairs(ships) do
-    sys.join(p, kind)
-    if with then fit_out(p, with) end
-  end
+  for p, kind in ipairs(ships) do sys.join(p, kind) end
   local game = sys.scope()
+  sys.start(game)
+  if with then fit_out(1, with) end
   hud.start(game, #ships)
+  if continues then sys.read("boot/continue")(game, #ships, continues, ask) end
   task.own(game, watch_pause, #ships, with and PRACTISED or PLAYED)
   return game
 end
@@ -110,7 +121,8 @@ end
 -- run: what is to be played, mode, stages and ships; gets what became of it.
 local function play(a, run)
   local ships, records = run.ships, sys.read("boot/records")
-  local game = enter(ships)
+  sys.mode = run.mode -- game.mode
+  local game = enter(ships, nil, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
   records.begin(run)
   play_stages(game, run, records)

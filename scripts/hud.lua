@@ -98,10 +98,16 @@ function hud.bar(value, full, cells)
   return s .. string.char(128):rep(cells - #s)
 end
 
+-- What register r of player i, or of the run, is; nil: the player is out.
+local function value(i, r)
+  if r.run then return sys.run(r.name) end
+  return player.get(i)[r.name]
+end
+
 -- The k-th register that player i shows, as its ship says.
 local function register(i, k)
   local r = registers[i][k]
-  local n = r and player.get(i)[r.name]
+  local n = r and value(i, r)
   if not n then return "" end
   local name = r.name:upper() .. " "
   if r.show == "icons" then return name .. icons(GRAZE, n) end
@@ -133,7 +139,7 @@ local function draw()
     note(i, seen[i])
     note(i + 2, p.lives)
     note(i + 4, p.grazes)
-    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, p[r.name]) end
+    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, value(i, r)) end
   end
   if fresh then
     local rows = {}
@@ -175,7 +181,7 @@ function hud.start(owner, n)
   for i = 1, 2 do
     local list, kind = {}, i <= n and player.get(i).kind
     for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
-      if r.show and r.show ~= "none" then list[#list + 1] = r end
+      if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
     registers[i] = list
   end

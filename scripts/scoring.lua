@@ -10,8 +10,22 @@ local EVENTS = { graze = "bullet", kill = "enemy", take = "item", death = false,
 local rules = {} -- name -> list of rules
 local names = {} -- of those that score.count may ask for
 
+-- A register, or what counts beside them: player p's, or else the run's.
+local function read(name, p, api)
+  return p[name] or sys.run(name) or sys.unknown(api or "score.rule", "register", name, sys.scoring.registers())
+end
+
+local function write(name, p, v)
+  v = math.max(-EDGE, math.min(v, EDGE))
+  if p[name] then
+    p[name] = v
+  elseif not sys.run_set(name, v) then
+    read(name, p) -- which says that there is none
+  end
+end
+
 local function number(v, p, thing, field)
-  if type(v) == "string" then return p[v] or sys.unknown("score.rule", "register", v, sys.scoring.registers()) end
+  if type(v) == "string" then return read(v, p) end
   if type(v) == "function" then
     local n = v(p, thing)
     if type(n) ~= "number" or n ~= n then
@@ -24,11 +38,6 @@ end
 
 local function whole(v) return math.tointeger(math.floor(math.max(-MOST, math.min(v, MOST)))) end
 
-local function write(p, name, v)
-  if not p[name] then sys.unknown("score.rule", "register", name, sys.scoring.registers()) end
-  p[name] = math.max(-EDGE, math.min(v, EDGE))
-end
-
 -- Points: with none said, those that the thing gives itself, times - 1: it has given them once.
 local function reward(r, n, p, thing)
   local times = r.times and number(r.times, p, thing, "times") or 1
@@ -37,11 +46,11 @@ local function reward(r, n, p, thing)
 end
 
 local function apply(r, n, p, thing)
-  for name, by in pairs(r.gain or {}) do write(p, name, (p[name] or 0) + by * n) end
-  for name, of in pairs(r.most or {}) do write(p, name, math.max(p[name] or 0, number(of, p))) end
+  for name, by in pairs(r.gain or {}) do write(name, p, read(name, p) + by * n) end
+  for name, of in pairs(r.most or {}) do write(name, p, math.max(read(name, p), read(of, p))) end
   local points = whole(reward(r, n, p, thing))
   if points ~= 0 then score.add(points, p) end
-  for name, v in pairs(r.set or {}) do write(p, name, v) end
+  for name, v in pairs(r.set or {}) do write(name, p, v) end
 end
 
 local function fire(list, n, p, thing)
@@ -84,7 +93,7 @@ local began -- player -> line -> value when the stage began
 
 local function value(line, p)
   if type(line.value) == "function" then return line.value(p) end
-  return p[line.value] or sys.unknown("score.tally", "register", line.value, sys.scoring.registers())
+  return read(line.value, p, "score.tally")
 end
 
 function score.tally(list)
@@ -102,7 +111,7 @@ end
 
 sys.scoring = {}
 
--- What a name can stand for: properties that count, and the registers of all ships.
+-- What a name can stand for: properties that count, the registers of all ships, and the run's.
 function sys.scoring.registers()
   local list, known = { "grazes", "lives", "score" }, {}
   for _, kind in ipairs(sys.kinds("player")) do

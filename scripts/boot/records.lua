@@ -39,6 +39,7 @@ function records.begin(run)
 end
 
 local function earn(run)
+  run.continues = sys.run("continues")
   for p = 1, run.players do run.scores[p] = hud.score(p) end
   return unlocks and unlocks.earn(run) or {}
 end

@@ -62,12 +62,12 @@ function page.centre(row, s, bank, col, cols)
   return hud.centre(row, s, bank, (col or page.col) + 1, (cols or page.cols) - 2)
 end
 
--- The same with room between the rows, where a page has room.
-function page.text(row, s, bank, col, cols)
+-- The same with lines `apart` rows apart; nil: as a page has room.
+function page.text(row, s, bank, col, cols, apart)
   col, cols = (col or page.col) + 1, (cols or page.cols) - 2
   for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
     hud.put(col + (cols - sys.cells(line)) // 2, row, line, bank)
-    row = row + (page.low and 1 or 2)
+    row = row + (apart or page.low and 1 or 2)
   end
   return row
 end

@@ -10,8 +10,6 @@ local WIDEST = 26      -- cells of a column
 local NAME = page.low and 8 or 10 -- rows from a column's top to the ship's name
 local TEXT = NAME + 2             -- and to what is told of it
 
-local APART = page.low and 1 or 2 -- rows from one line to the next
-
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
 
@@ -47,12 +45,12 @@ local function column(p, players)
   return { p = p, switches = players > 1 and p or nil, col = col, cols = cols, at = 1, off = 0, age = 0 }
 end
 
-local function draw_figures(c, row, figures)
+local function draw_figures(c, row, figures, apart)
   local widest = 0
   for _, f in ipairs(figures) do widest = math.max(widest, sys.cells(f[1])) end
   local col = c.col + math.max(1, (c.cols - widest - 1 - CELLS) // 2)
   for i, f in ipairs(figures) do
-    local at = row + (i - 1) * APART
+    local at = row + (i - 1) * apart
     local bank = page.bank(i, c.age, hud.banks.plain)
     if bank then
       hud.put(col, at, f[1], hud.banks.plain)
@@ -61,15 +59,19 @@ local function draw_figures(c, row, figures)
   end
 end
 
--- How many rows the words about a ship take in columns of that width, and a column in all.
-local function measure(ships, cols)
+-- How many rows the words about a ship take in columns of that width, and a column in all: ships.figures, ships.rows. Of
+-- what does not fit into so many rows the lines stand closer: ships.apart.
+local function measure(ships, cols, room)
   local lines, figures = 0, 0
   for _, s in ipairs(ships) do
     lines = math.max(lines, s.text == "" and 0 or #hud.wrap(text.lang(s.text), cols - 2))
     figures = math.max(figures, #s.figures)
   end
-  ships.figures = TEXT + (lines > 0 and lines * APART + 1 or 0)
-  ships.rows = ships.figures + figures * APART
+  for apart = 2, 1, -1 do
+    ships.apart, ships.figures = apart, TEXT + (lines > 0 and lines * apart + 1 or 0)
+    ships.rows = ships.figures + figures * apart
+    if ships.rows <= room then return end
+  end
 end
 
 local function put_plate(c, top, rows)
@@ -85,9 +87,9 @@ local function draw(c, ships, top, many)
   if many then page.centre(top, text.lang("PLAYER %d"):format(c.p), hud.banks.plain, c.col, c.cols) end
   local arrows = #ships > 1 and not c.ready
   page.centre(row, (arrows and LEFT .. " %s " .. RIGHT or "%s"):format(s.name), hud.banks.bright, c.col, c.cols)
-  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols)
+  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols, ships.apart)
   row = top + ships.figures
-  if c.ready then page.centre(row + APART, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures) end
+  if c.ready then page.centre(row + 1, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures, ships.apart) end
 end
 
 local function draw_picture(c, ships, top)
@@ -115,8 +117,9 @@ end
 -- Until all are ready; false for back, or when nobody answers.
 local function choose(columns, ships)
   local top, idle, done = page.head("YOUR SHIP?", 0), 0, nil
-  measure(ships, columns[1].cols)
-  top = top + math.max(1, (page.row + page.rows - 6 - top - ships.rows) // 3)
+  local room = page.row + page.rows - (page.low and 5 or 7) - top
+  measure(ships, columns[1].cols, room)
+  top = top + math.max(1, (room - ships.rows) // 3)
   for _, c in ipairs(columns) do put_plate(c, top, ships.rows) end
   for age = 0, math.maxinteger do
     if page.opening(age, 0) then

@@ -37,6 +37,7 @@ enum api_type {
     A_SPARK_KIND,
     A_ITEM_KIND,
     A_LASER_KIND,
+    A_OPTION_KIND,
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_FACE,  /* a font of rom.lua, the same way */
@@ -63,6 +64,7 @@ enum api_names {
     N_SPARK,
     N_ITEM,
     N_LASER,
+    N_OPTION,
     N_MOTION,
     N_TAG,
     N_BULLET_VALUE, /* value.def: by the number of the column */

@@ -111,7 +111,7 @@ struct board_marker {
 };
 
 /* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
-enum { FULLS = 12 /* pools that can be full */, LOG_BYTES = 4096 };
+enum { FULLS = 13 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];

@@ -742,8 +742,8 @@ static void test_player(void **state)
     player_place(p, 0, px(50), px(60));
     assert_int_equal(p->was_y[0], px(60));
     player_join(p, &b->player_kinds, 1, 1, px(20), px(30));
-    assert_int_equal(p->regs[PLAYER_REGISTERS], 2); /* by name */
-    assert_int_equal(p->regs[PLAYER_REGISTERS + 1], 7);
+    assert_int_equal(board_register(r.b, 1, 0), 2); /* by name */
+    assert_int_equal(board_register(r.b, 1, 1), 7);
     assert_int_equal(p->lives[1], 2);
     assert_int_equal(p->safe[1], 120);
     rig_free(&r);

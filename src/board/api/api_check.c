@@ -13,7 +13,7 @@
 const char *const api_thing_names[HANDLES] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers"
+    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option"
 };
 
 /* Pushes how a value looks in an error. */
@@ -164,7 +164,7 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
 }
 
 static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
-                                          "spark kind",  "item kind", "laser kind" };
+                                          "spark kind",  "item kind", "laser kind", "option kind" };
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
 /* The noun of a kind of another sort that has that name; NULL: there is none. */
@@ -413,6 +413,7 @@ static check *const CHECKS[] = {
     [A_SPARK_KIND] = check_declared,
     [A_ITEM_KIND] = check_declared,
     [A_LASER_KIND] = check_declared,
+    [A_OPTION_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
     [A_FACE] = check_face,

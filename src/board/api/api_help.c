@@ -29,6 +29,7 @@ static const char *type_words(const struct api_param *p)
         [A_PLAYER_KIND] = "name of a player kind",
         [A_SPARK_KIND] = "name of a spark kind",
         [A_LASER_KIND] = "name of a laser kind",
+        [A_OPTION_KIND] = "name of an option kind",
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
         [A_FACE] = "name of a font",

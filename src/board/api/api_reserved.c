@@ -11,17 +11,14 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music test" },
+    { "", '.', "talk say choose sound music test" },
     { "board", '.', "stop ask" },
-    { "on", '.', "start bomb continue" },
     { "enemy", ':', "orbit wander" },
-    { "player", ':', "bomb state" },
-    { "boot.run", '{', "continues modes screens" },
+    { "boot.run", '{', "modes screens" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "bomb bomb_focus deathbomb options" },
     { "shot.def", '{', "every pierce" },
 };
 
@@ -62,6 +59,7 @@ static const struct {
     { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
     { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
+    { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 

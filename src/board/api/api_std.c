@@ -170,13 +170,14 @@ static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NUL
                                                 { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
 static const struct api_param boot_run[] = {
-    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL }, { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-    { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },   { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+    { "demo", A_STR, OPT, 1, 63, NULL, NULL },      { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },    { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },    { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },    { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "continues", A_INT, OPT, 1, 99, NULL, NULL }, { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
 };
+static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \
@@ -235,12 +236,16 @@ static const struct api_entry entries[] = {
       "is the stage being run through, to the mark it starts at?" },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
-        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with it; "
+        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
+        "it; "
         "warning: so long a band sweeps before"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
-        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate of "
-        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, and a "
-        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and down "
+        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
+        "of "
+        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, "
+        "and a "
+        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and "
+        "down "
         "says whether all bars or any must be emptied"),
     LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one of the cast of boss.def"),
     LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a talk among the phases of boss.def: f(e), with the boss safe"),
@@ -267,22 +272,25 @@ static const struct api_entry entries[] = {
         "all must hold: clear = true or a stage, at least that difficulty and score, at most so many continues, "
         "spell = \"boss/id\" captured"),
     LUA("unlock.has", unlock_has, 1, 0, "boolean", "has it been earned?"),
+    LUA("game.def", game_def, 0, API_LOAD, NULL,
+        "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
+        "frames too"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_boss;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,
-                                                 &api_save,   &api_board,  &api_sys,   &api_std,
-                                                 &api_item,   &api_line,   &api_bg,    &api_laser,
-                                                 &api_boss };
+    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option, api_boss;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value,  &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query,  &api_save,  &api_board,
+                                                 &api_sys,    &api_std,    &api_item,   &api_line,  &api_bg,
+                                                 &api_laser,  &api_bomb,   &api_option, &api_boss };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
-    api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing;
+    api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
+    api_option_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -300,4 +308,5 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_layer_thing,
                                                       &api_plane_thing,
                                                       &api_laser_thing,
-                                                      &api_lasers_thing };
+                                                      &api_lasers_thing,
+                                                      &api_option_thing };

@@ -69,6 +69,17 @@ static void draw_sprites(struct draw_target *c, int layer)
     }
 }
 
+/* Options of a layer. */
+static void draw_options(struct draw_target *c, int layer)
+{
+    const struct options *o = &c->b->options;
+    const struct option_kinds *k = &c->b->option_kinds;
+
+    EACH_LIVE (i, &o->s)
+        if (k->layer[o->kind[i]] == layer && !(o->flags[i] & OPTION_HIDDEN))
+            put(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], o->x[i], o->y[i], o->bank[i], 0, 0);
+}
+
 static void draw_items(struct draw_target *c)
 {
     const struct items *s = &c->b->items;
@@ -297,6 +308,7 @@ static void draw_behind(struct draw_target *c, bool shaken)
     video_clip_field(c);
     video_bg(c, false);
     draw_sprites(c, LAYER_BACK);
+    draw_options(c, LAYER_BACK);
     if (shaken && !covered)
         fill_edges(c);
     draw_items(c);
@@ -304,6 +316,7 @@ static void draw_behind(struct draw_target *c, bool shaken)
     video_bullets(c, &b->shots, &b->shot_kinds);
     video_lasers(c, true);
     draw_sprites(c, LAYER_MIDDLE);
+    draw_options(c, LAYER_MIDDLE);
     draw_players(c);
 }
 
@@ -331,6 +344,7 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     video_lasers(&c, false);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
+    draw_options(&c, LAYER_FRONT);
     video_bg(&c, true);
     draw_bars(&c);
     if (dim)

@@ -22,6 +22,7 @@ static const struct {
     { "unlock", " unlock ", NULL, NULL },
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
+    { "game", " game ", NULL, NULL },
     { "boss", " boss ", NULL, NULL },
     { "bg", " bg ", " def show ", "bg" },
     { "hud", " hud ", NULL, NULL },

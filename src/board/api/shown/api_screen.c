@@ -27,7 +27,7 @@ enum {
     PUT_DY
 };
 
-enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER };
+enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
 static const struct api_param put[] = {
     { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
