@@ -92,7 +92,11 @@ local lines -- list of { label, value, points, stage, last }; nil: none was decl
 local began -- player -> line -> value when the stage began
 
 local function value(line, p)
-  if type(line.value) == "function" then return line.value(p) end
+  if type(line.value) == "function" then
+    local n = line.value(p)
+    if n == nil or type(n) == "boolean" or type(n) == "number" then return n end
+    sys.fail("score.tally", ('"%s": the function gave %s, expected a number or true'):format(line.label, type(n)))
+  end
   return read(line.value, p, "score.tally")
 end
 
@@ -102,7 +106,7 @@ function score.tally(list)
     if state ~= "start" then return end
     began = { {}, {} }
     player.each(function(p)
-      for i, line in ipairs(lines) do began[p.index][i] = line.stage and value(line, p) or 0 end
+      for i, line in ipairs(lines) do began[p.index][i] = line.stage and tonumber(value(line, p)) or 0 end
     end)
   end)
 end
@@ -127,15 +131,16 @@ end
 function sys.scoring.expect() sys.read("scoring/expect")(rules, lines or {}, sys.scoring.registers()) end
 
 -- Gives player p the points of the tally. last: the game's last stage was cleared. Returns what is shown: a list of
--- { label, value, points }, nil if no tally is declared.
+-- { label, value, points }, nil if no tally is declared; value nil: it is so, or not.
 function sys.scoring.tally(p, last)
   local shown, since = {}, began and began[p.index] or {}
   if not lines then return end
   for i, line in ipairs(lines) do
     local n = (last or not line.last) and value(line, p)
     if n then
-      local points = whole((n - (since[i] or 0)) * line.points)
-      shown[#shown + 1] = { label = line.label, value = n - (since[i] or 0), points = points }
+      local count = n == true and 1 or n - (since[i] or 0)
+      local points = whole(count * line.points)
+      shown[#shown + 1] = { label = line.label, value = n ~= true and count or nil, points = points }
       score.add(points, p)
     end
   end

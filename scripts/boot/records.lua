@@ -52,7 +52,7 @@ local function tallies(n, last)
     if not lines then return end
     for _, line in ipairs(lines) do
       local word = text.lang(line.label)
-      local row = row_of[word] or { n == 1 and word .. " " .. line.value or word, 0, 0 }
+      local row = row_of[word] or { n == 1 and line.value and word .. " " .. line.value or word, 0, 0 }
       if not row_of[word] then rows[#rows + 1] = row end
       row_of[word], row[p + 1] = row, line.points
     end

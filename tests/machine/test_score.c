@@ -120,18 +120,19 @@ static void test_count(void **state)
 static void test_tally(void **state)
 {
     (void)state;
-    says(
-        4,
-        "score.tally { { label = 'GRAZE', value = 'value', points = 2, stage = true },\n"
-        "  { label = 'BEST', value = 'best', points = 10 }, { label = 'NONE', value = function() end, points = 1 },\n"
-        "  { label = 'LIVES', value = 'lives', points = 1000, last = true } }\n" TASK(
-            "sys.emit('stage', 'one', 'start') wait(1) p.value, p.best, q.value = 150, 7, 7 "
-            "for _, last in ipairs { false, true } do for _, w in ipairs { p, q } do "
-            "  for _, l in ipairs(sys.scoring.tally(w, last)) do print(w.index, l.label, l.value, l.points) end "
-            "  print(w.score) end end"),
-        "1\tGRAZE\t50\t100\n1\tBEST\t7\t70\n170\n2\tGRAZE\t0\t0\n2\tBEST\t0\t0\n0\n"
-        "1\tGRAZE\t50\t100\n1\tBEST\t7\t70\n1\tLIVES\t4\t4000\n4340\n2\tGRAZE\t0\t0\n2\tBEST\t0\t0\n2\tLIVES\t2\t2000\n"
-        "2000\n");
+    says(4,
+         "score.tally { { label = 'GRAZE', value = 'value', points = 2, stage = true },\n"
+         "  { label = 'BEST', value = 'best', points = 10 }, { label = 'NONE', value = function() end, points = 1 },\n"
+         "  { label = 'FIRST', value = function(p) return p.index == 1 end, points = 5 },\n"
+         "  { label = 'LIVES', value = 'lives', points = 1000, last = true } }\n" TASK(
+             "sys.emit('stage', 'one', 'start') wait(1) p.value, p.best, q.value = 150, 7, 7 "
+             "for _, last in ipairs { false, true } do for _, w in ipairs { p, q } do "
+             "  for _, l in ipairs(sys.scoring.tally(w, last)) do print(w.index, l.label, l.value, l.points) end "
+             "  print(w.score) end end"),
+         "1\tGRAZE\t50\t100\n1\tBEST\t7\t70\n1\tFIRST\tnil\t5\n175\n2\tGRAZE\t0\t0\n2\tBEST\t0\t0\n0\n"
+         "1\tGRAZE\t50\t100\n1\tBEST\t7\t70\n1\tFIRST\tnil\t5\n1\tLIVES\t4\t4000\n4350\n2\tGRAZE\t0\t0\n2\tBEST\t0\t0\n"
+         "2\tLIVES\t2\t2000\n"
+         "2000\n");
 }
 
 /* ---- tables ---- */

@@ -265,7 +265,9 @@ static const struct api_entry entries[] = {
     LUA("score.count", count, 3, 0, NULL, "n deeds of a rule's own name, by player p"),
     LUA("score.tally", tally, 1, API_LOAD, NULL, "what a stage brings at its end: { label, value, points }, .."),
     LUA("score.tally line", tally_line, 0, API_SYS, NULL,
-        "value: a property, a register or f(p); stage: since it began; last: after the last one alone"),
+        "value: a property, a register or f(p), a number, or true, or nil for no line; stage: since it began; last: "
+        "after the "
+        "last one alone"),
     LUA("unlock.def", unlock_def, 1, API_LOAD, NULL,
         "declares what can be earned; when: conditions, or f(run) at a run's end; kept under \"unlock/NAME\""),
     LUA("unlock.def when", unlock_when, 0, API_SYS, NULL,
