@@ -10,17 +10,35 @@ local EVENTS = { graze = "bullet", kill = "enemy", take = "item", death = false,
 local rules = {} -- name -> list of rules
 local names = {} -- of those that score.count may ask for
 
--- A register, or what counts beside them: player p's, or else the run's.
-local function read(name, p, api)
-  return p[name] or sys.run(name) or sys.unknown(api or "score.rule", "register", name, sys.scoring.registers())
+local own = {} -- kind of player -> what its names can stand for
+
+local function has(p, name)
+  local kind = p.kind
+  if not own[kind] then
+    local list = sys.ship(kind).registers -- the run's are the last of them
+    own[kind] = { grazes = true, lives = true, score = true }
+    for i = 1, #list - #sys.run_names() do own[kind][list[i].name] = true end
+  end
+  return own[kind][name]
 end
+
+-- Fails unless some ship has the register. One that has it not is worth 0 in it.
+local function missing(name, api)
+  for _, known in ipairs(sys.scoring.registers()) do
+    if known == name then return 0 end
+  end
+  sys.unknown(api or "score.rule", "register", name, sys.scoring.registers())
+end
+
+-- A register, or what counts beside them: player p's, or else the run's.
+local function read(name, p, api) return has(p, name) and p[name] or sys.run(name) or missing(name, api) end
 
 local function write(name, p, v)
   v = math.max(-EDGE, math.min(v, EDGE))
-  if p[name] then
+  if has(p, name) then
     p[name] = v
   elseif not sys.run_set(name, v) then
-    read(name, p) -- which says that there is none
+    missing(name)
   end
 end
 

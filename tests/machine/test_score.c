@@ -10,7 +10,8 @@ static struct rig rig;
 static const char kinds[] =
     "player.def('ship', { sprite = 'dot', hit = { circle = 3 }, lives = 5, safe = 0,\n"
     "  registers = { chain = { max = 5 }, best = 0, value = 100 }, collect_line = 100 })\n"
-    "player.def('barge', { sprite = 'dot', hit = { circle = 3 }, registers = { chain = 0, best = 0, value = 7 } })\n"
+    "player.def('barge', { sprite = 'dot', hit = { circle = 3 }, registers = { chain = 0, value = 7 } })\n"
+    "game.def { registers = { rank = { start = 2, max = 9 } } }\n"
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
     "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9, score = 30 })\n"
     "enemy.def('ace', { sprite = 'dot', hit = 'none', hp = 9, score = 500 })\n"
@@ -100,6 +101,19 @@ static void test_times(void **state)
          "score.rule { on = 'graze', points = 'value', gain = { value = 10 } }\n" TASK(
              "bullet.fire { kind = 'dot', from = p, dx = 12, dir = 0, speed = 0 } wait(1) print(p.score, p.value)"),
          "110\t110\n");
+}
+
+/* A register may be the run's, which both players count on. */
+static void test_run(void **state)
+{
+    (void)state;
+    says(
+        2,
+        "score.rule { on = 'kill', gain = { rank = 3 }, points = 10, times = 'rank', most = { best = 'rank' } }\n" TASK(
+            "sys.start(task.scope()) for i = 1, 2 do enemy.spawn { kind = 'foe', x = 50, y = 50 }:hurt(9, p) end "
+            "enemy.spawn { kind = 'foe', x = 50, y = 50 }:hurt(9, q) wait(1) print(p.score, q.score, game.rank, "
+            "p.best)"),
+        "190\t120\t9\t8\n");
 }
 
 /* A rule with a name of its own counts when it is told, n deeds at once; a register stops at its max. */
@@ -258,7 +272,7 @@ static void test_mistakes(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char want[300];
         power(wrong[i][0], NULL);
-        snprintf(want, sizeof want, "main.lua:9: %s", wrong[i][1]);
+        snprintf(want, sizeof want, "main.lua:10: %s", wrong[i][1]);
         if (!rig_fault(&rig))
             fail_msg("no fault: %s", wrong[i][0]);
         assert_string_equal(rig_fault(&rig)->message, want);
@@ -305,9 +319,10 @@ static void test_expected(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chain),       cmocka_unit_test(test_times),    cmocka_unit_test(test_count),
-        cmocka_unit_test(test_tally),       cmocka_unit_test(test_rows),     cmocka_unit_test(test_unlock),
-        cmocka_unit_test(test_unlock_kept), cmocka_unit_test(test_mistakes), cmocka_unit_test(test_expected),
+        cmocka_unit_test(test_chain),    cmocka_unit_test(test_times),       cmocka_unit_test(test_count),
+        cmocka_unit_test(test_run),      cmocka_unit_test(test_tally),       cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_unlock),   cmocka_unit_test(test_unlock_kept), cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_expected),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
