@@ -102,16 +102,17 @@ local function quieten()
 end
 
 local function play_stages(game, run, records)
-  local stages = records.open(run.stages)
-  for i, name in ipairs(stages) do
-    local title = text.lang("STAGE %s"):format(menu.label(name))
+  local i = records.next(run, 0)
+  while i do
+    local title = text.lang("STAGE %s"):format(menu.label(run.stages[i]))
     hud.banner({ title }, 150)
-    if not finished(stage.play(name, game)) then return end
+    if not finished(stage.play(run.stages[i], game)) then return end
     quieten()
     hud.banner()
-    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records.stage(run, name, i == #stages))
+    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records.stage(run, i))
     if stopped() then return end
-    if i < #stages then
+    i = records.next(run, i)
+    if i then
       sys.wipe()
       hud.refresh()
     end

@@ -23,13 +23,12 @@ end
 -- What keeps something closed that needs this unlock: a hint, or ""; nil: it is open.
 function records.closed(needs) return needs and unlocks.closed(needs) end
 
--- The stages of the list that are open now.
-function records.open(stages)
-  local list, needs = {}, rawget(sys, "stage_needs") or {}
-  for _, name in ipairs(stages) do
-    if not records.closed(needs[name]) then list[#list + 1] = name end
+-- The number of the run's next stage after the i-th that is open now, or nil.
+function records.next(run, i)
+  local needs = rawget(sys, "stage_needs") or {}
+  for k = i + 1, #run.stages do
+    if not records.closed(needs[run.stages[k]]) then return k end
   end
-  return list
 end
 
 -- A run begins; run.mode, stages and ships are there. What `when` of unlock.def is asked of it stands in it from now on.
@@ -61,15 +60,14 @@ local function tallies(n, last)
   return rows
 end
 
--- The run's next stage is cleared, the last one or not. Returns the rows of its results, or nil for the usual ones, and
--- the titles of what it unlocked.
-function records.stage(run, name, last)
-  run.reached, run.cleared[name] = run.reached + 1, true
-  local rows = tallies(run.players, last)
-  run.stage = name
+-- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, and the titles of what it
+-- unlocked, which may be the next stage.
+function records.stage(run, i)
+  run.stage = run.stages[i]
+  run.reached, run.cleared[run.stage] = run.reached + 1, true
   local new = earn(run)
   run.stage = nil
-  return rows, new
+  return tallies(run.players, not records.next(run, i)), new
 end
 
 -- The run is over. Returns the titles of what it unlocked.

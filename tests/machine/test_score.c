@@ -316,13 +316,51 @@ static void test_expected(void **state)
     }
 }
 
+/* Two players through two stages, of which one is opened by the first, twice: what results, names and tables are told,
+ * and what is kept. */
+static void test_whole(void **state)
+{
+    static const char script[] =
+        "score.rule { on = 'kill', points = 100 }\n"
+        "score.tally { { label = 'LIVES', value = 'lives', points = 10, last = true },\n"
+        "  { label = 'VALUE', value = 'value', points = 1, stage = true } }\n"
+        "unlock.def('more', { when = { clear = 'one', difficulty = 'easy' }, title = 'More' })\n"
+        "unlock.def('all', { when = { clear = true, continues = 0, ship = 'barge' } })\n"
+        "unlock.def('never', { when = { clear = true, difficulty = 'hard' } })\n"
+        "stage.def('one', function() wait(2) for i = 1, 2 do local p = player.get(i) p.value = p.value + i\n"
+        "  enemy.spawn { kind = 'foe', x = 50, y = 50 }:hurt(9, p) end wait(2) end)\n"
+        "stage.def('two', function() wait(2) end, { needs = 'more' })\n"
+        "local function tell(_, n, _, rows, new)\n"
+        "  for _, r in ipairs(rows) do print(n, r[1], r[2], r[3]) end print(table.concat(new, ' ')) end\n"
+        "local function name(entries) local list = {}\n"
+        "  for i, e in ipairs(entries) do print(e.p, e.points, e.rank) list[i] = 'P' .. e.p end return list end\n"
+        "local function scores(difficulty, _, mark, ship) print(difficulty, mark, ship) end\n"
+        "local games = 0\n"
+        "local function title() wait(1) games = games + 1 if games < 3 then return 'start', 2 end\n"
+        "  for _, r in ipairs(score.rows('easy')) do print(r.name, r.score, r.ship, r.stage, r.clear) end wait(9999) "
+        "end\n"
+        "boot.run { stages = { 'one', 'two' }, players = { 'ship', 'barge' }, screens = { title = title, results = "
+        "tell,\n"
+        "  difficulty = function() return 'easy' end, ship = function() return { 'ship', 'barge' } end, name = name,\n"
+        "  scores = scores, ending = function() end } }";
+
+    (void)state;
+    says(1500, script,
+         "2\tVALUE\t1\t2\n2\tSCORE\t131\t132\nMore\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tSCORE\t171\t152\n\n"
+         "1\t171\t1\n2\t152\t1\neasy\t1\tbarge\neasy\t1\tship\n"
+         "2\tVALUE\t1\t2\n2\tSCORE\t131\t132\n\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tSCORE\t171\t152\n\n"
+         "1\t171\t2\n2\t152\t2\neasy\t2\tbarge\neasy\t2\tship\n"
+         "P1\t171\tship\tnil\ttrue\nP1\t171\tship\tnil\ttrue\nP2\t152\tbarge\tnil\ttrue\nP2\t152\tbarge\tnil\ttrue\n"
+         "true\ttrue\tfalse\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_chain),    cmocka_unit_test(test_times),       cmocka_unit_test(test_count),
         cmocka_unit_test(test_run),      cmocka_unit_test(test_tally),       cmocka_unit_test(test_rows),
         cmocka_unit_test(test_unlock),   cmocka_unit_test(test_unlock_kept), cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_expected),
+        cmocka_unit_test(test_expected), cmocka_unit_test(test_whole),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
