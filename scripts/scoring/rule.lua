@@ -42,7 +42,7 @@ return function(a, events)
   formula(a, "times")
   registers(a, "gain", "integer", "{ REGISTER = n, .. }, whole numbers")
   registers(a, "set", "integer", "{ REGISTER = n, .. }, whole numbers")
-  registers(a, "most", "string", "{ REGISTER = REGISTER, .. }")
+  registers(a, "most", "string", "{ REGISTER = name, .. }, of another")
   local own = a.on == "kill" or a.on == "take"
   if a.times and not a.points and not own then fail("points: a required argument is missing (the event has none of its own)") end
   if not (a.points or a.times or a.gain or a.set or a.most) then fail("expected one of points, times, gain, most, set") end
