@@ -164,5 +164,3 @@ function sys.scoring.tally(p, last)
   end
   return shown
 end
-
-return score
