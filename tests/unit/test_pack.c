@@ -531,7 +531,7 @@ static void test_globals(void **state)
         assert_int_equal(everywhere, std_of(lua_tostring(L, -2)) < 0);
         bound += !everywhere;
     }
-    assert_int_equal(bound, STD_MODULES - 5 + 3); /* but prelude, which binds 3, figure, sweep, bg and trail */
+    assert_int_equal(bound, STD_MODULES - 6 + 3); /* but prelude, which binds 3, figure, sweep, bg, trail, scoring */
     bed_close(&none);
     bed_close(&all);
 }
