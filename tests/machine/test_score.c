@@ -172,6 +172,7 @@ static void test_unlock(void **state)
         "unlock.def('all', { when = { clear = true } })\n"
         "unlock.def('half', { when = { clear = 'one', continues = 1 }, title = 'Half of It' })\n"
         "unlock.def('ace', { when = { difficulty = 'hard', ship = 'barge', score = 900 } })\n"
+        "unlock.def('mild', { when = { difficulty = 'easy', score = 9000 } })\n"
         "unlock.def('odd', { when = function(run) return run.scores[1] == 7 end, hint = 'Be odd' })\n"
         "local base = { cleared = {}, difficulty = 'easy', continues = 0, ships = { 'ship' }, scores = { 5 } }\n"
         "local function earn(run)\n"
@@ -194,7 +195,7 @@ static void test_unlock(void **state)
         "print(save.get('unlock/odd'), unlock.has('odd')) end)";
 
     (void)state;
-    says(2, script, "\n\nHalf of It\nALL\ntrue\tfalse\n\n\nACE\nBe odd\tnil\n\nODD\n\ntrue\ttrue\n");
+    says(2, script, "\n\nHalf of It\nALL\ntrue\tfalse\nMILD\n\nACE\nBe odd\tnil\n\nODD\n\ntrue\ttrue\n");
 }
 
 /* What was kept is there at the next power-on; a practice start is given none of it. */
@@ -330,6 +331,7 @@ static void test_whole(void **state)
         "stage.def('one', function() wait(2) for i = 1, 2 do local p = player.get(i) p.value = p.value + i\n"
         "  enemy.spawn { kind = 'foe', x = 50, y = 50 }:hurt(9, p) end wait(2) end)\n"
         "stage.def('two', function() wait(2) end, { needs = 'more' })\n"
+        "stage.def('three', function() end, { needs = 'never' })\n"
         "local function tell(_, n, _, rows, new)\n"
         "  for _, r in ipairs(rows) do print(n, r[1], r[2], r[3]) end print(table.concat(new, ' ')) end\n"
         "local function name(entries) local list = {}\n"
@@ -339,7 +341,8 @@ static void test_whole(void **state)
         "local function title() wait(1) games = games + 1 if games < 3 then return 'start', 2 end\n"
         "  for _, r in ipairs(score.rows('easy')) do print(r.name, r.score, r.ship, r.stage, r.clear) end "
         "  print(unlock.has('more'), unlock.has('all'), unlock.has('never')) wait(9999) end\n"
-        "boot.run { stages = { 'one', 'two' }, players = { 'ship', 'barge' }, screens = { title = title, results = "
+        "boot.run { stages = { 'one', 'two', 'three' }, players = { 'ship', 'barge' }, screens = { title = title, "
+        "results = "
         "tell,\n"
         "  difficulty = function() return 'easy' end, ship = function() return { 'ship', 'barge' } end, name = name,\n"
         "  scores = scores, ending = function() end } }";
