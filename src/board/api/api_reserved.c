@@ -15,7 +15,6 @@ static const struct {
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "enemy", ':', "orbit wander" },
-    { "boot.run", '{', "modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
     { "enemy.def", '{', "parts rate" },
