@@ -63,16 +63,17 @@ local function draw_figures(c, row, figures, apart)
 end
 
 -- How many rows the words about a ship take in columns of that width, and a column in all: ships.figures, ships.rows. Of
--- what does not fit into so many rows the lines stand closer: ships.apart.
+-- what does not fit into so many rows the lines stand closer: ships.words_apart, ships.apart.
 local function measure(ships, cols, room)
   local lines, figures = 0, 0
   for _, s in ipairs(ships) do
     lines = math.max(lines, s.text == "" and 0 or #hud.wrap(text.lang(s.text), cols - 2))
     figures = math.max(figures, #s.figures)
   end
-  for apart = 2, 1, -1 do
-    ships.apart, ships.figures = apart, TEXT + (lines > 0 and lines * apart + 1 or 0)
-    ships.rows = ships.figures + figures * apart
+  for tight = 0, 2 do
+    ships.words_apart, ships.apart = tight > 0 and 1 or 2, tight > 1 and 1 or 2
+    ships.figures = TEXT + (lines > 0 and lines * ships.words_apart + 1 or 0)
+    ships.rows = ships.figures + figures * ships.apart
     if ships.rows <= room then return end
   end
 end
@@ -90,7 +91,7 @@ local function draw(c, ships, top, many)
   if many then page.centre(top, text.lang("PLAYER %d"):format(c.p), hud.banks.plain, c.col, c.cols) end
   local arrows = #ships > 1 and not c.ready
   page.centre(row, (arrows and LEFT .. " %s " .. RIGHT or "%s"):format(s.name), hud.banks.bright, c.col, c.cols)
-  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols, ships.apart)
+  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols, ships.words_apart)
   row = top + ships.figures
   if c.ready then page.centre(row + 1, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures, ships.apart) end
 end

@@ -357,7 +357,7 @@ static void test_games(void **state)
     } games[] = {
         { "'one', 'two'", "0 ship 1\n1 clear 2\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
         { "'one', 'end'", "0 ship 1\n1 over 1\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
-        { "'end'", "0 ship 1\n1 quit 0\n0 ship 1\n", { PAD_FIRE, PAD_START, PAD_DOWN, PAD_FIRE } },
+        { "'end'", "0 ship 2\n1 quit 0\n0 ship 1\n", { PAD_FIRE, PAD_START, PAD_UP, PAD_FIRE } },
     };
     char text[1024], out[1024];
 

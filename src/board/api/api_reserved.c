@@ -14,7 +14,6 @@ static const struct {
     { "", '.', "talk say choose sound music test" },
     { "board", '.', "stop ask" },
     { "enemy", ':', "orbit wander" },
-    { "boot.run", '{', "modes screens" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },
     { "enemy.def", '{', "parts rate" },

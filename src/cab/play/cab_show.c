@@ -90,13 +90,14 @@ static void message_text(char *text, size_t size)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
 }
 
-/* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there. */
-static void hint_text(char *text, size_t size)
+/* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there, or there
+ * is a message. */
+static void hint_text(const char *message, char *text, size_t size)
 {
     char start[32], fire[32], bomb[32];
 
     text[0] = 0;
-    if (!cab.attracting && (!board_last(cab_live())->menu || cab.session.demo))
+    if (message[0] || (!cab.attracting && (!board_last(cab_live())->menu || cab.session.demo)))
         return;
     keys_first(&cab.config.keys, "p1.start", start, sizeof start);
     keys_first(&cab.config.keys, "p1.fire", fire, sizeof fire);
@@ -140,7 +141,7 @@ void cab_picture_show(struct picture *p)
         return;
     }
     message_text(text, sizeof text);
-    hint_text(hint, sizeof hint);
+    hint_text(text, hint, sizeof hint);
     if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
