@@ -42,6 +42,8 @@ function sys.unlock.closed(needs)
   return u.hint or ""
 end
 
+function sys.unlock.any() return #list > 0 end
+
 -- Calls f(unlock, has) for each.
 function sys.unlock.each(f)
   for _, u in ipairs(list) do f(u, has(u.name)) end

@@ -19,19 +19,29 @@ local function ending(a, show, run)
   show("ending", run)
 end
 
--- Everybody whose score is among the best enters a name, then sees it in the table of their ship.
+-- The place of a row in the table of all ships, or nil.
+local function place(difficulty, row)
+  for i, r in ipairs(score.rows(difficulty)) do
+    if r.ship == row.ship and r.score == row.score and r.name == row.name then return i end
+  end
+end
+
+-- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
+-- all.
 local function enter_names(a, show, run)
   local entries = sys.read("boot/records").best(run, #a.players > 1)
   if #entries == 0 then return end
-  local names, first = show("name", entries), {}
+  local names, ship, mark = show("name", entries), entries[1].row.ship, nil
   if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
     e.row.name = type(names) == "table" and names[i] or nil
     if not e.row.name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
-    local at, ship = score.enter(run.difficulty, e.row), e.row.ship or ""
-    first[ship] = first[ship] and at and math.min(first[ship], at) or first[ship] or at
+    local at = score.enter(run.difficulty, e.row)
+    mark = mark and at and math.min(mark, at) or mark or at
+    if e.row.ship ~= ship then ship = nil end
   end
-  for ship, at in pairs(first) do show("scores", run.difficulty, SCORES, at, ship ~= "" and ship or nil) end
+  if not ship then mark = place(run.difficulty, entries[1].row) end
+  show("scores", run.difficulty, SCORES, mark, ship)
 end
 
 -- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.

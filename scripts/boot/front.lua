@@ -25,7 +25,8 @@ local function places(a)
   if any_score() then list[2] = "scores" end
   if any_spell() then list[#list + 1] = "history" end
   if a.music then list[#list + 1] = "music" end
-  if rawget(sys, "unlock") then list[#list + 1] = "unlocks" end
+  local unlocks = rawget(sys, "unlock")
+  if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
   return list
 end
 
