@@ -37,6 +37,9 @@ enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price o
 /* Puts the API into the globals and leaves the sys table on the stack. */
 void api_open(lua_State *L);
 
+/* Some tables of the API are made when a script first names them: pushes the one of that name, or false. */
+bool api_open_late(lua_State *L, const char *name);
+
 /* Makes all functions of the table at `at`, if it is one of the API's: for who walks over it. */
 void api_fill(lua_State *L, int at);
 
@@ -68,6 +71,9 @@ void api_push_tag(lua_State *L, uint16_t tag);
 /* The number of a register of player `slot`'s kind, or -1. */
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
+/* Player p's bomb begins, if its ship has one, has enough for it, and none is going on. */
+bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
+
 /* Drops the list of items on top of the stack (popped), which api_drops made, from that place; nothing if it is no
  * list. */
 void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
@@ -81,8 +87,10 @@ enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
         "dy", A_FX, OPT, -WORLD, WORLD, "px", "0"                                                                      \
     }
 enum {
-    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER,
-    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK | 1 << H_LASER,
+    PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER |
+             1 << H_OPTION,
+    OWNERS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK | 1 << H_LASER |
+             1 << H_OPTION,
 };
 
 /* Reads a place from the values of PLACE. False: from is dead. */

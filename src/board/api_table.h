@@ -37,6 +37,7 @@ enum api_type {
     A_SPARK_KIND,
     A_ITEM_KIND,
     A_LASER_KIND,
+    A_OPTION_KIND,
     A_SPRITE,
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_FACE,  /* a font of rom.lua, the same way */
@@ -51,6 +52,7 @@ enum api_type {
     A_SHOOT, /* what the step emit fires */
     A_MEET,  /* which of two bullets that meet goes */
     A_EMIT,  /* a pattern of the step emit */
+    A_DOWN,  /* how many bars of a cast must be emptied */
 };
 
 /* What is declared under a name. */
@@ -62,6 +64,7 @@ enum api_names {
     N_SPARK,
     N_ITEM,
     N_LASER,
+    N_OPTION,
     N_MOTION,
     N_TAG,
     N_BULLET_VALUE, /* value.def: by the number of the column */

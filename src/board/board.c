@@ -10,18 +10,16 @@
 #include "events_run.h"
 #include "hit.h"
 #include "lasers_run.h"
+#include "options_run.h"
 #include "../base/host.h"
 
 static const struct column core_columns[] = {
-    REGISTER(core, frame),
-    REGISTER(core, clock),
-    REGISTER(core, difficulty),
-    REGISTERS(core, random),
-    REGISTER(core, frozen),
-    REGISTER(core, notes),
-    REGISTERS(core, extended),
-    REGISTER(core, over),
-    DERIVED_REGISTER(core, drawn, "how far random has gone from the seed"),
+    REGISTER(core, frame),      REGISTER(core, clock),
+    REGISTER(core, difficulty), REGISTERS(core, random),
+    REGISTER(core, frozen),     REGISTER(core, notes),
+    REGISTERS(core, extended),  REGISTER(core, over),
+    REGISTER(core, since),      REGISTERS(core, continues),
+    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "how far random has gone from the seed"),
 };
 static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
 
@@ -29,7 +27,7 @@ static const struct chip core_chip = { "board", core_columns, sizeof core_column
 static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
                                          false };
 
-enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256 };
+enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
 /* The first n groups of values. */
 static uint32_t value_groups(int32_t n)
@@ -94,7 +92,11 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
     PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
-    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)
+    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
+    PART(registers_chip, registers, m->registers, 0)                                                                   \
+    PART(options_chip, options, m->options, 0)                                                                         \
+    PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
+    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -195,7 +197,7 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s };
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->option_ways.s };
     for (size_t i = 0; i < sizeof full / sizeof *full; i++)
         full[i]->live = full[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
@@ -242,6 +244,7 @@ static void lay_out(struct board *b)
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
+    b->option_plans = NULL;
 }
 
 static bool boot(struct board *b)
@@ -415,6 +418,8 @@ void board_move(struct board *b)
 
     emit_none(b);
     player_move(&b->player, &b->player_kinds, held, &b->area);
+    if (b->option_plans)
+        options_follow(b);
     enemies_move(&b->enemies, &b->keep);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
@@ -432,6 +437,9 @@ static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
 
+    events_players(b, L);
+    if (b->option_plans)
+        options_count(b, L);
     board_move(b);
     vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
     phase_done(b, PHASE_MOTION);
@@ -479,6 +487,15 @@ static void next_frame(struct board *b)
     items_stay(&b->items);
 }
 
+static void drain_registers(struct board *b)
+{
+    for (uint32_t p = 0; p < PADS; p++)
+        if (b->player.in[p])
+            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.registers[b->player.kind[p]],
+                            p);
+    registers_drain(&b->registers, b->registers.first, b->registers.count, 0);
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
@@ -493,6 +510,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     input_latch(&b->input, pads, board_presses(b));
     if (!b->core.frozen) {
         player_count_down(&b->player);
+        if (b->registers.drains)
+            drain_registers(b);
         enemies_count_down(&b->enemies);
     }
     bool fine = vm_call(b, tasks_run);
@@ -663,6 +682,9 @@ static bool where(const struct motion_world *w, int64_t around, uint32_t moved, 
     } else if (before && kind == H_PLAYER) {
         *x = b->player.was_x[i];
         *y = b->player.was_y[i];
+    } else if (before && kind == H_OPTION) {
+        *x = b->options.was_x[i];
+        *y = b->options.was_y[i];
     }
     return true;
 }
@@ -768,6 +790,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->tasks.s;
     case H_LINE:
         return &b->lines.s;
+    case H_OPTION:
+        return &b->options.s;
     default:
         return NULL;
     }
@@ -822,6 +846,15 @@ int64_t board_followed(const struct board *b, uint32_t i)
     return board_handle(b, H_PLAYER, follow - FOLLOW_PLAYER);
 }
 
+uint8_t board_player_of(const struct board *b, int64_t h)
+{
+    const enum handle_kind kind = handle_kind(h);
+
+    if ((kind != H_PLAYER && kind != H_OPTION) || !board_alive(b, h))
+        return 0;
+    return (uint8_t)(1 + (kind == H_PLAYER ? handle_slot(h) : b->options.player[handle_slot(h)]));
+}
+
 /* Where sprite i is; in the corner, if what it follows has just gone. */
 static void sprite_where(const struct board *b, uint32_t i, fx *x, fx *y)
 {
@@ -855,6 +888,8 @@ bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
         return *x = b->items.x[i], *y = b->items.y[i], true;
     case H_LASER:
         return *x = b->laser_heads.x[i], *y = b->laser_heads.y[i], true;
+    case H_OPTION:
+        return *x = b->options.x[i], *y = b->options.y[i], true;
     default:
         return false;
     }

@@ -111,7 +111,7 @@ struct board_marker {
 };
 
 /* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
-enum { FULLS = 12 /* pools that can be full */, LOG_BYTES = 4096 };
+enum { FULLS = 13 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];
@@ -129,6 +129,7 @@ struct board_out {
     int markers;
     struct board_full full[FULLS];
     int fulls;
+    bool menu; /* a menu before a game stands: who has just come needs to know the keys */
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
 };
 

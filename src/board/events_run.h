@@ -8,7 +8,7 @@
 
 #include "machine.h"
 
-/* The names of on.NAME: the first nine in the order of enum event_kind, NULL for EV_SHOT, which has no handlers; then
+/* The names of on.NAME: the first eleven in the order of enum event_kind, NULL for EV_SHOT, which has no handlers; then
  * those that only scripts raise. */
 extern const char *const events_names[];
 
@@ -20,6 +20,24 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
 
 /* Takes n from enemy i unless it is safe; true when that killed it. */
 bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
+
+/* What an item of that kind is worth to player p where it is. */
+int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind);
+
+/* Handlers of events that only scripts raise, by the number of their name. */
+enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
+
+/* EV_GAME_OVER, if nobody is in, and nobody can go on. */
+void events_game_over(struct board *b);
+
+/* A game begins: calls the handlers of on.start at once. What they start belongs to that scope. */
+void events_start(lua_State *L, int64_t game);
+
+/* Player p loses a life: EV_DEATH. */
+void events_player_die(struct board *b, uint32_t p);
+
+/* Bombs, and the frames after a hit in which one saves: once a frame, before the moves. */
+void events_players(struct board *b, lua_State *L);
 
 /* Where player p enters and returns. */
 void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y);

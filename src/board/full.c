@@ -24,6 +24,7 @@ static const struct wording wordings[] = {
     { &lines_chip, "lines of text", "lines", gone },
     { &sparks_chip, "sparks", "sparks", gone },
     { &items_chip, "items", "items", gone },
+    { &options_chip, "options", "options", gone },
     { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
     { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
     { &lasers_chip, "lasers", "lasers", gone },

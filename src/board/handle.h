@@ -30,6 +30,7 @@ enum handle_kind {
     H_PLANE,
     H_LASER,
     H_LASERS,
+    H_OPTION,
     HANDLES
 };
 

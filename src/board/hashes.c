@@ -14,10 +14,13 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
-/* Has it registers alone, or is it a part that came later and that the game has no room for? */
+/* Has it registers alone, or is it a part that came later and that the game has no room for, or, of the ships' and the
+ * run's registers, has none of? */
 static bool is_roomless(const struct board *b, int i)
 {
-    return i >= PARTS_ALWAYS && !((const struct slots *)chip_at(b, i))->cap;
+    const struct slots *s = (const struct slots *)chip_at(b, i);
+
+    return i >= PARTS_ALWAYS && (!s->cap || (s == &b->registers.s && !s->live));
 }
 
 /* Such a part whose registers are all 0: its hash is 0, and in no other hash. So a new chip is another game for those

@@ -304,7 +304,7 @@ static void find_owner(const struct board *b, int64_t owner, struct inspect_task
 {
     static const enum inspect_owner owners[HANDLES] = {
         [H_BULLET] = OWNER_BULLET, [H_SHOT] = OWNER_SHOT, [H_ENEMY] = OWNER_ENEMY, [H_PLAYER] = OWNER_PLAYER,
-        [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK, [H_LASER] = OWNER_LASER
+        [H_SPRITE] = OWNER_SPRITE, [H_TASK] = OWNER_TASK, [H_LASER] = OWNER_LASER, [H_OPTION] = OWNER_OPTION
     };
     uint32_t slot = handle_slot(owner);
 

@@ -80,7 +80,8 @@ enum inspect_owner {
     OWNER_PLAYER,
     OWNER_SPRITE,
     OWNER_TASK,
-    OWNER_LASER
+    OWNER_LASER,
+    OWNER_OPTION
 };
 
 struct inspect_task {

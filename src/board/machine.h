@@ -25,8 +25,10 @@
 #include "../chips/shown/lines.h"
 #include "../chips/motion.h"
 #include "../chips/nvram.h"
+#include "../chips/options.h"
 #include "../chips/shown/pal.h"
 #include "../chips/player.h"
+#include "../chips/registers.h"
 #include "../chips/shown/screen.h"
 #include "../chips/shown/sparks.h"
 #include "../chips/shown/sprites.h"
@@ -49,6 +51,9 @@ struct core {
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
     uint32_t over;           /* 1: EV_GAME_OVER was raised */
+    uint32_t since;          /* clock when the game began */
+    uint8_t continues[PADS]; /* how often each player can go on after its last life */
+    uint8_t continued[PADS]; /* how often it did */
     uint64_t drawn;          /* numbers taken from the stream since it began */
 };
 
@@ -93,6 +98,7 @@ struct board {
     struct output *output;
     struct vm vm;
     struct name_list names[NAME_LISTS];
+    struct option_plan **option_plans; /* by kind of ship, in the Lua heap; NULL: no ship has options */
     struct events events;
     struct board_counts counts;
 
@@ -128,6 +134,10 @@ struct board {
     struct bullets laser_heads;
     struct laser_kinds laser_kinds;
     struct laser_points laser_points;
+    struct registers registers;
+    struct options options;
+    struct option_kinds option_kinds;
+    struct option_ways option_ways;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -136,7 +146,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 31,
+    PARTS = 35,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];
@@ -186,6 +196,22 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
 /* What each player attracts. */
 void board_pulls(const struct board *b, struct item_pull pull[PADS]);
 
+/* The row of register reg of player p's ship; its value; and a write, which stops at what it may be. */
+static inline uint32_t board_register_row(const struct board *b, uint32_t p, uint32_t reg)
+{
+    return b->player_kinds.first[b->player.kind[p]] + reg;
+}
+
+static inline int32_t board_register(const struct board *b, uint32_t p, uint32_t reg)
+{
+    return registers_get(&b->registers, board_register_row(b, p, reg), p);
+}
+
+static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg, int64_t v)
+{
+    registers_set(&b->registers, board_register_row(b, p, reg), p, v);
+}
+
 /* The spark that bullet i's kind leaves when the bullet is cleared. */
 void board_vanish(struct board *b, uint32_t i);
 
@@ -214,6 +240,9 @@ bool board_there(const struct board *b, int64_t h);
 
 /* What sprite i follows, or 0. */
 int64_t board_followed(const struct board *b, uint32_t i);
+
+/* Whose it is: of a player's or an option's handle the player, 1 or 2; else, or if it is dead, 0. */
+uint8_t board_player_of(const struct board *b, int64_t h);
 
 /* Where a thing is; false: dead, or not a thing that is anywhere. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);

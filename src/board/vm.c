@@ -375,6 +375,8 @@ static int undeclared(lua_State *L)
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
     const char *line = api_off(&vm_board(L)->cart.m, name);
 
+    if (api_open_late(L, name))
+        return 1;
     if (api_reserved("", '.', name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
     if (line)

@@ -15,14 +15,16 @@ enum event_kind {
     EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes the shot's damage */
     EV_DEATH, /* a: player */
     EV_GAME_OVER,
-    EV_KILL,   /* a: enemy handle, b: player or 0 */
-    EV_LEAVE,  /* a: enemy handle */
-    EV_EXTEND, /* a: player */
-    EV_TAKE,   /* a: player, b: item handle */
-    EV_SCRIPT, /* a: index of what sys.emit queued */
-    EV_BLOCK,  /* a: bullet handle, b: enemy handle: the bullet goes */
-    EV_LASER,  /* a: handle of a player's laser that touches enemies */
-    EV_MEET    /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
+    EV_KILL,     /* a: enemy handle, b: player or 0 */
+    EV_LEAVE,    /* a: enemy handle */
+    EV_EXTEND,   /* a: player */
+    EV_TAKE,     /* a: player, b: item handle */
+    EV_BOMB,     /* a: player, b: 1 if the bomb saves it from a hit */
+    EV_CONTINUE, /* a: player */
+    EV_SCRIPT,   /* a: index of what sys.emit queued */
+    EV_BLOCK,    /* a: bullet handle, b: enemy handle: the bullet goes */
+    EV_LASER,    /* a: handle of a player's laser that touches enemies */
+    EV_MEET      /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
 };
 
 struct event {

@@ -2,8 +2,6 @@
  * player.c - see player.h.
  */
 #include "player.h"
-#include <string.h>
-#include "../base/int.h"
 
 static const struct column kind_columns[] = {
     COLUMN(player_kinds, sprite),
@@ -13,8 +11,11 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, focus),
     COLUMN(player_kinds, lives),
     COLUMN(player_kinds, safe),
-    COLUMNS(player_kinds, start, PLAYER_REGISTERS),
-    DERIVED_COLUMNS(player_kinds, most, PLAYER_REGISTERS, "set while scripts load, as names are, and never after"),
+    DERIVED(player_kinds, first, "set while scripts load, as names are, and never after"),
+    DERIVED(player_kinds, registers, "set while scripts load"),
+    DERIVED(player_kinds, deathbomb, "set while scripts load"),
+    DERIVED(player_kinds, bomb, "set while scripts load"),
+    DERIVED(player_kinds, bomb_focus, "set while scripts load"),
     GROUP_COLUMN(player_kinds, magnet, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, line, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, pull, GROUP_ITEMS),
@@ -33,8 +34,10 @@ static const struct column columns[] = {
     COLUMN(player, safe),
     COLUMN(player, grazes),
     COLUMN(player, score),
-    COLUMNS(player, regs, PLAYER_REGISTERS),
     COLUMN(player, flags),
+    COLUMN(player, hit),
+    COLUMN(player, bombing),
+    COLUMN(player, bomb),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -59,26 +62,9 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->grazes[i] = 0;
     p->score[i] = 0;
     p->flags[i] = 0;
-    memcpy(p->regs + i * PLAYER_REGISTERS, kinds->start + kind * PLAYER_REGISTERS, PLAYER_REGISTERS * sizeof *p->regs);
-}
-
-static int32_t most_of(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg)
-{
-    return kinds->most[p->kind[i] * PLAYER_REGISTERS + reg];
-}
-
-void player_set_register(struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg, int64_t v)
-{
-    const int32_t most = most_of(p, kinds, i, reg);
-
-    p->regs[i * PLAYER_REGISTERS + reg] = (int32_t)int64_clamp(v, 0, most ? most : INT32_MAX);
-}
-
-bool player_register_full(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg)
-{
-    const int32_t most = most_of(p, kinds, i, reg);
-
-    return most && p->regs[i * PLAYER_REGISTERS + reg] == most;
+    p->hit[i] = 0;
+    p->bombing[i] = 0;
+    p->bomb[i] = 0;
 }
 
 bool player_retired(const struct player *p, uint32_t i)
@@ -136,6 +122,8 @@ void player_count_down(struct player *p)
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)
 {
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i])
+        if (p->in[i] && p->hit[i])
+            player_place(p, i, p->x[i], p->y[i]);
+        else if (p->in[i])
             move_one(p, kinds, i, held[i], area);
 }

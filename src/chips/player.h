@@ -1,5 +1,5 @@
 /*
- * player.h - the two players: ship, lives, score, registers.
+ * player.h - the two players: ship, lives, score.
  * floor: chips
  */
 #ifndef CHIPS_PLAYER_H
@@ -11,7 +11,7 @@
 #include "slots.h"
 
 enum {
-    PLAYER_REGISTERS = 16,
+    PLAYER_REGISTERS = 16, /* most of a kind, and of a run */
     MOST_LIVES = 99,
     PICTURE_ROW = -1, /* as the radius of a row of the kinds: the picture of a kind below it */
 
@@ -34,13 +34,15 @@ struct player_kinds {
     fx *graze;  /* graze circle */
     fx *speed, *focus;
     int32_t *lives;
-    uint32_t *safe; /* frames after a death, and after joining */
-    int32_t *start; /* PLAYER_REGISTERS a kind: their values in a new game */
-    int32_t *most;  /* PLAYER_REGISTERS a kind: what they stop at, 0: nothing but INT32_MAX */
-    fx *magnet;     /* px: items so near come; NULL, with the next: not asked for */
-    fx *line;       /* y px: above it all come; FX_MIN: nowhere */
-    fx *pull;       /* px/frame they come at */
-    uint8_t *full;  /* register + 1 at whose most all come always, 0: none */
+    uint32_t *safe;             /* frames after a death, and after joining */
+    uint16_t *first;            /* its registers' rows (registers.h) */
+    uint8_t *registers;         /* how many */
+    uint16_t *deathbomb;        /* frames after a hit in which a bomb saves */
+    uint8_t *bomb, *bomb_focus; /* its bombs, + 1; 0: none. The board gives them a meaning */
+    fx *magnet;                 /* px: items so near come; NULL, with the next: not asked for */
+    fx *line;                   /* y px: above it all come; FX_MIN: nowhere */
+    fx *pull;                   /* px/frame they come at */
+    uint8_t *full;              /* register + 1 at whose most all come always, 0: none */
 };
 
 struct player {
@@ -54,8 +56,10 @@ struct player {
     uint32_t *safe;    /* frames */
     uint32_t *grazes;
     int64_t *score;
-    int32_t *regs;
-    uint8_t *flags; /* PLAYER_ */
+    uint8_t *flags;    /* PLAYER_ */
+    uint16_t *hit;     /* frames left in which a bomb saves it from the hit; 0: it was not hit */
+    uint32_t *bombing; /* frames its bomb goes on */
+    int64_t *bomb;     /* the scope of that bomb; the board gives it a meaning */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
@@ -63,15 +67,9 @@ extern const struct chip player_chip, player_kinds_chip;
 /* Has player i been in 2^30 - 2 games? Then it must not enter again, for a handle could mean another game's player. */
 bool player_retired(const struct player *p, uint32_t i);
 
-/* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives, score and registers. */
+/* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives and score. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
 void player_leave(struct player *p, uint32_t i);
-
-/* Sets register reg of player i to v, or to the nearest that it may be. */
-void player_set_register(struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg, int64_t v);
-
-/* Is register reg of player i at its most? False for one that has none. */
-bool player_register_full(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg);
 
 /* Puts a player somewhere without sweeping through what is between. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);
@@ -82,7 +80,7 @@ uint16_t player_picture(const struct player *p, const struct player_kinds *kinds
 /* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
 void player_count_down(struct player *p);
 
-/* Moves both by their held buttons (PAD_ bits), inside area. */
+/* Moves both by their held buttons (PAD_ bits), inside area; one that was hit stands. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
 
 #endif

@@ -43,6 +43,6 @@ sed 's/^QUIT = \(.*\)/QUIT = \1\1\1\1\1\1\1\1\1\1\1/' $ja >"$scratch/ja.txt"
 refuse 'planted: words that are too long' 'cells for "QUIT"' python3 "$scratch/words.py" "$scratch/ja.txt"
 sed 's/^GO ON = .*/GO ON = ON/' $ja >"$scratch/ja.txt"
 refuse 'planted: Latin letters' 'Latin letters for "GO ON"' python3 "$scratch/words.py" "$scratch/ja.txt"
-{ cat $ja; echo 'CONTINUE? = ツヅケマスカ?'; } >"$scratch/ja.txt"
-refuse 'planted: what nothing shows' 'nothing shows "CONTINUE?"' python3 "$scratch/words.py" "$scratch/ja.txt"
+{ cat $ja; echo 'INSERT COIN = コインヲ イレテ'; } >"$scratch/ja.txt"
+refuse 'planted: what nothing shows' 'nothing shows "INSERT COIN"' python3 "$scratch/words.py" "$scratch/ja.txt"
 finish

@@ -169,21 +169,21 @@ static void test_registers(void **state)
     (void)state;
     rig_power(&r, &game, &start);
     rig_run(&r, 2);
-    assert_int_equal(r.b->player.regs[0], 2);
-    assert_int_equal(r.b->player.regs[1], 7);
+    assert_int_equal(board_register(r.b, 0, 0), 2);
+    assert_int_equal(board_register(r.b, 0, 1), 7);
     rig_free(&r);
     add_register(&start, "power", 2000000000);
     rig_power(&r, &game, &start);
     for (int round = 1; round <= 2; round++) {
         until_round(&r, 1);
-        assert_int_equal(r.b->player.regs[0], 2);
-        assert_int_equal(r.b->player.regs[1], 2000000000);
+        assert_int_equal(board_register(r.b, 0, 0), 2);
+        assert_int_equal(board_register(r.b, 0, 1), 2000000000);
     }
     rig_free(&r);
     start.practice.reg[0].value = -5; /* as an old demo may ask */
     rig_power(&r, &game, &start);
     rig_run(&r, 2);
-    assert_int_equal(r.b->player.regs[1], 0);
+    assert_int_equal(board_register(r.b, 0, 1), 0);
     rig_free(&r);
 }
 
@@ -357,7 +357,7 @@ static void test_games(void **state)
     } games[] = {
         { "'one', 'two'", "0 ship 1\n1 clear 2\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
         { "'one', 'end'", "0 ship 1\n1 over 1\n2 normal 1\n", { PAD_FIRE, PAD_FIRE, PAD_FIRE, PAD_FIRE } },
-        { "'end'", "0 ship 1\n1 quit 0\n0 ship 1\n", { PAD_FIRE, PAD_START, PAD_DOWN, PAD_FIRE } },
+        { "'end'", "0 ship 2\n1 quit 0\n0 ship 1\n", { PAD_FIRE, PAD_START, PAD_UP, PAD_FIRE } },
     };
     char text[1024], out[1024];
 

@@ -265,9 +265,9 @@ static void test_results(void **state)
 
     (void)state;
     play(&r, &g, "stage.def('s', function() brood() guest() put() wait(20) say('end') end)\n", 0, 90);
-    assert_int_equal(r.b->sprites.s.live, 5); /* what is behind the results stays */
+    assert_int_equal(r.b->sprites.s.live, 6); /* what is behind the results stays; their plate */
     assert_int_equal(r.b->bullets.s.live, 0);
-    assert_string_equal(rig_told(&r), "12:1/1/2/5 end 32:0/0/0/5");
+    assert_string_equal(rig_told(&r), "12:1/1/2/5 end 32:0/0/0/6");
     rig_free(&r);
     rig_game_free(&g);
 }

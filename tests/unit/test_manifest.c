@@ -504,6 +504,12 @@ static void test_unpack_old(void **state)
     manifest_pack(&r->m, bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
+    assert_int_equal(m.registers, 64);
+    bytes[0] = 3;
+    assert_true(manifest_unpack(bytes, 5232, &m, err, sizeof err));
+    assert_int_equal(m.registers, 1024);
+    r->m.registers = 1024; /* as many as a ship could have then */
+    assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
@@ -583,7 +589,7 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5231 bytes long, expected 5232");
+    assert_string_equal(err, "5239 bytes long, expected 5240");
     for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
         assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);
@@ -612,8 +618,9 @@ static void test_format_1(void **state)
     assert_int_equal(m.nvram_kib, plain.nvram_kib);
     assert_int_equal(m.nvram_kib, 32);
     m.nvram_kib = 3;
+    m.registers = plain.registers;
     manifest_pack(&m, again);
-    bytes[0] = 3;
+    bytes[0] = 4;
     assert_memory_equal(bytes, again, sizeof bytes);
     free(r);
 }

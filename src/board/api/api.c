@@ -123,7 +123,7 @@ static int call(lua_State *L)
 }
 
 /* sys.check(name, ...): what `call` does for C entries, for those written in Lua. */
-static int sys_check(lua_State *L)
+int api_sys_check(lua_State *L)
 {
     const struct api_entry *e = api_find(luaL_checkstring(L, 1));
     struct api_value v[MAX_PARAMS];
@@ -263,12 +263,39 @@ static void open_spaces(lua_State *L)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &shared_key);
 }
 
+/* Tables that few games name. */
+static bool is_late(const char *space)
+{
+    return !strcmp(space, "bomb");
+}
+
+static void make_space(lua_State *L, const char *space)
+{
+    lua_newtable(L);
+    api_add_space(L, space);
+    lua_pushglobaltable(L);
+    lua_pushvalue(L, -2);
+    lua_pushstring(L, space);
+    lua_insert(L, -2);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+}
+
+bool api_open_late(lua_State *L, const char *name)
+{
+    if (!is_late(name))
+        return false;
+    make_space(L, name);
+    return true;
+}
+
 /* What an entry needs before a script can find it: "wait" stands among the globals, "bullet.fire" needs a global table
  * bullet, but for a table that is off. */
 static void install(lua_State *L, const struct api_entry *e)
 {
     const char *split = strpbrk(e->name, ".:");
     char space[32];
+    const int top = lua_gettop(L);
 
     if (!vm_board(L)->lasers.s.cap && !strncmp(e->name, "laser", 5))
         return;
@@ -277,14 +304,11 @@ static void install(lua_State *L, const struct api_entry *e)
         lua_setglobal(L, e->name);
     } else if (*split == '.' && !(e->flags & API_SYS)) {
         snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
-        if (api_off(&vm_board(L)->cart.m, space))
+        if (api_off(&vm_board(L)->cart.m, space) || is_late(space))
             return;
-        if (lua_getglobal(L, space) != LUA_TTABLE) {
-            lua_newtable(L);
-            api_add_space(L, space);
-            lua_setglobal(L, space);
-        }
-        lua_pop(L, 1);
+        if (lua_getglobal(L, space) != LUA_TTABLE)
+            make_space(L, space);
+        lua_settop(L, top);
     }
 }
 
@@ -303,7 +327,7 @@ void api_open(lua_State *L)
         for (int i = 0; i < api_modules[m]->n; i++)
             if (!(api_modules[m]->entries[i].flags & API_LUA))
                 install(L, &api_modules[m]->entries[i]);
-    lua_pushcfunction(L, sys_check);
+    lua_pushcfunction(L, api_sys_check);
     lua_setfield(L, sys, "check");
     api_rom_open(L);
     lua_settop(L, sys);

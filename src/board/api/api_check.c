@@ -13,7 +13,7 @@
 const char *const api_thing_names[HANDLES] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers"
+    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option"
 };
 
 /* Pushes how a value looks in an error. */
@@ -164,7 +164,7 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
 }
 
 static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
-                                          "spark kind",  "item kind", "laser kind" };
+                                          "spark kind",  "item kind", "laser kind", "option kind" };
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
 /* The noun of a kind of another sort that has that name; NULL: there is none. */
@@ -270,12 +270,13 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
 }
 
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                         *const layers[] = { "back", "middle", "front" }, *const depths[] = { "back", "front" },
+                         *const layers[] = { "back", "middle", "front", "over" }, *const depths[] = { "back", "front" },
                          *const aligns[] = { "left", "center", "right" },
                          *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
-                                                                                                    "stack", "line" };
+                                                                                                    "stack", "line" },
+                         *const downs[] = { "all", "any" };
 
 /* By FIRES_. */
 const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
@@ -292,7 +293,8 @@ static const struct word_list {
               [A_FIRE] = { fire_words, FIRES },
               [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
               [A_MEET] = { meets, 4 },
-              [A_EMIT] = { emits, EMIT_PATTERNS } };
+              [A_EMIT] = { emits, EMIT_PATTERNS },
+              [A_DOWN] = { downs, 2 } };
 
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -411,6 +413,7 @@ static check *const CHECKS[] = {
     [A_SPARK_KIND] = check_declared,
     [A_ITEM_KIND] = check_declared,
     [A_LASER_KIND] = check_declared,
+    [A_OPTION_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
     [A_FACE] = check_face,
@@ -425,6 +428,7 @@ static check *const CHECKS[] = {
     [A_SHOOT] = check_word,
     [A_MEET] = check_word,
     [A_EMIT] = check_word,
+    [A_DOWN] = check_word,
 };
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)

@@ -217,7 +217,7 @@ static int get_property(lua_State *L)
         if (reg >= 0) {
             if (!alive)
                 return lua_pushnil(L), 1;
-            return lua_pushinteger(L, b->player.regs[handle_slot(h) * PLAYER_REGISTERS + (uint32_t)reg]), 1;
+            return lua_pushinteger(L, board_register(b, handle_slot(h), (uint32_t)reg)), 1;
         }
     }
     if (!prop)
@@ -229,16 +229,12 @@ static int get_property(lua_State *L)
     return 1;
 }
 
-/* A register stops at 0, whatever is taken from it, and at its most, whatever is added. */
+/* A register stops at its least, whatever is taken from it, and at its most, whatever is added. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
-    struct api_param p = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
-    struct api_value v = { 0 };
-    int whole = 0;
+    const uint32_t row = board_register_row(b, slot, (uint32_t)reg);
 
-    if (lua_type(L, 3) != LUA_TNUMBER || lua_tointegerx(L, 3, &whole) >= 0 || !whole)
-        api_check(L, "player", &p, 3, &v);
-    player_set_register(&b->player, &b->player_kinds, slot, (uint32_t)reg, v.i);
+    registers_set(&b->registers, row, slot, api_register_value(L, "player", name, row, 3));
     return 0;
 }
 

@@ -29,6 +29,7 @@ static const char *type_words(const struct api_param *p)
         [A_PLAYER_KIND] = "name of a player kind",
         [A_SPARK_KIND] = "name of a spark kind",
         [A_LASER_KIND] = "name of a laser kind",
+        [A_OPTION_KIND] = "name of an option kind",
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
         [A_FACE] = "name of a font",
@@ -36,13 +37,14 @@ static const char *type_words(const struct api_param *p)
         [A_BUTTON] = "up down left right fire bomb focus special start select",
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",
-        [A_LAYER] = "back, middle or front",
+        [A_LAYER] = "back, middle, front or over",
         [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
         [A_SHOOT] = "bullet or shot",
         [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",
+        [A_DOWN] = "all or any",
     };
 
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];

@@ -9,8 +9,8 @@
 /* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
 static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
-static const char *const nouns[NAME_LISTS] = { "bullet", "shot", "enemy", "player", "spark", "item", "laser",
-                                               "motion", "tag",  "value", "value",  "value", "item" };
+static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
+                                               "option", "motion", "tag",   "value",  "value", "value", "item" };
 
 const char *api_names_off(lua_State *L, enum api_names what)
 {

@@ -87,6 +87,9 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
  * besides its own, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
+/* sys.check(name, ...): a table of the arguments of the entry of that name, checked, with its defaults. */
+int api_sys_check(lua_State *L);
+
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
@@ -331,11 +334,34 @@ void api_drops(lua_State *L, const char *entry, int at);
 /* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */
 void api_items_check(lua_State *L, struct board *b);
 
+/* Reads the argument options of player.def for that kind of ship. */
+void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct api_value *options);
+
+/* The number of the bomb that an argument of player.def names, 0: not given. */
+uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v);
+
+/* In place of a kind of ship: the registers of a run. */
+enum { RUN_REGISTERS = -1 };
+
+/* Declares the registers of the table at `at`, { NAME = n or { start = n, .. } }; returns how many. Their rows come one
+ * after the other. */
+int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
+
+/* The number of a register that the argument `what` names, or an error. */
+int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
+
+/* The whole number at `at` that is written to a register; none is too small, for a write stops at min and max.
+ */
+int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
+
 /* The number of a register of that kind of ship, or -1. */
 int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
 /* Pushes how a kind of player wants its register i shown, or nil. */
 void api_register_show(lua_State *L, int32_t kind, int i);
+
+/* Pushes the name of the unlock that a kind of player needs, or nil. */
+void api_player_needs(lua_State *L, int32_t kind);
 
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);

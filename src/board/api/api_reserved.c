@@ -11,18 +11,13 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music unlock test" },
+    { "", '.', "talk say choose sound music test" },
     { "board", '.', "stop ask" },
-    { "boss", '.', "history" },
-    { "on", '.', "start bomb continue" },
     { "enemy", ':', "orbit wander" },
-    { "player", ':', "bomb state" },
-    { "boot.run", '{', "continues modes screens" },
-    { "boss.def", '{', "cast music portrait warning" },
-    { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
+    { "boss.def", '{', "music" },
+    { "boss.def phase", '{', "music" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
     { "shot.def", '{', "every pierce" },
 };
 
@@ -63,6 +58,7 @@ static const struct {
     { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
     { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
+    { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
 };
 

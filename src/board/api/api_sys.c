@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
@@ -18,6 +19,10 @@ enum { HOLD_ENEMY, HOLD_ON };
 enum { AIM_X, AIM_Y, AIM_SHOTS };
 enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
+enum { ARG_LIST = 0 };
+enum { FIT_PLAYER, FIT_NAME, FIT_VALUE };
+enum { RUN_NAME, RUN_VALUE };
+enum { CONTINUES_PLAYER, CONTINUES_N };
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                          { "message", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -44,6 +49,17 @@ static const struct api_param drops[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL
 static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL },
                                          { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
                                          { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+
+static const struct api_param sys_fit[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                            { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                            { "value", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL } };
+static const struct api_param any_name[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL } };
+static const struct api_param run_set[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL },
+                                            { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
+static const struct api_param list_only[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param scope_req[] = { { "scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param continues[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                              { "n", A_INT, OPT, 0, 99, NULL, NULL } };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -103,6 +119,25 @@ static int sys_read(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+enum { WORTH_THING, WORTH_PLAYER };
+
+static const struct api_param worth[] = { { "thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL },
+                                          { "p", A_PAD, REQ, 0, 0, NULL, NULL } };
+
+/* Of an item that a player takes: it is asked where it was taken. */
+static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t i = handle_slot(v[WORTH_THING].i);
+
+    if (!board_there(b, v[WORTH_THING].i) || !v[WORTH_PLAYER].i)
+        lua_pushinteger(L, 0);
+    else if (handle_kind(v[WORTH_THING].i) == H_ENEMY)
+        lua_pushinteger(L, b->enemy_kinds.score[b->enemies.kind[i]]);
+    else
+        lua_pushinteger(L, events_item_points(b, (uint32_t)v[WORTH_PLAYER].i - 1, b->items.kind[i]));
+    return 1;
+}
+
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[ARG_NAME].at);
@@ -128,6 +163,15 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
                                     (int32_t)v[M_VALUE].i),
                    0;
     return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[M_KIND].at));
+}
+
+/* Nor does this. */
+static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    (void)v;
+    b->output->out.menu = true;
+    return 0;
 }
 
 /* One { name, value } of a list, at place i. */
@@ -158,32 +202,161 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
+/* Adds the registers of a kind of ship, or of the run, to the list on top. */
+static void push_registers(lua_State *L, const struct board *b, int32_t kind, uint32_t first)
 {
     const char *names[PLAYER_REGISTERS];
-    int32_t kind = (int32_t)v[ARG_KIND].i;
-    int n = api_player_registers(L, kind, names);
+    const int n = api_player_registers(L, kind, names), had = (int)lua_rawlen(L, -1);
 
-    lua_createtable(L, 0, 2);
-    lua_pushinteger(L, b->player_kinds.lives[kind]);
-    lua_setfield(L, -2, "lives");
-    lua_createtable(L, n, 0);
     for (int i = 0; i < n; i++) {
-        push_register(L, names[i], b->player_kinds.start[kind * PLAYER_REGISTERS + i], i + 1);
-        lua_rawgeti(L, -1, i + 1);
+        const struct register_rule rule = registers_rule(&b->registers, first + (uint32_t)i);
+        push_register(L, names[i], rule.start, had + i + 1);
+        lua_rawgeti(L, -1, had + i + 1);
         api_register_show(L, kind, i);
         lua_setfield(L, -2, "show");
-        lua_pushinteger(L, b->player_kinds.most[kind * PLAYER_REGISTERS + i]);
+        lua_pushinteger(L, rule.most);
         lua_setfield(L, -2, "max");
+        lua_pushboolean(L, kind == RUN_REGISTERS);
+        lua_setfield(L, -2, "run");
         lua_pop(L, 1);
     }
+}
+
+static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
+{
+    int32_t kind = (int32_t)v[ARG_KIND].i;
+
+    lua_createtable(L, 0, 5);
+    lua_pushstring(L, cart_sprite_name(&b->cart, b->player_kinds.sprite[kind]));
+    lua_setfield(L, -2, "sprite");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
+    lua_setfield(L, -2, "speed");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.focus[kind]));
+    lua_setfield(L, -2, "focus");
+    lua_pushinteger(L, b->player_kinds.lives[kind]);
+    lua_setfield(L, -2, "lives");
+    lua_newtable(L);
+    push_registers(L, b, kind, b->player_kinds.first[kind]);
+    push_registers(L, b, RUN_REGISTERS, b->registers.first);
     lua_setfield(L, -2, "registers");
+    api_player_needs(L, kind);
+    lua_setfield(L, -2, "needs");
     return 1;
 }
 
 static int sys_join(lua_State *L, struct board *b, struct api_value *v)
 {
     return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
+}
+
+/* A game begins: what is of a run is new. */
+static int sys_start(lua_State *L, struct board *b, struct api_value *v)
+{
+    registers_start(&b->registers, b->registers.first, b->registers.count, 0);
+    b->core.since = b->core.clock;
+    memset(b->core.continues, 0, sizeof b->core.continues);
+    memset(b->core.continued, 0, sizeof b->core.continued);
+    events_start(L, v[ARG_SCOPE].i);
+    return 0;
+}
+
+/* The ship's register of that name, else the run's. */
+static int sys_fit_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[FIT_PLAYER].i - 1;
+    const char *name = lua_tostring(L, v[FIT_NAME].at);
+    int reg = api_player_register(L, b, p, name);
+
+    if (reg >= 0)
+        board_set_register(b, p, (uint32_t)reg, v[FIT_VALUE].i);
+    else if ((reg = api_ship_register(L, RUN_REGISTERS, name)) >= 0)
+        registers_set(&b->registers, b->registers.first + (uint32_t)reg, 0, v[FIT_VALUE].i);
+    return 0;
+}
+
+static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
+{
+    b->registers.first = b->registers.s.live;
+    b->registers.count = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[ARG_LIST].at);
+    return 0;
+}
+
+/* The number of the run's register that the value at `at` names, or -1. */
+static int run_register(lua_State *L, int at)
+{
+    return lua_type(L, at) == LUA_TSTRING ? api_ship_register(L, RUN_REGISTERS, lua_tostring(L, at)) : -1;
+}
+
+/* What can be read of the run under that name, or nil. */
+static int sys_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
+    const int reg = run_register(L, v[ARG_NAME].at);
+
+    if (reg >= 0)
+        lua_pushinteger(L, registers_get(&b->registers, b->registers.first + (uint32_t)reg, 0));
+    else if (!strcmp(name, "continues"))
+        lua_pushinteger(L, b->core.continued[0] + b->core.continued[1]);
+    else if (!strcmp(name, "frames"))
+        lua_pushinteger(L, b->core.clock - b->core.since);
+    else
+        lua_pushnil(L);
+    return 1;
+}
+
+/* False: there is no such register. */
+static int sys_run_set(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int reg = run_register(L, v[RUN_NAME].at);
+    const uint32_t row = b->registers.first + (uint32_t)reg;
+
+    if (reg >= 0)
+        registers_set(&b->registers, row, 0,
+                      api_register_value(L, "game", lua_tostring(L, v[RUN_NAME].at), row, v[RUN_VALUE].at));
+    lua_pushboolean(L, reg >= 0);
+    return 1;
+}
+
+static int sys_run_names(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *names[PLAYER_REGISTERS];
+    const int n = api_player_registers(L, RUN_REGISTERS, names);
+
+    (void)b, (void)v;
+    lua_createtable(L, n, 0);
+    for (int i = 0; i < n; i++) {
+        lua_pushstring(L, names[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+/* How often player p can go on; with n, sets that: with 0 it may be that all is over. */
+static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
+
+    if (v[CONTINUES_N].given) {
+        b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
+        if (!v[CONTINUES_N].i)
+            events_game_over(b);
+    }
+    lua_pushinteger(L, b->core.continues[p]);
+    return 1;
+}
+
+static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
+
+    if (b->player.in[p] || !b->core.continues[p])
+        return 0;
+    b->core.continues[p]--;
+    b->core.continued[p]++;
+    api_player_enter(L, b, p, b->player.kind[p]);
+    b->player.score[p] = b->core.continued[p] < 9 ? b->core.continued[p] : 9;
+    board_event(b, EV_CONTINUE, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    return 0;
 }
 
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
@@ -222,6 +395,8 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         lasers_remove(b, i);
     EACH_LIVE (i, &b->items.s)
         slots_drop(&b->items.s, i);
+    for (uint32_t p = 0; p < PADS; p++)
+        options_drop_of(&b->options, p, 0);
     EACH_LIVE (i, &b->sparks.s)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
@@ -344,10 +519,17 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+static const struct api_param sys_glyph[] = { { "code", A_INT, REQ, 0, 255, NULL, NULL } };
+
+static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    (void)v;
-    lua_pushinteger(L, b->cart.n_glyphs);
+    lua_pushboolean(L, text_has(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
+    return 1;
+}
+
+static int sys_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, api_off(&b->cart.m, lua_tostring(L, v[ARG_NAME].at)) == NULL);
     return 1;
 }
 
@@ -443,9 +625,23 @@ static const struct api_entry entries[] = {
     { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any", "runs a piece of the library, \"screens/title\"" },
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
     { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
+    { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
+      "for the cabinet, in each frame: a menu stands, and who has just come needs to know the keys" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
-    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table", "lives and registers of a kind of player" },
+    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
+      "what the screens tell of a kind of player: picture, speed, lives, needs, registers, then those of the run" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
+    { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL, "a game begins, in that scope" },
+    { "sys.fit", sys_fit_run, PARAMS(sys_fit), 3, API_SYS | API_CHANGES, NULL,
+      "sets a register of player i's ship, or else of the run" },
+    { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
+      "declares the run's registers" },
+    { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", "a register of the run, continues or frames" },
+    { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean", "sets a register of the run" },
+    { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", "the run's registers" },
+    { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",
+      "how often player i can go on after its last life; n sets it" },
+    { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i does" },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
     { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
       "an empty field and screen; keep: background and palette stay" },
@@ -462,7 +658,8 @@ static const struct api_entry entries[] = {
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
-    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
+    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
@@ -471,6 +668,7 @@ static const struct api_entry entries[] = {
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
+    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

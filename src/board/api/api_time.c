@@ -118,8 +118,11 @@ ON(kill, EV_KILL)
 ON(leave, EV_LEAVE)
 ON(extend, EV_EXTEND)
 ON(take, EV_TAKE)
-ON(phase, EV_TAKE + 1)
-ON(stage, EV_TAKE + 2)
+ON(bomb, EV_BOMB)
+ON(continue, EV_CONTINUE)
+ON(phase, EV_PHASE)
+ON(stage, EV_STAGE)
+ON(start, EV_START)
 
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
@@ -143,7 +146,14 @@ static const struct api_entry entries[] = {
     { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy): an enemy left the field" },
     { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score, or an item, brought a life" },
     { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, item): it was taken, and can still be read" },
-    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, id, won): a boss's phase is over" },
+    { "on.bomb", on_bomb, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(player, late): its bomb began; late: and saves it from a hit" },
+    { "on.continue", on_continue, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(player): it lost its last life and goes on; its score is as many points as it went on so far" },
+    { "on.start", on_start, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(): a game begins, or a try of practice; what was kept of the last one is set anew here" },
+    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb" },
     { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

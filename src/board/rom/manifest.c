@@ -14,11 +14,13 @@
 #include "../../chips/lasers.h"
 #include "../../chips/motion.h"
 #include "../../chips/nvram.h"
+#include "../../chips/options.h"
+#include "../../chips/registers.h"
 
 /* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
- * core version 5 wrote format 2. */
-enum { FORMAT = 3, NUMBERS_1 = 17 };
-static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, MANIFEST_NUMBERS };
+ * core version 5 wrote format 2, core version 6 format 3. */
+enum { FORMAT = 4, NUMBERS_1 = 17 };
+static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -63,6 +65,8 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.bg", bg),
     NUMBER("board.lasers", lasers, 0, MAX_LASERS),
     NUMBER("board.curve_points", curve_points, 0, 1 << 20),
+    NUMBER("board.registers", registers, 0, MAX_REGISTERS),
+    NUMBER("board.options", options, 0, MAX_OPTIONS),
 };
 
 void manifest_default(struct manifest *m)
@@ -84,6 +88,7 @@ void manifest_default(struct manifest *m)
     m->tasks = 1024;
     m->lua_kib = 4096;
     m->nvram_kib = NV_KIB;
+    m->registers = REGISTERS;
     m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
@@ -372,6 +377,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_KIB; /* of format 1 */
+    m->registers = MAX_REGISTERS; /* of format 3: as many as its ships could have */
     walk_manifest(&w, m, format);
     if (!w.good)
         return err_set(err, err_size, "its format is not known");

@@ -15,8 +15,8 @@
 #include "../hit.h"
 #include "../lasers_run.h"
 
-const char *const events_names[] = { "graze", "hit",    NULL,   "death", "game_over", "kill",
-                                     "leave", "extend", "take", "phase", "stage" };
+const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
+                                     "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
 
 enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
 
@@ -420,7 +420,7 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
     const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
     int reg = name ? api_player_register(L, b, p, name) : -1;
 
-    return reg >= 0 && player_register_full(&b->player, &b->player_kinds, p, (uint32_t)reg);
+    return reg >= 0 && registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
 }
 
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
@@ -429,19 +429,22 @@ static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t k
         const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
         int reg = n ? api_player_register(L, b, p, api_names_at(b, N_ITEM_REGISTER, k)) : -1;
         if (reg >= 0)
-            player_set_register(&b->player, &b->player_kinds, p, (uint32_t)reg,
-                                (int64_t)b->player.regs[p * PLAYER_REGISTERS + (uint32_t)reg] + n);
+            board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);
     }
+}
+
+int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind)
+{
+    const fx line = b->player_kinds.line[b->player.kind[p]];
+
+    return items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16));
 }
 
 static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
-    const fx line = b->player_kinds.line[b->player.kind[p]];
     const bool full = is_full(L, b, p, kind);
 
-    board_score(
-        b, p,
-        items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16)));
+    board_score(b, p, events_item_points(b, p, kind));
     if (full)
         return;
     give_registers(L, b, p, kind);
@@ -476,9 +479,9 @@ static bool anyone_in(const struct board *b)
     return b->player.in[0] || b->player.in[1];
 }
 
-static void game_over(struct board *b)
+void events_game_over(struct board *b)
 {
-    if (b->core.over || anyone_in(b))
+    if (b->core.over || anyone_in(b) || b->core.continues[0] || b->core.continues[1])
         return;
     b->core.over = 1;
     board_event(b, EV_GAME_OVER, 0, 0);
@@ -493,23 +496,31 @@ void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y)
     *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
 }
 
+void events_player_die(struct board *b, uint32_t p)
+{
+    board_event(b, EV_DEATH, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
+    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
+    if (b->player.safe[p] == 0)
+        b->player.safe[p] = 1;
+    b->player.lives[p]--;
+}
+
 static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
     if (b->start.practice.invincible) /* tested only here; `safe`, which scripts read and write, stays as it is */
         return;
-    if (!board_alive(b, e->a) || b->player.safe[p] || !counts(b, e->b)) /* a handler may have removed it */
+    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b)) /* a handler may have
+                                                                                               removed it */
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
-    board_event(b, EV_DEATH, e->a, 0);
-    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
-    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
-    if (b->player.safe[p] == 0)
-        b->player.safe[p] = 1;
-    b->player.lives[p]--;
+    b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
+    if (!b->player.hit[p])
+        events_player_die(b, p);
 }
 
 /* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
@@ -529,7 +540,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     }
     b->player.lives[p] = 0;
     player_leave(&b->player, p);
-    game_over(b);
+    events_game_over(b);
 }
 
 /* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
@@ -556,6 +567,13 @@ static void apply_emitted(lua_State *L, const struct event *e)
     lua_pushnil(L);
     lua_rawseti(L, args - 1, e->a);
     lua_settop(L, args - 2);
+}
+
+static void apply_bomb(lua_State *L, const struct event *e)
+{
+    push_thing(L, e->a);
+    lua_pushboolean(L, e->b != 0);
+    call_handlers(L, EV_BOMB, 2);
 }
 
 static void apply(struct board *b, lua_State *L, const struct event *e)
@@ -585,6 +603,9 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_TAKE:
         apply_take(b, L, e);
         break;
+    case EV_BOMB:
+        apply_bomb(L, e);
+        break;
     case EV_SCRIPT:
         apply_emitted(L, e);
         break;
@@ -594,9 +615,23 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_GAME_OVER:
     case EV_EXTEND:
+    case EV_CONTINUE:
         tell(L, e);
         break;
     }
+}
+
+void events_start(lua_State *L, int64_t game)
+{
+    struct board *b = vm_board(L);
+    const struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+    const int32_t current = b->tasks.current;
+
+    b->tasks.current = NO_SLOT; /* a handler cannot wait */
+    tasks_act_for(b, (struct tasks_now){ game, 0 });
+    call_handlers(L, EV_START, 0);
+    tasks_act_for(b, was);
+    b->tasks.current = current;
 }
 
 int events_run(lua_State *L)

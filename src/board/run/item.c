@@ -48,6 +48,7 @@ void board_pulls(const struct board *b, struct item_pull pull[PADS])
         pull[i].y = p->y[i];
         pull[i].radius = k->magnet[kind];
         pull[i].speed = k->pull[kind];
-        pull[i].all = p->y[i] <= k->line[kind] || (k->full[kind] && player_register_full(p, k, i, k->full[kind] - 1u));
+        pull[i].all = p->y[i] <= k->line[kind] ||
+                      (k->full[kind] && registers_full(&b->registers, board_register_row(b, i, k->full[kind] - 1u), i));
     }
 }

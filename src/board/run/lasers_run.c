@@ -118,6 +118,9 @@ static bool where(const struct motion_world *w, int64_t around, uint32_t moved, 
     } else if (kind == H_PLAYER) {
         *x = b->player.was_x[i];
         *y = b->player.was_y[i];
+    } else if (kind == H_OPTION) {
+        *x = b->options.was_x[i];
+        *y = b->options.was_y[i];
     } else if (kind == H_ITEM) {
         *x = b->items.was_x[i];
         *y = b->items.was_y[i];

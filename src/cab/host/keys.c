@@ -194,6 +194,41 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
     return true;
 }
 
+/* The name that key_code or switch_code reads as that code. */
+static void name_of(unsigned code, char *out, size_t size)
+{
+    unsigned which = code >> 5 & 3;
+
+    for (int i = 0; i < COUNT_KEYS; i++) {
+        if (code == keys[i].usage) {
+            snprintf(out, size, "%s", keys[i].name);
+            return;
+        }
+    }
+    if (code & CONTROLLER)
+        snprintf(out, size, which ? "pad%u.%s" : "pad%.0u.%s", which, switches[code & 31]);
+    else if (code < 30)
+        snprintf(out, size, "%c", 'a' + (int)code - 4);
+    else if (code < 40)
+        snprintf(out, size, "%u", (code - 29) % 10);
+    else if (code >= 58 && code <= 69)
+        snprintf(out, size, "f%u", code - 57);
+    else if (code >= 89 && code <= 97)
+        snprintf(out, size, "kp%u", code - 88);
+    else
+        snprintf(out, size, "key%u", code);
+}
+
+void keys_first(const struct keys *k, const char *action, char *out, size_t size)
+{
+    unsigned code = k->code[find(action)][0];
+    const char *with = code & WITH_ALT ? "alt+" : code & WITH_CTRL ? "ctrl+" : "";
+
+    snprintf(out, size, "%s", code ? with : "none");
+    if (code && size > strlen(with))
+        name_of(code & ~(unsigned)(WITH_ALT | WITH_CTRL), out + strlen(with), size - strlen(with));
+}
+
 void keys_defaults(struct keys *k)
 {
     char err[128];

@@ -71,6 +71,9 @@ void keys_defaults(struct keys *k);
  * one sentence for an unknown action or switch, or too many; the map is then unchanged. */
 bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size);
 
+/* Writes the name of an action's first switch, "enter", or "none". */
+void keys_first(const struct keys *k, const char *action, char *out, size_t size);
+
 /* True when there is such an action. */
 bool keys_known(const char *action);
 

@@ -374,7 +374,7 @@ static const char *state_of(const struct inspect_task *t, char *buf, size_t size
 
 static const char *owner_of(const struct inspect_task *t, char *buf, size_t size)
 {
-    static const char *const names[] = { "", "bullet", "shot", "enemy", "player", "sprite", "task", "laser" };
+    static const char *const names[] = { "", "bullet", "shot", "enemy", "player", "sprite", "task", "laser", "option" };
     snprintf(buf, size, t->owner == OWNER_BOARD ? "-" : "%s %u", names[t->owner], (unsigned)t->owner_number);
     return buf;
 }

@@ -11,6 +11,8 @@
 #include "../pack/png.h"
 #include "timebar.h"
 
+enum { BLINK = 20 }; /* frames; PRESS START is there for two of three */
+
 /* ---- the window, and the picture ---- */
 
 bool cab_picture_open(struct picture *p, const struct board *b)
@@ -88,6 +90,32 @@ static void message_text(char *text, size_t size)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
 }
 
+/* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there, or there
+ * is a message. */
+static void hint_text(const char *message, char *text, size_t size)
+{
+    char start[32], fire[32], bomb[32];
+
+    text[0] = 0;
+    if (message[0] || (!cab.attracting && (!board_last(cab_live())->menu || cab.session.demo)))
+        return;
+    keys_first(&cab.config.keys, "p1.start", start, sizeof start);
+    keys_first(&cab.config.keys, "p1.fire", fire, sizeof fire);
+    keys_first(&cab.config.keys, "p1.bomb", bomb, sizeof bomb);
+    if (!cab.attracting)
+        snprintf(text, size, "START is %s  fire is %s  bomb is %s", start, fire, bomb);
+    else if (cab.frames / BLINK % 3)
+        snprintf(text, size, "PRESS START (%s)", start);
+}
+
+static void draw_hint(const struct canvas *canvas, const char *text)
+{
+    const int w = canvas->fb->w, y = canvas->fb->h - CANVAS_CELL_H;
+
+    canvas_rect(canvas, 0, y - 1, w, CANVAS_CELL_H + 1, CANVAS_DARK);
+    canvas_text(canvas, (w - canvas_width(text)) / 2, y, CANVAS_WHITE, text);
+}
+
 bool cab_timebar_shown(void)
 {
     return !cab.attracting &&
@@ -104,7 +132,7 @@ static void draw_progress(const struct canvas *canvas)
 
 void cab_picture_show(struct picture *p)
 {
-    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4];
+    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
 
     if (cab.practice.open) {
         struct canvas canvas = copy_picture(p);
@@ -113,7 +141,8 @@ void cab_picture_show(struct picture *p)
         return;
     }
     message_text(text, sizeof text);
-    if (!text[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
+    hint_text(text, hint, sizeof hint);
+    if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
@@ -123,6 +152,8 @@ void cab_picture_show(struct picture *p)
                  cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
     if (cab.session.state != SESSION_PLAYING)
         draw_progress(&canvas);
+    if (hint[0] && !cab.console.open && !cab_timebar_shown())
+        draw_hint(&canvas, hint);
     if (cab_timebar_shown() && !cab.console.open)
         timebar_draw(&canvas, &cab.session);
     plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);

@@ -357,9 +357,7 @@ static uint8_t shooter(const struct board *b, const struct api_value *v)
 {
     const struct api_value *by = v[FIRE_BY].given ? &v[FIRE_BY] : &v[FIRE_PLACE + PLACE_FROM];
 
-    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
-        return (uint8_t)(handle_slot(by->i) + 1);
-    return 0;
+    return by->given ? board_player_of(b, by->i) : 0;
 }
 
 bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s)
@@ -376,6 +374,8 @@ bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool s
                                 .player = shot ? shooter(b, v) : 0,
                                 .delay = shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
                                 .by = tasks_serial(b) };
+    if (s->player && b->player.hit[s->player - 1]) /* it cannot fire */
+        return false;
     if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
     if (v[FIRE_TAG].given)

@@ -202,7 +202,8 @@ static bool can_fill(lua_State *L, const struct board *b, const char *name)
 {
     for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
         int reg = api_ship_register(L, (int32_t)ship, name);
-        if (reg >= 0 && b->player_kinds.most[ship * PLAYER_REGISTERS + (uint32_t)reg])
+        if (reg >= 0 &&
+            registers_rule(&b->registers, b->player_kinds.first[ship] + (uint32_t)reg).most != REGISTER_MOST)
             return true;
     }
     return false;

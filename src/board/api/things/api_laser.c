@@ -160,9 +160,7 @@ static const struct api_param beam_params[] = {
 
 static uint8_t player_of(const struct board *b, const struct api_value *v)
 {
-    if (v->given && handle_kind(v->i) == H_PLAYER && board_alive(b, v->i))
-        return (uint8_t)(handle_slot(v->i) + 1);
-    return 0;
+    return v->given ? board_player_of(b, v->i) : 0;
 }
 
 /* What the common arguments say of the head, which is at (x, y). */

@@ -1,15 +1,11 @@
 /*
  * api_player.c - player, pad, score.
  */
-#include <stdio.h>
 #include <string.h>
-#include "../../../base/edit.h"
 #include "../../events_run.h"
 #include "../api_parts.h"
 
 extern const struct api_thing api_player_thing;
-
-static const char registers_key = 0; /* registry: kind -> { name -> register } */
 
 enum {
     D_NAME,
@@ -26,7 +22,12 @@ enum {
     D_LINE,
     D_FULL,
     D_PULL,
-    D_PICTURES
+    D_PICTURES,
+    D_BOMB,
+    D_BOMB_FOCUS,
+    D_DEATHBOMB,
+    D_OPTIONS,
+    D_NEEDS
 };
 
 static const struct api_param def[] = {
@@ -45,256 +46,53 @@ static const struct api_param def[] = {
     { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
     { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
     { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "bomb", A_STR, OPT, 1, 31, NULL, NULL },
+    { "bomb_focus", A_STR, OPT, 1, 31, NULL, NULL },
+    { "deathbomb", A_INT, OPT, 0, 600, "frames", "0" },
+    { "options", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "needs", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
 
-static void registry(lua_State *L)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &registers_key) == LUA_TTABLE)
-        return;
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &registers_key);
-}
-
-static const char shows_key = 0; /* registry: kind -> { register -> show }, of those that say it */
-
-struct reg {
-    const char *name, *show; /* show NULL: not said */
-    int32_t start, most;     /* most 0: none */
-};
-
-static const char *const shows[] = { "none", "number", "icons", "bar", NULL };
-
-/* How the register whose table is at `at` is shown. */
-static const char *read_show(lua_State *L, int at, const char *name)
-{
-    lua_getfield(L, at, "show");
-    const char *word = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : NULL;
-
-    for (int i = 0; word && shows[i]; i++)
-        if (!strcmp(shows[i], word))
-            return lua_pop(L, 1), shows[i];
-    if (!lua_isnil(L, -1))
-        api_error(L, "player.def", "%s.show: expected none, number, icons or bar, got %s", name,
-                  word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, -1));
-    lua_pop(L, 1);
-    return NULL;
-}
-
-static int32_t register_field(lua_State *L, const char *name, const char *field, int at, int64_t lo)
-{
-    char full[64];
-    struct api_value v = { 0 };
-
-    snprintf(full, sizeof full, "%s.%s", name, field);
-    const struct api_param p = { full, A_INT, OPT, (double)lo, INT32_MAX, NULL, NULL };
-    lua_getfield(L, at, field);
-    api_check(L, "player.def", &p, lua_gettop(L), &v);
-    lua_pop(L, 1);
-    return v.given ? (int32_t)v.i : 0;
-}
-
-/* Reads { start = 3, max = 6, show = "icons" } at `at`. */
-static void register_table(lua_State *L, const char *name, int at, struct reg *r)
-{
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        if (!key)
-            api_error(L, "player.def", "%s: expected a whole number, or { start = n, max = n }", name);
-        if (strcmp(key, "start") && strcmp(key, "max") && strcmp(key, "show"))
-            api_error(L, "player.def", "%s: unknown setting \"%s\" (there are start, max, show)", name, key);
-    }
-    r->start = register_field(L, name, "start", at, 0);
-    r->most = register_field(L, name, "max", at, 1);
-    r->show = read_show(L, at, name);
-    if (r->most && r->start > r->most)
-        api_error(L, "player.def", "%s: start %d is more than max %d", name, (int)r->start, (int)r->most);
-    if (!r->most && r->show && !strcmp(r->show, "bar"))
-        api_error(L, "player.def", "%s: a bar needs a max", name);
-}
-
-/* The register whose name and value are on top. */
-static struct reg read_register(lua_State *L)
-{
-    struct reg r = { 0 };
-    struct api_value v = { 0 };
-    char name[48];
-
-    if (lua_type(L, -2) != LUA_TSTRING)
-        api_error(L, "player.def", "registers: expected names with whole numbers");
-    r.name = lua_tostring(L, -2);
-    if (api_property(&api_player_thing, r.name))
-        api_error(L, "player.def", "registers: \"%s\" is a property of every player already", r.name);
-    snprintf(name, sizeof name, "registers.%s", r.name);
-    if (lua_istable(L, -1)) {
-        register_table(L, name, lua_gettop(L), &r);
-        return r;
-    }
-    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
-    api_check(L, "player.def", &whole, lua_gettop(L), &v);
-    r.start = (int32_t)v.i;
-    return r;
-}
-
-/* Keeps how register i is shown. Only a game that says it has the table. */
-static void keep_show(lua_State *L, int32_t kind, int i, const char *show)
-{
-    int top = lua_gettop(L);
-
-    if (!show)
-        return;
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &shows_key);
-    }
-    if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, -3, kind);
-    }
-    lua_pushstring(L, show);
-    lua_rawseti(L, -2, i);
-    lua_settop(L, top);
-}
-
-void api_register_show(lua_State *L, int32_t kind, int i)
-{
-    int top = lua_gettop(L);
-
-    lua_pushnil(L);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE) {
-        lua_rawgeti(L, -1, i);
-        lua_replace(L, top + 1);
-    }
-    lua_settop(L, top + 1);
-}
-
-/* Registers get their numbers in byte order of their names, so that no table order decides. */
-static void define_registers(lua_State *L, struct player_kinds *k, int32_t kind, int at)
-{
-    struct reg regs[PLAYER_REGISTERS];
-    int n = 0;
-
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        struct reg r = read_register(L);
-        if (n == PLAYER_REGISTERS)
-            api_error(L, "player.def", "registers: at most %d", PLAYER_REGISTERS);
-        int i = n++;
-        for (; i > 0 && strcmp(regs[i - 1].name, r.name) > 0; i--)
-            regs[i] = regs[i - 1];
-        regs[i] = r;
-    }
-    registry(L);
-    lua_newtable(L);
-    for (int i = 0; i < n; i++) {
-        k->start[kind * PLAYER_REGISTERS + i] = regs[i].start;
-        k->most[kind * PLAYER_REGISTERS + i] = regs[i].most;
-        keep_show(L, kind, i, regs[i].show);
-        lua_pushinteger(L, i);
-        lua_setfield(L, -2, regs[i].name);
-    }
-    lua_rawseti(L, -2, kind);
-    lua_pop(L, 1);
-}
-
-int api_ship_register(lua_State *L, int32_t kind, const char *name)
-{
-    int i = -1, top = lua_gettop(L);
-
-    registry(L);
-    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER)
-        i = (int)lua_tointeger(L, -1);
-    lua_settop(L, top);
-    return i;
-}
-
-int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
-{
-    return slot < PADS ? api_ship_register(L, b->player.kind[slot], name) : -1;
-}
-
-bool api_register_declared(lua_State *L, const char *name)
-{
-    int top = lua_gettop(L);
-    bool found = false;
-
-    registry(L);
-    for (uint32_t kind = 0; !found && kind < vm_board(L)->player_kinds.s.live; kind++) {
-        found = lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER;
-        lua_settop(L, top + 1);
-    }
-    lua_settop(L, top);
-    return found;
-}
-
-const char *api_register_near(lua_State *L, const char *name)
-{
-    const char *names[PLAYER_REGISTERS], *found = NULL;
-    int best = EDIT_FAR;
-
-    for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
-        for (int n = api_player_registers(L, (int32_t)kind, names), i = 0; i < n; i++)
-            api_suggest_nearer(name, names[i], &best, &found);
-    return found;
-}
-
-int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
-{
-    int top = lua_gettop(L), n = 0;
-
-    registry(L);
-    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
-        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
-            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it */
-    lua_settop(L, top);
-    return n;
-}
-
 static const char run_key = 0; /* registry: kind -> run */
 
-static void keep_run(lua_State *L, int32_t kind, int at)
+static const char needs_key = 0; /* registry: kind -> the unlock it needs */
+
+/* Keeps the value at `at` for a kind. Only a game that gives one has the table. */
+static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) != LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &run_key);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, key);
     }
     lua_pushvalue(L, at);
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);
 }
 
-static void refuse_full(lua_State *L, int32_t kind, const char *name)
+void api_player_needs(lua_State *L, int32_t kind)
 {
-    const char *names[PLAYER_REGISTERS], *found = NULL;
-    int best = EDIT_FAR;
+    int top = lua_gettop(L);
 
-    for (int n = api_player_registers(L, kind, names), i = 0; i < n; i++)
-        api_suggest_nearer(name, names[i], &best, &found);
-    if (found)
-        api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship (did you mean \"%s\"?)", name,
-                  found);
-    api_error(L, "player.def", "collect_full: \"%s\" is no register of this ship", name);
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &needs_key) == LUA_TTABLE) {
+        lua_rawgeti(L, -1, kind);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
 }
 
 /* The register, + 1, at whose most all items come. */
-static uint8_t full_register(lua_State *L, const struct player_kinds *k, int32_t kind, const struct api_value *full)
+static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, const struct api_value *full)
 {
-    const char *name = full->given ? lua_tostring(L, full->at) : "";
-    int i = full->given ? api_ship_register(L, kind, name) : -1;
-
     if (!full->given)
         return 0;
-    if (i < 0)
-        refuse_full(L, kind, name);
-    if (!k->most[kind * PLAYER_REGISTERS + i])
+    const char *name = lua_tostring(L, full->at);
+    int i = api_register_expect(L, "player.def", "collect_full", kind, name);
+    if (registers_rule(&b->registers, b->player_kinds.first[kind] + (uint32_t)i).most == REGISTER_MOST)
         api_error(L, "player.def", "collect_full: the register \"%s\" has no max (registers = { %s = { max = n } })",
                   name, name);
     return (uint8_t)(i + 1);
@@ -314,7 +112,7 @@ static void define_items(lua_State *L, struct board *b, int32_t kind, const stru
     k->magnet[kind] = v[D_MAGNET].f;
     k->line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
     k->pull[kind] = v[D_PULL].f;
-    k->full[kind] = full_register(L, k, kind, &v[D_FULL]);
+    k->full[kind] = full_register(L, b, kind, &v[D_FULL]);
 }
 
 static int player_def(lua_State *L, struct board *b, struct api_value *v)
@@ -341,12 +139,19 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->focus[i] = v[D_FOCUS].f;
     k->lives[i] = (int32_t)v[D_LIVES].i;
     k->safe[i] = (uint32_t)v[D_SAFE].i;
+    k->first[i] = (uint16_t)b->registers.s.live;
     if (v[D_REGISTERS].given)
-        define_registers(L, k, i, v[D_REGISTERS].at);
+        k->registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
     define_items(L, b, i, v);
+    k->bomb[i] = api_bomb_named(L, "bomb", i, &v[D_BOMB]);
+    k->bomb_focus[i] = api_bomb_named(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
+    k->deathbomb[i] = (uint16_t)v[D_DEATHBOMB].i;
+    api_options_read(L, b, i, &v[D_OPTIONS]);
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
-        keep_run(L, i, v[D_RUN].at);
+        keep_of_kind(L, &run_key, i, v[D_RUN].at);
+    if (v[D_NEEDS].given)
+        keep_of_kind(L, &needs_key, i, v[D_NEEDS].at);
     return 0;
 }
 
@@ -367,7 +172,9 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
             player_place(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
+    registers_start(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
     api_items_check(L, b);
+    options_drop_of(&b->options, i, 0); /* of the game before */
     b->core.extended[i] = 0;
     b->core.over = 0;
     input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
@@ -411,7 +218,22 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { P_X, P_Y, P_LIVES, P_SAFE, P_FOCUS, P_GRAZES, P_SCORE, P_INDEX, P_KIND, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
+enum {
+    P_X,
+    P_Y,
+    P_LIVES,
+    P_SAFE,
+    P_FOCUS,
+    P_GRAZES,
+    P_SCORE,
+    P_INDEX,
+    P_KIND,
+    P_PICTURE,
+    P_FLIP_X,
+    P_HIDDEN,
+    P_STATE,
+    PROPS
+};
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
@@ -430,6 +252,9 @@ static const struct api_prop props[PROPS] = {
       "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies" },
     { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
+    { { "state", A_STR, REQ, 0, 0, NULL, NULL },
+      PROP_READ,
+      "fly, or hit: it stands and does not fire while a bomb can save it (deathbomb of player.def)" },
 };
 
 static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
@@ -466,6 +291,9 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case P_SCORE:
         lua_pushinteger(L, s->score[i]);
+        break;
+    case P_STATE:
+        lua_pushstring(L, s->hit[i] ? "hit" : "fly");
         break;
     case P_INDEX:
         lua_pushinteger(L, i + 1);
@@ -559,15 +387,19 @@ enum { ADD_POINTS, ADD_PLAYER };
 static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 
-enum { ARG_TABLE };
+enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+static const struct api_param rows_of[] = { { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },
+                                            { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL } };
 
-enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE };
+enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
-                                          { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
+static const struct api_param enter[] = {
+    { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },         { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
+    { "score", A_INT, REQ, -1e15, 1e15, "points", NULL },   { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL },
+    { "stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL }, { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0" }
+};
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -577,19 +409,37 @@ static int score_add(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static void push_row(lua_State *L, const struct nv_row *row)
+{
+    lua_createtable(L, 0, 6);
+    lua_pushstring(L, row->name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, row->score);
+    lua_setfield(L, -2, "score");
+    if (row->ship[0]) {
+        lua_pushstring(L, row->ship);
+        lua_setfield(L, -2, "ship");
+    }
+    if (row->stage && row->stage != NV_CLEARED) {
+        lua_pushinteger(L, row->stage);
+        lua_setfield(L, -2, "stage");
+    }
+    lua_pushboolean(L, row->stage == NV_CLEARED);
+    lua_setfield(L, -2, "clear");
+    lua_pushinteger(L, row->continues);
+    lua_setfield(L, -2, "continues");
+}
+
 static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 {
-    char name[NV_NAME + 1];
-    int64_t score;
+    struct nv_row rows[NV_ROWS];
+    const char *ship = v[ROWS_SHIP].given ? lua_tostring(L, v[ROWS_SHIP].at) : NULL;
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    lua_newtable(L);
-    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
-        lua_createtable(L, 0, 2);
-        lua_pushstring(L, name);
-        lua_setfield(L, -2, "name");
-        lua_pushinteger(L, score);
-        lua_setfield(L, -2, "score");
+    int n = nvram_rows(&b->nvram, lua_tostring(L, v[ROWS_TABLE].at), ship, rows);
+    lua_createtable(L, n, 0);
+    for (int r = 0; r < n; r++) {
+        push_row(L, &rows[r]);
         lua_rawseti(L, -2, r + 1);
     }
     return 1;
@@ -597,16 +447,24 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
-    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    int r =
-        nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
+    const char *table = lua_tostring(L, v[ENTER_TABLE].at);
+    struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
+    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* of no more bytes than there is room for */
+    if (v[ENTER_SHIP].given)
+        strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
+    if (v[ENTER_STAGE].given)
+        row.stage = (uint8_t)v[ENTER_STAGE].i;
+    if (v[ENTER_CLEAR].i)
+        row.stage = NV_CLEARED;
+    int r = nvram_enter(&b->nvram, table, &row);
     if (r == -2)
         return api_error(L, "score.enter", NO_NVRAM, b->cart.m.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
     if (!board_lists(b))
-        board_add_marker(b, MARKER_ROW, lua_tostring(L, v[ENTER_TABLE].at), "", "", r + 1);
+        board_add_marker(b, MARKER_ROW, table, "", "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
 }
@@ -626,9 +484,10 @@ static const struct api_entry entries[] = {
       "pressed, then again every 5 frames once held for 20" },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
       "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
-    { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
-      "a lasting table's rows, best first: { name=, score= }" },
+    { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
+      "a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the best of "
+      "all" },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      "enters a score into a lasting table; its row, or nil when it is not good enough" },
+      "enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough" },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

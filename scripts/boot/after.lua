@@ -1,0 +1,55 @@
+-- boot/after.lua - all that is after a game that nobody left: ending and staff, then names and scores.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local SCORES = 6 * 60 -- frames it stands
+
+local function holds(when, run)
+  for key, value in pairs(when or {}) do
+    if run[key] ~= value then return false end
+  end
+  return true
+end
+
+-- The first ending that is for this run.
+local function ending(a, show, run)
+  if type(a.ending) == "function" then return a.ending(run) end
+  for _, e in ipairs(a.ending or {}) do
+    if holds(e.when, run) then return e.show(run) end
+  end
+  show("ending", run)
+end
+
+-- The place of a row in the table of all ships, or nil.
+local function place(difficulty, row)
+  for i, r in ipairs(score.rows(difficulty)) do
+    if r.ship == row.ship and r.score == row.score and r.name == row.name then return i end
+  end
+end
+
+-- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
+-- all.
+local function enter_names(a, show, run)
+  local entries = sys.read("boot/records").best(run, #a.players > 1)
+  if #entries == 0 then return end
+  local names, ship, mark = show("name", entries), entries[1].row.ship, nil
+  if type(names) == "string" then names = { names } end
+  for i, e in ipairs(entries) do
+    e.row.name = type(names) == "table" and names[i] or nil
+    if not e.row.name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
+    local at = score.enter(run.difficulty, e.row)
+    mark = mark and at and math.min(mark, at) or mark or at
+    if e.row.ship ~= ship then ship = nil end
+  end
+  if not ship then mark = place(run.difficulty, entries[1].row) end
+  show("scores", run.difficulty, SCORES, mark, ship)
+end
+
+-- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.
+return function(a, show, run)
+  if run.clear then
+    ending(a, show, run)
+    sys.wipe()
+    if a.staff then show("staff", a.staff) end
+  end
+  enter_names(a, show, run)
+end

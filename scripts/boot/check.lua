@@ -1,0 +1,147 @@
+-- boot/check.lua - what boot.run was given, looked at once while the game loads.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local SCREENS = {
+  "title", "mode", "difficulty", "ship", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
+  "music", "unlocks",
+}
+
+local function fail(what, expected, got) sys.fail("boot.run", ("%s: expected %s, got %s"):format(what, expected, got)) end
+
+-- Fails unless all keys of t are among names. what: as the message calls one of them.
+local function expect_names(what, t, names)
+  local known = {}
+  for _, name in ipairs(names) do known[name] = true end
+  for key in pairs(t) do
+    if not known[key] then
+      sys.fail("boot.run", ('unknown %s "%s"%s'):format(what, tostring(key), sys.hint(tostring(key), names)))
+    end
+  end
+end
+
+local function expect_type(what, value, kind)
+  if value ~= nil and type(value) ~= kind then fail(what, "a " .. kind, type(value)) end
+end
+
+local function expect_text(what, value, needed)
+  if needed or value ~= nil then
+    if type(value) ~= "string" then fail(what, "a string", type(value)) end
+  end
+end
+
+local function expect_stages(what, list)
+  if type(list) ~= "table" or #list == 0 then
+    fail(what, "a list of at least one stage", type(list) == "table" and "none" or type(list))
+  end
+  for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
+end
+
+local function check_players(list)
+  local kinds, known = sys.kinds("player"), {}
+  for _, kind in ipairs(kinds) do known[kind] = true end
+  for _, kind in ipairs(list) do
+    if not known[kind] then sys.unknown("boot.run", "player", tostring(kind), kinds) end
+  end
+  if #list == 0 then fail("players", "a list of at least one", "none") end
+end
+
+local function check_screens(screens)
+  expect_names("screen", screens, SCREENS)
+  for name, f in pairs(screens) do expect_type("screen " .. name, f, "function") end
+end
+
+-- modes: a list of { name, stages, text?, needs? }.
+local function check_modes(modes)
+  if #modes == 0 then fail("modes", "a list of at least one", "none") end
+  for i, mode in ipairs(modes) do
+    local what = ("mode %d"):format(i)
+    if type(mode) ~= "table" then fail(what, "a table", type(mode)) end
+    expect_names("argument of a mode:", mode, { "name", "stages", "text", "needs" })
+    expect_text(what .. ": name", mode.name, true)
+    expect_text(what .. ": text", mode.text)
+    expect_text(what .. ": needs", mode.needs)
+    expect_stages(('mode "%s": stages'):format(mode.name), mode.stages)
+  end
+end
+
+local function check_difficulties(texts)
+  expect_names("difficulty", texts, sys.difficulties())
+  for name, words in pairs(texts) do expect_text("difficulty " .. name, words) end
+end
+
+local function check_figures(kind, figures)
+  for _, f in ipairs(figures) do
+    local good = type(f) == "table" and type(f[1]) == "string" and math.type(f[2]) == "integer"
+    if not good or f[2] < 0 or f[2] > 5 then
+      fail(("ship %s: figures"):format(kind), 'a list of { "Range", 0 to 5 }', type(f) == "table" and "another" or type(f))
+    end
+  end
+end
+
+local function check_ships(ships, players)
+  expect_names("ship", ships, players)
+  for kind, ship in pairs(ships) do
+    expect_type("ship " .. kind, ship, "table")
+    expect_names(("argument of ship %s:"):format(kind), ship, { "title", "text", "figures" })
+    expect_text(("ship %s: title"):format(kind), ship.title)
+    expect_text(("ship %s: text"):format(kind), ship.text)
+    expect_type(("ship %s: figures"):format(kind), ship.figures, "table")
+    check_figures(kind, ship.figures or {})
+  end
+end
+
+-- Of what an ending tells when it is shown: { show, when? } each.
+local RUN = { "mode", "difficulty", "ship", "players", "continues" }
+
+local function check_endings(ending)
+  if type(ending) == "function" then return end
+  if type(ending) ~= "table" then fail("ending", "a function or a list", type(ending)) end
+  for i, e in ipairs(ending) do
+    if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
+    expect_names("argument of an ending:", e, { "when", "show" })
+    if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
+    expect_type(("ending %d: when"):format(i), e.when, "table")
+    expect_names("condition of an ending:", e.when or {}, RUN)
+  end
+end
+
+local function check_staff(parts)
+  for i, part in ipairs(parts) do
+    if type(part) ~= "table" then fail(("staff %d"):format(i), 'a list of texts, as { "Art", "A. Name" }', type(part)) end
+    for k, s in ipairs(part) do expect_text(("staff %d: text %d"):format(i, k), s, true) end
+  end
+end
+
+local function check_demos(demos)
+  for i, name in ipairs(demos) do expect_text(("demos: %d"):format(i), name, true) end
+end
+
+local function check_music(list)
+  if #list == 0 then fail("music", "a list of at least one", "none") end
+  for i, m in ipairs(list) do
+    local what = ("music %d"):format(i)
+    if type(m) ~= "table" then fail(what, 'a table, as { name = "tide" }', type(m)) end
+    expect_names("argument of music:", m, { "name", "title", "text" })
+    expect_text(what .. ": name", m.name, true)
+    expect_text(what .. ": title", m.title)
+    expect_text(what .. ": text", m.text)
+  end
+end
+
+-- Returns the arguments, with what was left out.
+return function(args)
+  local a = sys.check("boot.run", args)
+  check_players(a.players)
+  if not a.modes or a.stages then expect_stages("stages", a.stages) end
+  if a.screens then check_screens(a.screens) end
+  if a.modes then check_modes(a.modes) end
+  if a.difficulties then check_difficulties(a.difficulties) end
+  if a.ships then check_ships(a.ships, a.players) end
+  if a.ending then check_endings(a.ending) end
+  if a.staff then check_staff(a.staff) end
+  if a.music then check_music(a.music) end
+  if a.demos then check_demos(a.demos) end
+  a.stages = a.stages or a.modes[1].stages
+  sys.read("boot/records").expect(a)
+  return a
+end

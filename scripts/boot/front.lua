@@ -1,0 +1,125 @@
+-- boot/front.lua - all that is before a game: the title and what can be looked at from there, demos while nobody comes,
+-- and the choices.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local ATTRACT = 10 * 60 -- frames the title waits before it shows a demo
+local SCORES = 6 * 60   -- frames the score table stands by itself
+
+local function any_score()
+  for _, name in ipairs(sys.difficulties()) do
+    if score.rows(name)[1] then return true end
+  end
+end
+
+local function any_spell()
+  local found = false
+  boss.each(function(b)
+    for _, phase in ipairs(b.phases) do found = found or phase.spell and sys.history(b.name, phase.id, 0) > 0 end
+  end)
+  return found
+end
+
+-- Where one can go from the title: what the game has, and what has something in it.
+local function places(a)
+  local list = { "start" }
+  if any_score() then list[2] = "scores" end
+  if any_spell() then list[#list + 1] = "history" end
+  if a.music then list[#list + 1] = "music" end
+  local unlocks = rawget(sys, "unlock")
+  if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
+  return list
+end
+
+local function expect_place(what, list)
+  for _, place in ipairs(list) do
+    if place == what then return end
+  end
+  local got = tostring(what)
+  local expected = table.concat(list, ", ")
+  sys.fail("boot.run", ('screen title: expected one of %s, or nil, got "%s"%s'):format(expected, got, sys.hint(got, list)))
+end
+
+-- Nobody came: a demo, the next each time, then the scores.
+local function attract(a, show)
+  local demos = a.demos or { a.demo }
+  if #demos > 0 then
+    a.shown = (a.shown or 0) % #demos + 1
+    board.attract(demos[a.shown])
+    wait(1)
+  end
+  show("scores", board.difficulty(), SCORES)
+end
+
+-- The title, and back to it, until somebody starts. Returns how many play.
+local function wait_for_players(a, show)
+  local what, players
+  while what ~= "start" do
+    local list = places(a)
+    what, players = show("title", ATTRACT, list, what)
+    if what == nil then
+      attract(a, show)
+    elseif what ~= "start" then
+      expect_place(what, list)
+      show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)
+    end
+  end
+  return players or 1
+end
+
+-- The mode to be played; nil: back. Without modes it is one without a name.
+local function choose_mode(a, show)
+  if not a.modes then return { stages = a.stages } end
+  if #a.modes == 1 then return a.modes[1] end
+  local list, closed = {}, sys.read("boot/records").closed
+  for i, mode in ipairs(a.modes) do
+    local hint = closed(mode.needs)
+    list[i] = { name = mode.name, text = hint or mode.text, closed = hint ~= nil }
+  end
+  local name = show("mode", list)
+  for _, mode in ipairs(a.modes) do
+    if mode.name == name then return mode end
+  end
+end
+
+-- True when a difficulty is set; nil: back.
+local function choose_difficulty(a, show)
+  local names = sys.difficulties()
+  if #names < 2 then return true end
+  local name = show("difficulty", names, board.difficulty(), a.difficulties or {})
+  return name and board.difficulty(name) ~= nil
+end
+
+-- Each player's ship; nil: back.
+local function choose_ships(a, show, players)
+  if #a.players > 1 then
+    local ships = show("ship", a.players, players, a.ships or {})
+    return type(ships) == "string" and { ships } or ships
+  end
+  local ships = {}
+  for p = 1, players do ships[p] = a.players[1] end
+  return ships
+end
+
+-- One choice after the other; nil from one goes back to the one before. Returns mode and ships, or nil.
+local function choose(a, show, players)
+  local mode, ships
+  while true do
+    mode = choose_mode(a, show)
+    if not mode then return nil end
+    while choose_difficulty(a, show) do
+      ships = choose_ships(a, show, players)
+      if ships then return mode, ships end
+      if #sys.difficulties() < 2 then break end
+    end
+    if not a.modes or #a.modes < 2 then return nil end
+  end
+end
+
+-- Until a game is to begin. Returns what is to be played: mode (a name, or nil), stages, ships.
+return function(a, show)
+  while true do
+    local players = wait_for_players(a, show)
+    local mode, ships = choose(a, show, players)
+    if mode then return { mode = mode.name, stages = mode.stages, ships = ships } end
+  end
+end

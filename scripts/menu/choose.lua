@@ -1,0 +1,14 @@
+-- menu/choose.lua - menu.choose: a title and a list below it, which leave nothing behind.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+return function(a)
+  local items, top = {}, a.row
+  for i, item in ipairs(a.items) do items[i] = text.lang(item) end
+  if a.title then top = page.centre(a.row, a.title, hud.banks.bright) + 1 end
+  local answer = page.list {
+    items = items, row = top, chosen = a.chosen, p = a.p, limit = a.limit, back = a.back,
+  }
+  if a.title then page.clear(a.row, top - a.row) end
+  return answer
+end

@@ -1,0 +1,123 @@
+-- screens/name.lua - the names of those whose scores are among the best, all at once: a wheel of letters each.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+local MIN <const>, MAX <const> = 3, 8 -- letters of a name
+local SECONDS = 60
+local WIDEST = 26 -- cells of a column
+
+-- The signs of the wheel: letters, digits, and some more.
+local SIGNS = {}
+for c = 65, 90 do SIGNS[#SIGNS + 1] = string.char(c) end
+for c = 48, 57 do SIGNS[#SIGNS + 1] = string.char(c) end
+for c in (".-!?"):gmatch(".") do SIGNS[#SIGNS + 1] = c end
+
+local UP, DOWN = hud.glyph(150, "^"), hud.glyph(151, "v")
+
+local function sign(n) return SIGNS[n % #SIGNS + 1] end
+
+local GAP <const> = 2 -- rows from one line to the next
+
+local function draw_wheel(e, row)
+  local apart = e.cols >= 2 * MAX + 2 and 2 or 1
+  local col = e.col + (e.cols - apart * (MAX - 1) - 1) // 2
+  local x, n = col + apart * (#e.signs - 1), e.signs[#e.signs]
+  page.clear(row, 5, e.col, e.cols)
+  for i = 1, MAX do
+    hud.put(col + apart * (i - 1), row + 2, e.signs[i] and sign(e.signs[i]) or "_", hud.banks[e.done and "bright" or "plain"])
+  end
+  if e.done then return end
+  hud.put(x, row, UP, hud.banks.faint)
+  hud.put(x, row + 1, sign(n - 1), hud.banks.faint)
+  hud.put(x, row + 2, sign(n), hud.banks.bright)
+  hud.put(x, row + 3, sign(n + 1), hud.banks.faint)
+  hud.put(x, row + 4, DOWN, hud.banks.faint)
+end
+
+local function draw(e, row)
+  page.centre(row, text.lang("PLAYER %d"):format(e.p), hud.banks.bright, e.col, e.cols)
+  page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
+  row = row + 2 * GAP
+  if e.rank then page.centre(row, text.lang("PLACE %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
+  row = row + GAP + 1
+  draw_wheel(e, row)
+  page.clear(row + 6, 1, e.col, e.cols)
+  if e.done then page.centre(row + 6, "READY", hud.banks.bright, e.col, e.cols) end
+end
+
+local function put_plate(e, row)
+  return sprite.plate {
+    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (3 * GAP + 8) * 8 + 16, bank = hud.banks.plain,
+  }
+end
+
+-- One frame of a wheel. Is it another now?
+local function edit(e)
+  local n = #e.signs
+  local step = page.step("up", "down", e.p)
+  e.signs[n] = (e.signs[n] + step) % #SIGNS
+  if page.pressed("start", e.p) and n >= MIN then
+    e.done = true
+  elseif page.pressed("fire", e.p) or page.stepped("right", e.p) then
+    if n == MAX then e.done = true else e.signs[n + 1] = e.signs[n] end
+  elseif (page.pressed("bomb", e.p) or page.stepped("left", e.p)) and n > 1 then
+    e.signs[n] = nil
+  elseif step == 0 then
+    return false
+  end
+  return true
+end
+
+local function name_of(e)
+  local s = ""
+  for _, n in ipairs(e.signs) do s = s .. sign(n) end
+  return s .. ("A"):rep(MIN - #s)
+end
+
+local function begin(entries)
+  local list = {}
+  for i, entry in ipairs(entries) do
+    local col, cols = page.column(i, #entries, WIDEST)
+    list[i] = { p = entry.p, points = entry.points, rank = entry.rank, signs = { 0 }, col = col, cols = cols }
+  end
+  return list
+end
+
+-- One frame of all of them. Are all done?
+local function go_on(list, row, fresh)
+  local done = true
+  for _, e in ipairs(list) do
+    if not e.done and edit(e) or fresh then draw(e, row) end
+    done = done and e.done
+  end
+  return done
+end
+
+-- entries: { p, points, rank? } of each player who enters one. Returns a list of names, of 3 to 8 signs; who does not
+-- come to an end in time has what stands there.
+return function(entries)
+  local list, row, names = begin(entries), nil, {}
+  page.begin()
+  row = page.head("YOUR NAME?", 0) + (page.low and 1 or 3)
+  for _, e in ipairs(list) do e.plate = put_plate(e, row) end
+  for age = 0, SECONDS * 60 do
+    if page.opening(age, 0) then
+      page.head("YOUR NAME?", age)
+      page.centre(page.row + page.rows - 2 - 3 * GAP, "FIRE: NEXT  BOMB: BACK", hud.banks.faint)
+      page.centre(page.row + page.rows - 2 - 2 * GAP, "START: DONE", hud.banks.faint)
+    end
+    if age % 60 == 0 then
+      local left = text.lang("TIME %2d"):format(SECONDS - age // 60)
+      page.centre(page.row + page.rows - 2 - GAP, left, hud.banks.plain)
+    end
+    if go_on(list, row, age == 0) then break end
+    sys.tell_keys()
+    wait(1)
+  end
+  page.done()
+  for i, e in ipairs(list) do
+    names[i] = name_of(e)
+    e.plate:remove()
+  end
+  return names
+end

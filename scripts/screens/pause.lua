@@ -1,0 +1,30 @@
+-- screens/pause.lua - the game's own pause, which stands in the demo too: a window over a darker picture.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+local ROOM = 8 -- columns beside the widest item
+
+-- p: who pressed START; items: texts, the first of which goes on. Returns the number of one.
+return function(p, items)
+  local words, widest = {}, sys.cells(text.lang("PAUSE"))
+  for i, item in ipairs(items) do
+    words[i] = text.lang(item)
+    widest = math.max(widest, sys.cells(words[i]))
+  end
+  local w, h = math.min(page.cols - 2, widest + ROOM), 2 * #items + 5
+  local col, row = page.col + (page.cols - w) // 2, page.row + (page.rows - h) // 2
+  page.clear(row, h, col, w)
+  screen.dim { share = 0.55, over = 6 }
+  local window = page.window(col, row, w, h)
+  local function draw(age)
+    page.grow(window, age)
+    page.centre(row + 1, "PAUSE", hud.banks.bright, col, w)
+    page.rule(row + 2, age, col + 1, w - 2)
+  end
+  local i = page.list {
+    items = words, row = row + 4, col = col, cols = w, p = p, back = 1, limit = forever, draw = draw,
+  }
+  page.close(window)
+  screen.dim { share = 0, over = 6 }
+  return i
+end

@@ -1,0 +1,97 @@
+-- screens/title.lua - the title: a logo, a line that asks for START, and then a list of where one can go.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+local WORDS = { scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS" }
+local DROP = 24 -- px from above that the logo comes
+
+-- The name of a game without a logo, its letters apart where there is room.
+local function draw_name(row, age)
+  local name, apart = rom.title:upper(), nil
+  apart = name:gsub("[%g]", "%0 "):gsub(" $", "")
+  if #name == sys.cells(name) and #apart <= page.cols - 4 then name = apart end
+  page.rule(row - 2, age)
+  local below = page.centre(row, name, hud.banks.bright)
+  page.rule(below + 1, age)
+end
+
+local function put_logo(row)
+  if not rom.has("logo") then return nil end
+  return sprite.put { sprite = "logo", x = page.x, y = row * 8 - DROP, screen = true }
+end
+
+local function draw_best()
+  local top = score.rows(board.difficulty())[1]
+  if top then page.centre(page.row + 1, text.lang("HI %09d"):format(top.score)) end
+end
+
+-- Waits for a press; false when nobody came.
+local function wait_for_start(row, third, logo, limit)
+  for age = 0, limit - 1 do
+    if logo then
+      logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
+    elseif page.opening(age, 0) then
+      draw_name(third, age)
+    end
+    if age % 60 == 0 then page.centre(row, "PRESS START", hud.banks.bright) end
+    if age % 60 == 40 then page.clear(row, 1) end
+    sys.tell_keys()
+    wait(1)
+    if page.accepted() then
+      page.clear(row, 1)
+      if logo then logo.y = third * 8 end
+      return true
+    end
+  end
+  return false
+end
+
+-- What can be chosen, as { what, players } each, and the words for it.
+local function entries(words)
+  local list, items = {}, {}
+  for _, what in ipairs(words) do
+    if what == "start" and sys.players() > 1 then
+      list[1], list[2] = { what, 1 }, { what, 2 }
+      items[1], items[2] = text.lang("1 PLAYER"), text.lang("2 PLAYERS")
+    else
+      list[#list + 1] = { what, 1 }
+      items[#items + 1] = text.lang(WORDS[what] or "START")
+    end
+  end
+  return list, items
+end
+
+local function index_of(list, what)
+  for i, entry in ipairs(list) do
+    if entry[1] == what then return i end
+  end
+end
+
+-- The number of what is chosen from the list; 0: back, nil: nobody answers.
+local function choose(items, row, chosen)
+  if #items == 1 then return 1 end
+  local gap = page.low and #items > 4 and 1 or 2
+  return page.list { items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap, keys = true }
+end
+
+-- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil
+-- when nobody came for `limit` frames.
+return function(limit, words, last)
+  text.clear()
+  local third = page.row + page.rows // 3
+  local row, logo = page.row + 2 * (page.rows // 3), put_logo(third)
+  local list, items = entries(words)
+  local here, back = 0, last and index_of(list, last)
+  draw_best()
+  if back then
+    if logo then logo.y = third * 8 else draw_name(third, page.cols) end
+    here = choose(items, row, back)
+  end
+  while here == 0 do
+    local came = wait_for_start(row, third, logo, limit)
+    here = came and choose(items, row, 1)
+  end
+  text.clear()
+  if logo then logo:remove() end
+  if here then return table.unpack(list[here]) end
+end

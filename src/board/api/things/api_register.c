@@ -1,0 +1,326 @@
+/*
+ * api_register.c - registers, of ships (player.def) and of a run (game.def): their rules and their names.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../../base/edit.h"
+#include "../api_parts.h"
+
+extern const struct api_thing api_player_thing;
+
+/* Registry: kind of ship, or RUN_REGISTERS, -> { name -> number }; and -> { number -> show }, of those that say it. */
+static const char names_key = 0, shows_key = 0;
+
+static const char *const shows[] = { "none", "number", "icons", "bar", NULL };
+
+enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, SETTINGS };
+
+static const struct api_param settings[SETTINGS] = {
+    { "start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
+    { "min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
+    { "max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
+    { "drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
+    { "every", A_INT, OPT, 1, INT32_MAX, "frames", NULL },
+    { "hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL },
+    { "show", A_STR, OPT, 0, 0, NULL, NULL },
+};
+
+struct reg {
+    const char *name, *show; /* show NULL: not said */
+    struct register_rule rule;
+};
+
+/* Pushes the table of the registry under that key, made when there is none. */
+static void registry(lua_State *L, const void *key)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) == LUA_TTABLE)
+        return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+/* The word of `show` that the value at `at` is. */
+static const char *read_show(lua_State *L, const char *entry, const char *name, int at)
+{
+    const char *word = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : NULL;
+
+    for (int i = 0; word && shows[i]; i++)
+        if (!strcmp(shows[i], word))
+            return shows[i];
+    api_error(L, entry, "%s.show: expected none, number, icons or bar, got %s", name,
+              word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, at));
+    return NULL;
+}
+
+static void unknown_setting(lua_State *L, const char *entry, const char *name, const char *key)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    for (int i = 0; i < SETTINGS; i++)
+        api_suggest_nearer(key, settings[i].name, &best, &found);
+    if (found)
+        api_error(L, entry, "%s: unknown setting \"%s\" (did you mean \"%s\"?)", name, key, found);
+    api_error(L, entry, "%s: unknown setting \"%s\" (there are start, min, max, drain, every, hold, show)", name, key);
+}
+
+static void check_settings(lua_State *L, const char *entry, const char *name, int at)
+{
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
+        int i = 0;
+        while (key && i < SETTINGS && strcmp(key, settings[i].name))
+            i++;
+        if (!key)
+            api_error(L, entry, "%s: expected a whole number, or { start = n, max = n }", name);
+        if (i == SETTINGS)
+            unknown_setting(L, entry, name, key);
+    }
+}
+
+/* A whole number of the table, or `otherwise`. */
+static int32_t setting(lua_State *L, const char *entry, const char *name, int at, int which, int32_t otherwise)
+{
+    char full[80];
+    struct api_param p = settings[which];
+    struct api_value v = { 0 };
+
+    snprintf(full, sizeof full, "%s.%s", name, p.name);
+    p.name = full;
+    lua_getfield(L, at, settings[which].name);
+    api_check(L, entry, &p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    if (!v.given)
+        return otherwise;
+    return v.i == LUA_MAXINTEGER ? DRAIN_FOREVER : (int32_t)v.i;
+}
+
+static void check_rule(lua_State *L, const char *entry, const char *name, const struct reg *r)
+{
+    const struct register_rule *rule = &r->rule;
+
+    if (rule->least > rule->most)
+        api_error(L, entry, "%s: min %d is more than max %d", name, (int)rule->least, (int)rule->most);
+    if (rule->start > rule->most)
+        api_error(L, entry, "%s: start %d is more than max %d", name, (int)rule->start, (int)rule->most);
+    if (rule->start < rule->least)
+        api_error(L, entry, "%s: start %d is less than min %d", name, (int)rule->start, (int)rule->least);
+    if (rule->most == REGISTER_MOST && r->show && !strcmp(r->show, "bar"))
+        api_error(L, entry, "%s: a bar needs a max", name);
+    if (!rule->drain && rule->hold)
+        api_error(L, entry, "%s: hold is how long it does not drain, but it has no drain (drain = n, or forever)",
+                  name);
+}
+
+/* Reads { start = 3, max = 6, show = "icons" } at `at`. */
+static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct reg *r)
+{
+    struct register_rule *rule = &r->rule;
+
+    check_settings(L, entry, name, at);
+    rule->least = setting(L, entry, name, at, S_MIN, 0);
+    rule->most = setting(L, entry, name, at, S_MAX, REGISTER_MOST);
+    rule->start = setting(L, entry, name, at, S_START, rule->least > 0 ? rule->least : 0);
+    rule->drain = setting(L, entry, name, at, S_DRAIN, 0);
+    rule->every = setting(L, entry, name, at, S_EVERY, 1);
+    rule->hold = setting(L, entry, name, at, S_HOLD, 0);
+    if (lua_getfield(L, at, "show") != LUA_TNIL)
+        r->show = read_show(L, entry, name, lua_gettop(L));
+    lua_pop(L, 1);
+    check_rule(L, entry, name, r);
+}
+
+/* Is the name one that the thing, or the table game, has already? */
+static void check_name(lua_State *L, const char *entry, int32_t kind, const char *name)
+{
+    static const char *const of_run[] = { "def", "stage", "mode", "continues", "frames", NULL };
+
+    if (kind == RUN_REGISTERS) {
+        for (int i = 0; of_run[i]; i++)
+            if (!strcmp(of_run[i], name))
+                api_error(L, entry, "registers: game.%s is there already", name);
+        return;
+    }
+    if (api_property(&api_player_thing, name) || !strcmp(name, "alive"))
+        api_error(L, entry, "registers: \"%s\" is a property of every player already", name);
+    if (api_push_method(L, H_PLAYER, name))
+        api_error(L, entry, "registers: \"%s\" is a verb of every player already", name);
+    lua_pop(L, 1);
+}
+
+/* The register whose name and value are on top. */
+static struct reg read_register(lua_State *L, const char *entry, int32_t kind)
+{
+    struct reg r = { .rule = { .most = REGISTER_MOST, .every = 1 } };
+    struct api_value v = { 0 };
+    char name[64];
+
+    if (lua_type(L, -2) != LUA_TSTRING)
+        api_error(L, entry, "registers: expected names with whole numbers");
+    r.name = lua_tostring(L, -2);
+    check_name(L, entry, kind, r.name);
+    snprintf(name, sizeof name, "registers.%s", r.name);
+    if (lua_istable(L, -1)) {
+        read_rule(L, entry, name, lua_gettop(L), &r);
+        return r;
+    }
+    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
+    api_check(L, entry, &whole, lua_gettop(L), &v);
+    r.rule.start = (int32_t)v.i;
+    return r;
+}
+
+/* Keeps how register i is shown. Only a game that says it has the table. */
+static void keep_show(lua_State *L, int32_t kind, int i, const char *show)
+{
+    int top = lua_gettop(L);
+
+    if (!show)
+        return;
+    registry(L, &shows_key);
+    if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, kind);
+    }
+    lua_pushstring(L, show);
+    lua_rawseti(L, -2, i);
+    lua_settop(L, top);
+}
+
+void api_register_show(lua_State *L, int32_t kind, int i)
+{
+    int top = lua_gettop(L);
+
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE) {
+        lua_rawgeti(L, -1, i);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
+}
+
+static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct reg *regs, int n)
+{
+    struct registers *rows = &vm_board(L)->registers;
+
+    registry(L, &names_key);
+    lua_createtable(L, 0, n);
+    for (int i = 0; i < n; i++) {
+        if (registers_add(rows, &regs[i].rule) == NO_SLOT)
+            api_error(L, entry, "registers: more than %d in all (registers of board in rom.lua)", (int)rows->s.cap);
+        keep_show(L, kind, i, regs[i].show);
+        lua_pushinteger(L, i);
+        lua_setfield(L, -2, regs[i].name);
+    }
+    lua_rawseti(L, -2, kind);
+    lua_pop(L, 1);
+}
+
+/* Registers get their numbers in byte order of their names, so that no table order decides. */
+int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
+{
+    struct reg regs[PLAYER_REGISTERS];
+    int n = 0;
+
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        struct reg r = read_register(L, entry, kind);
+        if (n == PLAYER_REGISTERS)
+            api_error(L, entry, "registers: at most %d", PLAYER_REGISTERS);
+        int i = n++;
+        for (; i > 0 && strcmp(regs[i - 1].name, r.name) > 0; i--)
+            regs[i] = regs[i - 1];
+        regs[i] = r;
+    }
+    add_rows(L, entry, kind, regs, n);
+    return n;
+}
+
+int api_ship_register(lua_State *L, int32_t kind, const char *name)
+{
+    int i = -1, top = lua_gettop(L);
+
+    registry(L, &names_key);
+    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER)
+        i = (int)lua_tointeger(L, -1);
+    lua_settop(L, top);
+    return i;
+}
+
+int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
+{
+    return slot < PADS ? api_ship_register(L, b->player.kind[slot], name) : -1;
+}
+
+bool api_register_declared(lua_State *L, const char *name)
+{
+    const uint32_t kinds = vm_board(L)->player_kinds.s.live;
+    bool found = false;
+
+    for (uint32_t kind = 0; !found && kind < kinds; kind++)
+        found = api_ship_register(L, (int32_t)kind, name) >= 0;
+    return found;
+}
+
+static void suggest(lua_State *L, int32_t kind, const char *name, int *best, const char **found)
+{
+    const char *names[PLAYER_REGISTERS];
+
+    for (int n = api_player_registers(L, kind, names), i = 0; i < n; i++)
+        api_suggest_nearer(name, names[i], best, found);
+}
+
+const char *api_register_near(lua_State *L, const char *name)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
+        suggest(L, (int32_t)kind, name, &best, &found);
+    return found;
+}
+
+int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name)
+{
+    const int i = api_ship_register(L, kind, name);
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    if (i >= 0)
+        return i;
+    suggest(L, kind, name, &best, &found);
+    if (found)
+        return api_error(L, entry, "%s: \"%s\" is no register of this ship (did you mean \"%s\"?)", what, name, found);
+    return api_error(L, entry, "%s: \"%s\" is no register of this ship", what, name);
+}
+
+int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
+{
+    int top = lua_gettop(L), n = 0;
+
+    registry(L, &names_key);
+    if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
+        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
+            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it */
+    lua_settop(L, top);
+    return n;
+}
+
+int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at)
+{
+    const double least = registers_rule(&vm_board(L)->registers, row).least;
+    const struct api_param p = { name, A_INT, REQ, least, INT32_MAX, NULL, NULL };
+    struct api_value v = { 0 };
+    int whole = 0;
+
+    if (lua_type(L, at) == LUA_TNUMBER) {
+        v.i = lua_tointegerx(L, at, &whole);
+        if (whole && v.i <= INT32_MAX)
+            return v.i;
+    }
+    api_check(L, of, &p, at, &v);
+    return v.i;
+}

@@ -1,0 +1,90 @@
+/*
+ * registers.c - see registers.h. A register that does not drain takes no time: most games have none that does, and then
+ * registers_drain is not called.
+ */
+#include "registers.h"
+#include "../base/int.h"
+
+static const struct column columns[] = {
+    DERIVED_COLUMNS(registers, rule, RULE_FIELDS, "set while scripts load, as names are, and never after"),
+    COLUMNS(registers, value, PADS),
+    COLUMNS(registers, wait, PADS),
+    DERIVED_REGISTER(registers, first, "set while scripts load"),
+    DERIVED_REGISTER(registers, count, "set while scripts load"),
+    DERIVED_REGISTER(registers, drains, "set while scripts load"),
+};
+
+const struct chip registers_chip = { "registers", columns, sizeof columns / sizeof *columns, true, false };
+
+int32_t registers_add(struct registers *r, const struct register_rule *rule)
+{
+    const int32_t i = slots_append(&r->s);
+
+    if (i == NO_SLOT)
+        return i;
+    int32_t *to = r->rule + (uint32_t)i * RULE_FIELDS;
+    to[RULE_START] = rule->start;
+    to[RULE_LEAST] = rule->least;
+    to[RULE_MOST] = rule->most;
+    to[RULE_DRAIN] = rule->drain;
+    to[RULE_EVERY] = rule->every;
+    to[RULE_HOLD] = rule->hold;
+    r->drains += rule->drain != 0;
+    for (uint32_t p = 0; p < PADS; p++)
+        registers_start(r, (uint32_t)i, 1, p);
+    return i;
+}
+
+struct register_rule registers_rule(const struct registers *r, uint32_t row)
+{
+    const int32_t *at = r->rule + row * RULE_FIELDS;
+
+    return (struct register_rule){ at[RULE_START], at[RULE_LEAST], at[RULE_MOST],
+                                   at[RULE_DRAIN], at[RULE_EVERY], at[RULE_HOLD] };
+}
+
+/* Did it change against its drain? */
+static bool against(int32_t drain, int32_t was, int32_t is)
+{
+    return drain < 0 && drain != DRAIN_FOREVER ? is < was : is > was;
+}
+
+void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v)
+{
+    const int32_t *rule = r->rule + row * RULE_FIELDS;
+    int32_t *value = &r->value[row * PADS + p], *wait = &r->wait[row * PADS + p], was = *value;
+
+    *value = (int32_t)int64_clamp(v, rule[RULE_LEAST], rule[RULE_MOST]);
+    if (rule[RULE_DRAIN] && against(rule[RULE_DRAIN], was, *value) && *wait < rule[RULE_HOLD])
+        *wait = rule[RULE_HOLD];
+}
+
+bool registers_full(const struct registers *r, uint32_t row, uint32_t p)
+{
+    const int32_t most = r->rule[row * RULE_FIELDS + RULE_MOST];
+
+    return most != REGISTER_MOST && registers_get(r, row, p) == most;
+}
+
+void registers_start(struct registers *r, uint32_t first, uint32_t n, uint32_t p)
+{
+    for (uint32_t row = first; row < first + n; row++) {
+        const int32_t *rule = r->rule + row * RULE_FIELDS;
+        r->value[row * PADS + p] = rule[RULE_START];
+        r->wait[row * PADS + p] = rule[RULE_DRAIN] ? rule[RULE_EVERY] : 0;
+    }
+}
+
+void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p)
+{
+    for (uint32_t row = first; row < first + n; row++) {
+        const int32_t *rule = r->rule + row * RULE_FIELDS;
+        int32_t *value = &r->value[row * PADS + p], *wait = &r->wait[row * PADS + p];
+        if (!rule[RULE_DRAIN] || --*wait > 0)
+            continue;
+        *wait = rule[RULE_EVERY];
+        *value = rule[RULE_DRAIN] == DRAIN_FOREVER
+                     ? rule[RULE_START]
+                     : (int32_t)int64_clamp((int64_t)*value - rule[RULE_DRAIN], rule[RULE_LEAST], rule[RULE_MOST]);
+    }
+}

@@ -1,0 +1,515 @@
+/*
+ * test_screens.c - the screens around a game: the way through all of them by buttons, with one player and two, on fields
+ * of several sizes; those that a game puts in their place, with what they are given and what they answer; what is refused.
+ */
+#include "rig.h"
+
+static struct rig_game g;
+static struct rig r;
+
+/* A game of two modes, difficulties, stages and ships, with all that boot.run can show. Every thing that dies or clears
+ * stands in the pads. */
+static const char kinds[] =
+    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "player.def('heron', { sprite = 'dot', hit = { circle = 2 }, lives = 2, speed = 4, focus = 2,\n"
+    "  registers = { bombs = { start = 3, max = 6, show = 'icons' } } })\n"
+    "player.def('tern', { sprite = 'wink', hit = { circle = 2 }, lives = 5, speed = 2, focus = 1 })\n"
+    "stage.def('one', function() wait(20) score.add(500) end)\n"
+    "stage.def('two', function() wait(20) score.add(70, player.get(2)) end)\n"
+    "stage.def('end', function() while true do player.each(function(p) p.safe = 0\n"
+    "  bullet.fire { kind = 'orb', x = p.x, y = p.y, dir = 0, speed = 0 } end) wait(5) end end)\n";
+
+static void open_sized(const char *text, int w, int h, int field_w, int players)
+{
+    static char full[1 << 14];
+    struct manifest m = rig_manifest();
+
+    m.screen_w = (int16_t)w;
+    m.screen_h = (int16_t)h;
+    m.field_w = (int16_t)field_w;
+    m.field_h = (int16_t)h;
+    m.players = (uint8_t)players;
+    m.n_difficulties = 2;
+    memcpy(m.difficulties[0], "calm\0\0", 7);
+    memcpy(m.difficulties[1], "wild", 5);
+    snprintf(full, sizeof full, "%s%s", kinds, text);
+    rig_script(&g, &m, full);
+    rig_power_any(&r, &g, NULL);
+}
+
+/* 240 x 320, one player; it may fault. */
+static void open_game(const char *text)
+{
+    open_sized(text, 240, 320, 240, 1);
+}
+
+static void close_game(void)
+{
+    if (rig_fault(&r))
+        fail_msg("%s", rig_fault(&r)->message);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* Where in the cells the text stands: its first column plus 1000 a row; -1: nowhere. */
+static int at(const char *text)
+{
+    const struct fix *f = &r.b->fix;
+    char row[128];
+
+    for (uint32_t y = 0; y < f->rows; y++) {
+        for (uint32_t x = 0; x < f->cols; x++)
+            row[x] = (char)(f->code[y * f->cols + x] > 32 ? f->code[y * f->cols + x] : ' ');
+        row[f->cols] = 0;
+        if (strstr(row, text))
+            return (int)(1000 * y) + (int)(strstr(row, text) - row);
+    }
+    return -1;
+}
+
+static void frames(int n)
+{
+    static const uint16_t none[PADS];
+
+    for (; n > 0 && !rig_fault(&r); n--)
+        board_tick(r.b, none);
+}
+
+static void press(uint16_t first, uint16_t second)
+{
+    const uint16_t down[PADS] = { first, second };
+
+    rig_tick(&r, down);
+    rig_tick(&r, down);
+    frames(2);
+}
+
+/* Is shown within so many frames. */
+static void soon(const char *text, int most)
+{
+    for (int i = 0; at(text) < 0; i++) {
+        if (i == most || rig_fault(&r))
+            fail_msg("frame %u: no \"%s\"%s%s", board_frame(r.b), text, rig_fault(&r) ? ": " : "",
+                     rig_fault(&r) ? rig_fault(&r)->message : "");
+        rig_run(&r, 1);
+    }
+}
+
+static void gone(const char *text)
+{
+    if (at(text) >= 0)
+        fail_msg("frame %u: \"%s\" is still there", board_frame(r.b), text);
+}
+
+static const char run_all[] =
+    "boot.run { players = { 'heron', 'tern' }, continues = 1,\n"
+    "  modes = { { name = 'story', stages = { 'one', 'two' }, text = 'Both stages.' },\n"
+    "            { name = 'doom', stages = { 'end' }, text = 'The end.' } },\n"
+    "  difficulties = { calm = 'For a calm dive.' },\n"
+    "  ships = { heron = { text = 'Fast.' }, tern = { title = 'GREY TERN', figures = { { 'RANGE', 4 } } } },\n"
+    "  staff = { { 'ART', 'A. Heron', 'B. Tern' }, { 'THE END' } } }\n";
+
+/* ---- the way through ---- */
+
+/* To the first stage, the second mode or the first; player 2 takes the other ship. */
+static void start(int players, bool doom)
+{
+    soon("PRESS START", 60);
+    assert_true(board_last(r.b)->menu);
+    press(PAD_START, 0);
+    if (players > 1) {
+        soon("2 PLAYERS", 20);
+        press(PAD_DOWN, 0);
+        press(PAD_FIRE, 0);
+    }
+    soon("STORY", 20);
+    gone("PRESS START");
+    soon("Both stages.", 20);
+    press(doom ? PAD_DOWN : 0, 0);
+    soon(doom ? "The end." : "Both stages.", 10);
+    press(PAD_FIRE, 0);
+    soon("For a calm dive.", 30);
+    press(PAD_DOWN, 0);
+    frames(5);
+    gone("For a calm dive.");
+    press(PAD_FIRE, 0);
+    soon("YOUR SHIP?", 20);
+    soon("LIVES", 60);
+    press(0, players > 1 ? PAD_RIGHT : 0);
+    soon(players > 1 ? "GREY TERN" : "HERON", 5);
+    press(PAD_FIRE, 0);
+    assert_true(at("READY") >= 0);
+    if (players > 1) {
+        frames(60);
+        assert_int_equal(r.b->player.in[0], 0);
+        press(0, PAD_BOMB | PAD_LEFT); /* not both: it takes the step */
+        press(0, PAD_RIGHT);
+        press(0, PAD_FIRE);
+    }
+    soon("STAGE", 60);
+    assert_false(board_last(r.b)->menu);
+}
+
+static void pause_and_go_on(void)
+{
+    uint32_t clock;
+
+    press(PAD_START, 0);
+    soon("PAUSE", 5);
+    clock = r.b->core.clock;
+    frames(100);
+    assert_int_equal(r.b->core.clock, clock);
+    assert_true(screen_dim(&r.b->screen, r.b->core.frame) > FX_ONE / 4);
+    press(PAD_DOWN, 0);
+    press(PAD_BOMB, 0); /* goes on, wherever the bar stands */
+    frames(10);
+    gone("PAUSE");
+    assert_true(r.b->core.clock > clock);
+    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
+}
+
+static void through_all(int w, int h, int field_w, int players)
+{
+    open_sized(run_all, w, h, field_w, players);
+    start(players, false);
+    pause_and_go_on();
+    soon("STAGE ONE CLEAR", 300);
+    assert_true(at("STAGE ONE CLEAR") % 1000 < field_w / 8);
+    frames(100);
+    assert_true(at("500") >= 0 && at("GRAZE") >= 0);
+    assert_true(players == 1 || at("PLAYER 2") >= 0);
+    press(PAD_FIRE, 0);
+    soon("STAGE TWO CLEAR", 500);
+    frames(100);
+    press(PAD_FIRE, 0);
+    soon("ALL STAGES CLEAR", 60);
+    soon("CONGRATULATIONS!", 300);
+    frames(100);
+    press(PAD_FIRE, 0);
+    soon("A. Heron", 300);
+    press(PAD_START, 0);
+    soon("YOUR NAME?", 60);
+    frames(20);
+    press(PAD_UP | PAD_START, PAD_FIRE); /* too short to be done */
+    press(PAD_FIRE, PAD_FIRE);
+    press(PAD_FIRE, PAD_FIRE);
+    assert_true(at("TIME") >= 0);
+    press(PAD_START, PAD_START);
+    soon("BEST SCORES", 60);
+    soon("WILD", 5);
+    soon("500", 30);
+    assert_true(players == 1 || (at("AAAA") >= 0 && at(" 70") >= 0));
+    assert_int_equal(r.b->player.in[0], 0);
+    assert_int_equal(r.b->sprites.s.live, 0);
+    frames(30);
+    press(PAD_FIRE, 0);
+    soon("PRESS START", 400);
+    press(PAD_START, 0);
+    soon("SCORES", 20);
+    close_game();
+}
+
+static void test_all(void **state)
+{
+    (void)state;
+    through_all(240, 320, 240, 1);
+    through_all(240, 320, 240, 2);
+    through_all(320, 240, 320, 1);
+    through_all(320, 240, 208, 2);
+    through_all(640, 448, 384, 2);
+}
+
+/* Bomb goes back, page by page, and a page that nobody answers gives up. */
+static void test_back(void **state)
+{
+    (void)state;
+    open_sized(run_all, 240, 320, 240, 2);
+    soon("PRESS START", 60);
+    press(PAD_FIRE, 0);
+    soon("1 PLAYER", 30);
+    press(PAD_BOMB, 0);
+    soon("PRESS START", 30);
+    press(PAD_FIRE, 0);
+    soon("2 PLAYERS", 30);
+    press(PAD_FIRE, 0);
+    soon("STORY", 30);
+    press(PAD_FIRE, 0);
+    soon("DIFFICULTY", 30);
+    press(PAD_FIRE, 0);
+    soon("YOUR SHIP?", 30);
+    press(PAD_FIRE, 0);
+    press(PAD_BOMB, 0); /* not ready after all: too late for one player */
+    frames(30);
+    close_game();
+
+    open_sized(run_all, 240, 320, 240, 2);
+    soon("PRESS START", 60);
+    press(PAD_FIRE, 0);
+    soon("2 PLAYERS", 30);
+    press(0, PAD_DOWN);
+    press(0, PAD_FIRE);
+    soon("STORY", 30);
+    press(PAD_FIRE, 0);
+    soon("DIFFICULTY", 30);
+    press(PAD_FIRE, 0);
+    soon("YOUR SHIP?", 30);
+    press(PAD_FIRE, 0);
+    press(PAD_BOMB, 0); /* the other has not chosen yet */
+    frames(5);
+    gone("READY");
+    press(0, PAD_BOMB);
+    soon("DIFFICULTY", 30);
+    press(PAD_BOMB, 0);
+    soon("STORY", 30);
+    press(PAD_BOMB, 0);
+    soon("PRESS START", 30);
+    press(PAD_START, 0);
+    soon("2 PLAYERS", 30);
+    frames(1801);
+    soon("BEST SCORES", 60); /* of no one: the scores, then the title */
+    soon("PRESS START", 500);
+    close_game();
+}
+
+static void quit_to(const char *item, int down)
+{
+    press(PAD_START, 0);
+    soon(item, 30);
+    for (int i = 0; i < down; i++)
+        press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+}
+
+/* START OVER begins the same game anew, QUIT leaves it without a name. */
+static void test_leaving(void **state)
+{
+    (void)state;
+    open_game(run_all);
+    start(1, false);
+    soon("STAGE ONE CLEAR", 300);
+    press(PAD_START, 0);
+    soon("START OVER", 30);
+    frames(30);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("000000000", 60);
+    soon("STAGE ONE", 5);
+    assert_int_equal(r.b->player.score[0], 0);
+    quit_to("QUIT", 2);
+    soon("PRESS START", 60);
+    assert_int_equal(r.b->player.in[0], 0);
+    close_game();
+}
+
+/* The window counts down, faster with bomb; START goes on, and without a continue the game is over. */
+static void test_continue(void **state)
+{
+    (void)state;
+    open_game(run_all);
+    start(1, true);
+    soon("CONTINUE?", 600);
+    assert_true(at("START: 1 LEFT") >= 0 && at("9") >= 0);
+    uint32_t clock = r.b->core.clock;
+    press(PAD_BOMB, 0);
+    frames(30);
+    assert_true(at(" 8 ") >= 0);
+    assert_int_equal(r.b->core.clock, clock);
+    press(PAD_START, 0);
+    frames(5);
+    gone("CONTINUE?");
+    soon("GAME OVER", 900);
+    gone("CONTINUE?");
+    soon("YOUR NAME?", 300); /* it is worth a point, so that tables tell */
+    close_game();
+}
+
+/* ---- a game's own ---- */
+
+/* What each is called with, and that what it answers is taken; the rest is silent. */
+static void test_own(void **state)
+{
+    static const char own[] =
+        "local log = {}\n"
+        "local function tell(...) log[#log + 1] = table.concat({ ... }, ' ') print(log[#log]) end\n"
+        "local rounds = 0\n"
+        "boot.run { players = { 'heron', 'tern' }, demos = { 'a', 'b' },\n"
+        "  modes = { { name = 'story', stages = { 'one' }, text = 'All.' }, { name = 'other', stages = { 'two' } } },\n"
+        "  difficulties = { wild = 'W' }, ships = { tern = { text = 'T' } }, staff = { { 'X' } }, screens = {\n"
+        "  title = function(limit, list, last) rounds = rounds + 1 wait(1)\n"
+        "    tell('title', limit, #list, list[1], last or '-')\n"
+        "    if rounds == 3 then return 'start', 2 end end,\n"
+        "  mode = function(list) tell('mode', #list, list[1].name, list[1].text) return 'story' end,\n"
+        "  difficulty = function(names, present, texts) tell('difficulty', names[1], names[2], present, texts.wild)\n"
+        "    return 'wild' end,\n"
+        "  ship = function(kinds, n, about) tell('ship', kinds[2], n, about.tern.text) return { 'tern', 'heron' } "
+        "end,\n"
+        "  results = function(title, players, stopped) tell('results', title, players, tostring(stopped() or false)) "
+        "end,\n"
+        "  ending = function(run) tell('ending', run.mode, run.difficulty, run.ship, run.players, run.scores[1],\n"
+        "    tostring(run.clear)) end,\n"
+        "  staff = function(parts) tell('staff', parts[1][1]) end,\n"
+        "  name = function(list) tell('name', #list, list[1].p, list[1].points, list[1].rank) return { 'KIT', 'LOU' } "
+        "end,\n"
+        "  scores = function(name, over, mark) tell('scores', name, over, mark or '-') wait(1) end } }\n";
+    static const char want[] = "title 600 1 start -\nscores calm 360 -\ntitle 600 1 start -\nscores calm 360 -\n"
+                               "title 600 1 start -\nmode 2 story All.\ndifficulty calm wild calm W\nship tern 2 T\n"
+                               "results STAGE ONE CLEAR 2 false\nending story wild tern 2 500 true\nstaff X\n"
+                               "name 1 1 500 1\nscores wild 360 1\ntitle 600 2 start -\n";
+    static char got[4096], shown[256];
+    struct manifest m = rig_manifest();
+
+    (void)m;
+    (void)state;
+    open_sized(own, 240, 320, 240, 2);
+    got[0] = shown[0] = 0;
+    for (int i = 0; i < 600 && strlen(got) < strlen(want) && !rig_fault(&r); i++) {
+        rig_run(&r, 1);
+        const struct board_out *o = board_last(r.b);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
+        if (o->request == REQUEST_ATTRACT)
+            snprintf(shown + strlen(shown), sizeof shown - strlen(shown), "%s ", o->attract);
+    }
+    if (strncmp(got, want, strlen(want)))
+        fail_msg("told:\n%sexpected:\n%s%s", got, want, rig_fault(&r) ? rig_fault(&r)->message : "");
+    assert_memory_equal(shown, "a b a ", strlen(shown));
+    assert_true(strlen(shown) >= 4);
+    close_game();
+}
+
+/* The first ending whose conditions hold; a piece of the game's own takes the library's place. */
+static void test_endings(void **state)
+{
+    static const struct rig_script scripts[] = {
+        { "main",
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+          "stage.def('s', function() wait(5) end)\n"
+          "local function say(s) return function(run) print(s, run.ship) end end\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, ending = {\n"
+          "  { when = { difficulty = 'none' }, show = say 'wrong' }, { when = { players = 2 }, show = say 'wrong' },\n"
+          "  { when = { ship = 'ship', continues = 0 }, show = say 'right' }, { show = say 'late' } } }\n" },
+        { "@std/screens/title", "return function() wait(1) print('my title') return 'start' end" },
+        { "@std/screens/results", "return function() end" },
+    };
+    static char got[1024];
+
+    (void)state;
+    rig_scripts(&g, NULL, scripts, 3);
+    rig_power(&r, &g, NULL);
+    got[0] = 0;
+    for (int i = 0; i < 260; i++) {
+        rig_run(&r, 1);
+        const struct board_out *o = board_last(r.b);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
+    }
+    assert_string_equal(got, "my title\nright\tship\nmy title\n");
+    close_game();
+}
+
+/* ---- what is refused ---- */
+
+static void says(const char *call, const char *want)
+{
+    char text[600];
+
+    snprintf(text, sizeof text, "boot.run { stages = { 'one' }, players = { 'heron', 'tern' }, %s }", call);
+    open_game(text);
+    for (int i = 0; i < 30 && !rig_fault(&r); i++)
+        press(i % 4 == 3 ? PAD_FIRE : 0, 0);
+    if (!rig_fault(&r) || !strstr(rig_fault(&r)->message, want))
+        fail_msg("%s: \"%s\" does not say \"%s\"", call, rig_fault(&r) ? rig_fault(&r)->message : "", want);
+    assert_memory_equal(rig_fault(&r)->message, "main.lua:9: ", 12);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void test_mistakes(void **state)
+{
+    (void)state;
+    says("screens = { titel = print }", "boot.run: unknown screen \"titel\" (did you mean \"title\"?)");
+    says("screens = { title = 'mine' }", "boot.run: screen title: expected a function, got string");
+    says("modes = {}", "boot.run: modes: expected a list of at least one, got none");
+    says("modes = { { stages = { 'one' } } }", "boot.run: mode 1: name: expected a string, got nil");
+    says("modes = { { name = 'a', stages = { 'oen' } } }",
+         "boot.run: stage \"oen\" is not declared (did you mean \"one\"?)");
+    says("modes = { { name = 'a', stage = 'one' } }",
+         "boot.run: unknown argument of a mode: \"stage\" (did you mean \"stages\"?)");
+    says("difficulties = { clam = 'x' }", "boot.run: unknown difficulty \"clam\" (did you mean \"calm\"?)");
+    says("difficulties = { calm = 1 }", "boot.run: difficulty calm: expected a string, got number");
+    says("ships = { heran = {} }", "boot.run: unknown ship \"heran\" (did you mean \"heron\"?)");
+    says("ships = { heron = { figures = { { 'RANGE', 9 } } } }", "boot.run: ship heron: figures: expected a list of");
+    says("ending = 5", "boot.run: ending: expected a function or a list, got number");
+    says("ending = { { when = { shpi = 'heron' }, show = print } }",
+         "boot.run: unknown condition of an ending: \"shpi\" (did you mean \"ship\"?)");
+    says("staff = { 'me' }", "boot.run: staff 1: expected a list of texts, as { \"Art\", \"A. Name\" }, got string");
+    says("demos = { 5 }", "boot.run: demos: 1: expected a string, got number");
+    says("screen = {}", "boot.run: unknown argument \"screen\" (did you mean \"screens\"?)");
+}
+
+/* What a game's own screens answer is looked at too. */
+static void test_answers(void **state)
+{
+    static const struct {
+        const char *screens, *want;
+    } wrong[] = {
+        { "title = function() wait(1) return 'strat' end",
+          "boot.run: screen title: expected one of start, or nil, got \"strat\" (did you mean \"start\"?)" },
+        { "title = function() wait(1) return 'start' end, difficulty = function() return 'clam' end", "difficulty" },
+        { "title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
+          "ship = function() return 'hreon' end",
+          "hreon" },
+    };
+    char text[600];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(text, sizeof text, "boot.run { stages = { 'one' }, players = { 'heron', 'tern' }, screens = { %s } }",
+                 wrong[i].screens);
+        open_game(text);
+        frames(20);
+        if (!rig_fault(&r) || !strstr(rig_fault(&r)->message, wrong[i].want))
+            fail_msg("\"%s\" does not say \"%s\"", rig_fault(&r) ? rig_fault(&r)->message : "", wrong[i].want);
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+}
+
+/* ---- any frame of any screen can be taken back ---- */
+
+static void test_snapshots(void **state)
+{
+    static const uint16_t pads[] = { PAD_START, PAD_FIRE, PAD_DOWN, PAD_FIRE, PAD_RIGHT, PAD_FIRE, PAD_UP, PAD_BOMB };
+    struct rng rng;
+    struct rig b;
+
+    (void)state;
+    open_sized(run_all, 240, 320, 240, 2);
+    rig_power(&b, &g, NULL);
+    rng_seed(&rng, 3);
+    for (int f = 0; f < 6000; f++) {
+        uint16_t now[PADS] = { 0 };
+        for (int p = 0; p < PADS; p++)
+            if (f % 16 < 2)
+                now[p] = pads[(f / 16 * 7 + p * 3) % 8];
+        rig_tick(&r, now);
+        if (f % 3 == 0)
+            rig_spoil(&b);
+        rig_tick(&b, now);
+        if (rig_fault(&r))
+            fail_msg("%s", rig_fault(&r)->message);
+        if (f % 3 == 0 && rig_differs(&r, &b))
+            fail_msg("frame %d: %s differs after snapshot and restore", f + 1, rig_differs(&r, &b));
+    }
+    rig_free(&b);
+    close_game();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),      cmocka_unit_test(test_back),
+                                        cmocka_unit_test(test_leaving),  cmocka_unit_test(test_continue),
+                                        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
+                                        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_answers),
+                                        cmocka_unit_test(test_snapshots) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
