@@ -14,9 +14,10 @@ static fx px(double v)
     return (fx)(v * 65536);
 }
 
-static const char head[] = "local sys = string.sys\nlocal list = {}\n"
-                           "local function say(...) for _, v in ipairs { ... } do list[#list + 1] = tostring(v) end end\n"
-                           "function string.told() local s = table.concat(list, ' ') list = {} return s end\n";
+static const char head[] =
+    "local sys = string.sys\nlocal list = {}\n"
+    "local function say(...) for _, v in ipairs { ... } do list[#list + 1] = tostring(v) end end\n"
+    "function string.told() local s = table.concat(list, ' ') list = {} return s end\n";
 
 /* A game whose frames the test counts: main.lua runs at power, its tasks from frame 0 on. */
 static void power(const char *text)
@@ -54,12 +55,13 @@ static void hold(uint16_t first, uint16_t second, int frames)
 static void test_drain(void **state)
 {
     (void)state;
-    power("player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
-          "  a = { start = 10, min = 3, max = 20, drain = 2, every = 5, hold = 7 },\n"
-          "  b = { start = 5, drain = forever, hold = 3 }, c = { max = 9, drain = -1, every = 2, hold = 4 } } })\n"
-          "player.def('tug', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7 } })\n"
-          "task.go(function() sys.join(1, 'ship') sys.join(2, 'ship')\n"
-          "  local p = player.get(1) wait(20) p.a, p.b = 99, 8 wait(30) p.c = 2 wait(9) p.a, p.b, p.c = -50, 1, 99 end)");
+    power(
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
+        "  a = { start = 10, min = 3, max = 20, drain = 2, every = 5, hold = 7 },\n"
+        "  b = { start = 5, drain = forever, hold = 3 }, c = { max = 9, drain = -1, every = 2, hold = 4 } } })\n"
+        "player.def('tug', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7 } })\n"
+        "task.go(function() sys.join(1, 'ship') sys.join(2, 'ship')\n"
+        "  local p = player.get(1) wait(20) p.a, p.b = 99, 8 wait(30) p.c = 2 wait(9) p.a, p.b, p.c = -50, 1, 99 end)");
     hold(0, 0, 1);
     for (int f = 1; f < 80; f++) { /* in frame f, before its scripts */
         const int start = 10 - 2 * (f / 5), low = start < 3 ? 3 : start;
@@ -110,7 +112,8 @@ static void test_fresh(void **state)
 /* ---- options ---- */
 
 static const char fixed[] =
-    "option.def('bead', { sprite = 'dot', run = function(o) while true do say(o.index .. o.by.index) wait(100) end end })\n"
+    "option.def('bead', { sprite = 'dot', run = function(o) while true do say(o.index .. o.by.index) wait(100) end end "
+    "})\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1, registers = { power = 0 },\n"
     "  options = { kind = 'bead', by = 'power', over = 4, levels = {\n"
     "    { at = 2, wide = { { 0, -16 } } },\n"
@@ -244,7 +247,8 @@ static void test_options_serve(void **state)
           "option.def('bead', { sprite = 'dot', run = function(o)\n"
           "  laser.beam { kind = 'ray', follow = o, dir = 270, length = 50, hold = forever }\n"
           "  sprite.put { sprite = 'dot', follow = o, dy = 9 }\n"
-          "  shot.fire { kind = 'bolt', from = o, speed = 1 } shot.fire { kind = 'bolt', by = o.by, x = o.x, y = o.y, speed = 2 }\n"
+          "  shot.fire { kind = 'bolt', from = o, speed = 1 } shot.fire { kind = 'bolt', by = o.by, x = o.x, y = o.y, "
+          "speed = 2 }\n"
           "  say(query.near { what = 'enemy', from = o, radius = 9 } == nil) end })\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { n = 0 },\n"
           "  options = { kind = 'bead', by = 'n', over = 0, levels = { { at = 1, wide = { { 20, 0 } } } } } })\n"
@@ -263,6 +267,32 @@ static void test_options_serve(void **state)
     }
     hold(0, 0, 12);
     assert_int_equal(b->options.s.live + b->sprites.s.live + b->lasers.s.live, 0);
+    done();
+}
+
+/* What finds no room is not there, and comes when there is. */
+static void test_options_full(void **state)
+{
+    struct manifest m = rig_manifest();
+    char text[4096];
+
+    (void)state;
+    m.options = 3;
+    snprintf(text, sizeof text,
+             "%s%stask.go(function() for i = 1, 2 do sys.join(i, 'ship') player.get(i).power = 5 end wait(9)\n"
+             "player.get(1).power = 0 end)",
+             head, fixed);
+    rig_with_sys(&g, &m, text);
+    rig_power(&rig, &g, NULL);
+    b = rig.b;
+    hold(0, 0, 1);
+    assert_string_equal(board_last(b)->log,
+                        "the pool of options is full (3; options in rom.lua): what finds no room is not made\n");
+    assert_int_equal(options_of(0), 2);
+    assert_int_equal(options_of(1), 1);
+    hold(0, 0, 12);
+    assert_int_equal(options_of(0), 0);
+    assert_int_equal(options_of(1), 2);
     done();
 }
 
@@ -292,7 +322,8 @@ static void test_bomb(void **state)
 {
     (void)state;
     power_bombs("sys.join(1, 'ship') sys.join(2, 'ship') wait(2)\n"
-                "for i = 1, 20 do bullet.fire { kind = 'orb', x = 9 * i, y = 50, speed = 0 } end wait(100) say(p:bomb(), p.bombs)\n"
+                "for i = 1, 20 do bullet.fire { kind = 'orb', x = 9 * i, y = 50, speed = 0 } end wait(100) "
+                "say(p:bomb(), p.bombs)\n"
                 "say(p:bomb(), p.bombs) wait(40) say(p:bomb(), p.bombs)");
     hold(0, 0, 5);
     assert_int_equal(b->bullets.s.live, 20);
@@ -321,8 +352,9 @@ static void test_bomb(void **state)
     done();
 }
 
-static const char hit_at_10[] = "sys.join(1, 'ship') sys.join(2, 'ship') wait(10)\n"
-                                "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
+static const char hit_at_10[] =
+    "sys.join(1, 'ship') sys.join(2, 'ship') wait(10)\n"
+    "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
 
 /* A press in the n frames of the window saves; one frame later it is too late. */
 static void test_deathbomb(void **state)
@@ -336,8 +368,9 @@ static void test_deathbomb(void **state)
         hold(PAD_LEFT, 0, n - 1); /* it stands */
         assert_true(n > 6 || b->player.x[0] == x);
         hold(PAD_BOMB, 0, 1);
-        assert_string_equal(rig_told(&rig), n == 7 ? "death 1 death 1 bomb 1 false" : n == 6 ? "bomb 1 true death 1"
-                                                                                           : "bomb 1 true");
+        assert_string_equal(rig_told(&rig), n == 7   ? "death 1 death 1 bomb 1 false"
+                                            : n == 6 ? "bomb 1 true death 1"
+                                                     : "bomb 1 true");
         hold(0, 0, 8);
         assert_int_equal(b->player.lives[0], n == 7 ? 1 : 2);
         assert_int_equal(b->player.lives[1], 1);
@@ -366,7 +399,8 @@ static void test_hit_state(void **state)
 static const char arcade[] =
     "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 0, lives = 1, registers = { power = 3 } })\n"
-    "on.continue(function(p) say('on', p.index, p.score, p.lives, p.power) end) on.game_over(function() say('over') end)\n"
+    "on.continue(function(p) say('on', p.index, p.score, p.lives, p.power) end) on.game_over(function() say('over') "
+    "end)\n"
     "local ask = function(p, left, f) say('ask', p, left) wait(1) f(answer[1]) table.remove(answer, 1) end\n";
 
 static void power_arcade(const char *answers, const char *task)
@@ -401,10 +435,10 @@ static void test_continues(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drain),  cmocka_unit_test(test_fresh),         cmocka_unit_test(test_fixed),
-        cmocka_unit_test(test_trail),  cmocka_unit_test(test_orbit),         cmocka_unit_test(test_options_serve),
-        cmocka_unit_test(test_bomb),   cmocka_unit_test(test_deathbomb),     cmocka_unit_test(test_hit_state),
-        cmocka_unit_test(test_continues),
+        cmocka_unit_test(test_drain),        cmocka_unit_test(test_fresh),     cmocka_unit_test(test_fixed),
+        cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve),
+        cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),      cmocka_unit_test(test_deathbomb),
+        cmocka_unit_test(test_hit_state),    cmocka_unit_test(test_continues),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -228,7 +228,7 @@ static int sys_fit_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[FIT_PLAYER].i - 1;
     const char *name = lua_tostring(L, v[FIT_NAME].at);
-    int reg = api_player_register(L, b, p, name);
+    int reg = api_player_register(L, b, p, name); /* of a dead handle none */
 
     if (reg >= 0)
         board_set_register(b, p, (uint32_t)reg, v[FIT_VALUE].i);
@@ -299,6 +299,8 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
 
+    if (p >= PADS) /* of a dead handle */
+        return 0;
     if (v[CONTINUES_N].given) {
         b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
         if (!v[CONTINUES_N].i)
@@ -312,7 +314,7 @@ static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
 
-    if (b->player.in[p] || !b->core.continues[p])
+    if (p >= PADS || b->player.in[p] || !b->core.continues[p])
         return 0;
     b->core.continues[p]--;
     b->core.continued[p]++;
