@@ -12,18 +12,14 @@ static const struct {
     const char *names;
 } reserved[] = {
     { "", '.', "option bomb game talk say choose sound music unlock test" },
-    { "board", '.', "stop ask" },
+    { "board", '.', "ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
-    { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "cast music portrait warning" },
     { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
-    { "enemy.def", '{', "parts rate" },
-    { "enemy.spawn", '{', "follow parts rate" },
     { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
-    { "shot.def", '{', "every pierce" },
 };
 
 static bool has_word(const char *words, const char *word)
