@@ -68,6 +68,7 @@ local function bullets()
       board.note(b.kind .. b.bank .. (b.tag or "none"))
       if n % 7 == 0 then b.x, b.y = b.x + 1, b.y - 1 end
       if n % 5 == 0 then b.dir = 80 end
+      if n % 10 == 6 then b.frozen = 4 end
       b.heat = b.heat + b.goal / 4
       if n % 11 == 0 then b.vx, b.vy = 0.5, 0.75 end
     end
@@ -250,7 +251,7 @@ end
 local function bodies()
   for n = 0, forever do
     local e = enemy.spawn { kind = "crab", x = 60 + n * 31 % 100, y = 50, rate = n % 3 / 2 + 0.25 }
-    local more = enemy.spawn { kind = "limb", follow = e, dx = 3, dy = -12, share = 0.125, tag = "crowd" }
+    local more = enemy.spawn { kind = "limb", follow = e, dx = 3, dy = -12, share = 0.125 }
     e:wander { w = 60, h = 20, every = 9, over = 7, ease = n % 2 == 0 and "in" or "both" }
     local moon = enemy.spawn { kind = "globe", from = e, tag = "moon" }
     moon:orbit { around = n % 3 == 0 and more or e, radius = 20, radius_to = 30, spin = 5, dir = 30 * n, over = 90 }
@@ -269,7 +270,7 @@ local function bodies()
     end
     if more.alive then more.dy = more.dy - 1 end
     wait(13)
-    if n % 7 == 6 then board.stop(n % 5 + 1) end
+    if n % 9 == 4 then board.stop(n % 5 + 1) end
     if n % 3 == 0 then e:kill(1) elseif e.alive and n % 3 == 1 then e.y = -60 else e:remove() end
     moon:remove()
     wait(3)
