@@ -12,13 +12,9 @@ static const struct {
     const char *names;
 } reserved[] = {
     { "", '.', "talk say choose sound music test" },
-    { "board", '.', "stop ask" },
-    { "enemy", ':', "orbit wander" },
+    { "board", '.', "ask" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },
-    { "enemy.def", '{', "parts rate" },
-    { "enemy.spawn", '{', "follow parts rate" },
-    { "shot.def", '{', "every pierce" },
 };
 
 static bool has_word(const char *words, const char *word)

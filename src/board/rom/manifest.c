@@ -67,6 +67,8 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.curve_points", curve_points, 0, 1 << 20),
     NUMBER("board.registers", registers, 0, MAX_REGISTERS),
     NUMBER("board.options", options, 0, MAX_OPTIONS),
+    FLAG("board.bodies", bodies),
+    FLAG("board.pierce", pierce),
 };
 
 void manifest_default(struct manifest *m)

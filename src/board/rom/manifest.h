@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5240,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5248,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -51,6 +51,8 @@ struct manifest {
     int32_t lasers, curve_points; /* capacities; points: of all curves together, in pieces of 32 */
     int32_t registers;            /* of all ships and the run together */
     int32_t options;              /* that fly at once; 0 unless rom.lua asks for them */
+    int32_t bodies;               /* 1: enemies have rates and parts, go round and wander */
+    int32_t pierce;               /* 1: shots may go through what they hit */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
