@@ -409,7 +409,8 @@ static void move_items(struct board *b)
 void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
-    const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
+    const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld(b, 0)),
+                                  (uint16_t)(b->input.held[1] & ~board_withheld(b, 1)) };
     struct bullets_query query[PADS];
     const bool solid = hit_solid_possible(b);
 
