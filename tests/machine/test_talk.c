@@ -325,6 +325,7 @@ static void test_choose(void **state)
     open_it("told = choose({ 'ONE', 'TWO' }, { p = 2, chosen = 2, back = 1 }) .. ''");
     rig_run(&r, 1);
     press(PAD_UP | PAD_FIRE, 0); /* not asked */
+    press(PAD_BOMB, 0);
     told("");
     press(0, PAD_BOMB);
     told("1end");
