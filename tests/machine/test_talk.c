@@ -1,6 +1,7 @@
 /*
  * test_talk.c - dialogue: letters, pages, choices, who answers; what players cannot meanwhile; skips, stops, snapshots.
  */
+#include "../../src/board/std.h"
 #include "rig.h"
 
 enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, LAST_ROW = 37, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
@@ -23,6 +24,9 @@ static const char ships[] =
     "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
     "talk.def('iri', { name = 'IRI', faces = { calm = 'dot', cross = 'arrow' } })\n"
     "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right', bank = 3 })\n"
+    "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "boss.def('b', { title = '', kind = 'e', x = 100, y = 60, phases = {\n"
+    "  { id = 'p', hp = 9, time = 40, run = function() say('sen', 'MINE', { letter = 0 }) end } } })\n"
     "talk.def('voice', { name = 'VOICE' })\n"
     "for i = 1, string.sys.players() do string.sys.join(i, 'p') end\n";
 
@@ -489,6 +493,42 @@ static void test_snapshots(void **state)
     close_it();
 }
 
+/* In a boss's phase: the boss and its clock go on, and the phase's end takes the talk away. */
+static void test_boss(void **state)
+{
+    (void)state;
+    open_it("boss.fight 'b'");
+    rig_run(&r, 75);
+    assert_string_equal(words(0), "MINE");
+    rig_run(&r, 40);
+    assert_true(empty_screen());
+    assert_int_equal(player_withheld(&r.b->player, 1), 0);
+    rig_run(&r, 80);
+    told("end");
+    close_it();
+}
+
+/* No module of the library but these brings dialogue into a game's ROM. */
+static void test_packed(void **state)
+{
+    uint64_t dialogue = 0;
+    int others = 0;
+
+    (void)state;
+    for (int i = 0; i < STD_MODULES; i++)
+        if (!strcmp(std_module(i), "talk") || !strcmp(std_module(i), "say") || !strcmp(std_module(i), "choose"))
+            dialogue |= (uint64_t)1 << i;
+    for (int i = 0; i < STD_MODULES; i++)
+        for (int k = 0; k < std_script_count; k++) {
+            if (strcmp(std_scripts[k].name, std_module(i)) || dialogue >> i & 1)
+                continue;
+            others++;
+            if (std_needed(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
+                fail_msg("%s names a word of dialogue", std_module(i));
+        }
+    assert_int_equal(others, STD_MODULES - 3);
+}
+
 static void says(const char *lines, const char *want)
 {
     static char text[2048];
@@ -542,7 +582,8 @@ int main(void)
         cmocka_unit_test(test_faces),   cmocka_unit_test(test_hold),      cmocka_unit_test(test_presses),
         cmocka_unit_test(test_skip),    cmocka_unit_test(test_choose),    cmocka_unit_test(test_choose_in_talk),
         cmocka_unit_test(test_stage),   cmocka_unit_test(test_practice),  cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_pause),   cmocka_unit_test(test_snapshots), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_pause),   cmocka_unit_test(test_snapshots), cmocka_unit_test(test_boss),
+        cmocka_unit_test(test_packed),  cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
