@@ -7,13 +7,22 @@ local talk = {}
 -- rom.lua's, nil: the cells'.
 talk.look = { dim = 0.45, bank = 0 }
 
+local LINE = 240 -- characters of a line of text in a font
 local HOLDS = { none = 0, fire = 1, all = 2 } -- as sys.hold_players counts them
 
 local talkers, names = {}, {} -- who -> definition; in the order they were declared
 local now -- the talk that runs: its box, and task, which may be stopped at any time
 
+local function expect_word(api, what, word, words, list)
+  for _, known in ipairs(words) do
+    if known == word then return end
+  end
+  local near = sys.near(word, words)
+  sys.fail(api, ('%s: expected %s, got "%s"%s'):format(what, list, word, near and (' (did you mean "%s"?)'):format(near) or ""))
+end
+
 local function expect_side(api, side)
-  if side == "center" then sys.fail(api, 'side: expected left or right, got "center"') end
+  if side then expect_word(api, "side", side, { "left", "right" }, "left or right") end
 end
 
 function talk.def(who, def)
@@ -66,7 +75,7 @@ end
 
 function talk.run(f, args)
   local a = sys.check("talk.run", f, args)
-  if not HOLDS[a.hold] then sys.unknown("talk.run", "hold", a.hold, { "fire", "all", "none" }) end
+  expect_word("talk.run", "hold", a.hold, { "fire", "all", "none" }, "fire, all or none")
   run(a.f, a)
 end
 
@@ -94,11 +103,20 @@ function sys.say(who, words, args)
     sys.unknown("say", ('"%s": face'):format(a.who or "nobody"), a.face, talker and talker.list or {})
   end
   expect_side("say", a.side)
-  within(function(t) t.say(talker, text.lang(a.text), a) end)
+  local words = text.lang(a.text)
+  if talk.look.font and sys.cells(words) > LINE then
+    sys.fail("say", ("text: expected at most %d characters in a font, got %d"):format(LINE, sys.cells(words)))
+  end
+  within(function(t) t.say(talker, words, a) end)
 end
 
 function sys.choose(list, args)
   local a, items = sys.check("choose", list, args), {}
+  for key in pairs(a.list) do
+    if type(key) == "string" then
+      sys.fail("choose", ('list: expected texts, got "%s": settings stand in a second table'):format(key))
+    end
+  end
   if #a.list == 0 then sys.fail("choose", "list: expected at least one text") end
   for i, item in ipairs(a.list) do
     if type(item) ~= "string" then sys.fail("choose", ("list: %d: expected a text, got a %s"):format(i, type(item))) end

@@ -558,10 +558,12 @@ static void test_errors(void **state)
     says("say('iri', 'A', { leter = 3 })", "main.lua:2: say: unknown argument \"leter\" (did you mean \"letter\"?)");
     says("say('iri', 'A', { side = 'center' })", "main.lua:2: say: side: expected left or right, got \"center\"");
     says("choose({})", "main.lua:2: choose: list: expected at least one text");
+    says("choose { 'A', title = 'T' }",
+         "main.lua:2: choose: list: expected texts, got \"title\": settings stand in a second table");
     says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a text, got a number");
     says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
     says("talk.run(function() end, { hold = 'al' })",
-         "main.lua:2: talk.run: hold \"al\" is not declared (did you mean \"all\"?)");
+         "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
     says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
     says("talk.run(function() talk.run(print) end)",
          "main.lua:2: talk.run: a talk is running, and it can have one box");

@@ -120,7 +120,7 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NUL
 static const struct api_param talk_def[] = { { "who", A_STR, REQ, 1, 31, NULL, NULL },
                                              { "name", A_STR, REQ, 0, 63, NULL, NULL },
                                              { "faces", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "side", A_ALIGN, OPT, 0, 0, NULL, "left" },
+                                             { "side", A_STR, OPT, 0, 0, NULL, "left" },
                                              { "bank", A_INT, OPT, 0, 15, NULL, "0" } };
 static const struct api_param talk_face[] = { { "face", A_SPRITE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
@@ -130,7 +130,7 @@ static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NUL
                                              { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
 static const struct api_param say[] = {
     { "who", A_STR, OPT, 0, 0, NULL, NULL },         { "text", A_STR, REQ, 0, 4096, NULL, NULL },
-    { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_ALIGN, OPT, 0, 0, NULL, NULL },
+    { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_STR, OPT, 0, 0, NULL, NULL },
     { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT
 };
 static const struct api_param choose[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL },
