@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
@@ -443,6 +444,18 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
     lua_pushlstring(L, word, n);
 }
 
+/* Bytes of what fits into a row of a word of n bytes; a sign that closes does not begin the next. */
+static size_t piece_of(const char *word, size_t n, size_t width)
+{
+    size_t bytes;
+
+    utf8_count(word, n, width, &bytes);
+    const char *next = word + bytes;
+    if (width > 1 && bytes < n && text_closes(utf8_next(&next, word + n)))
+        utf8_count(word, n, width - 1, &bytes);
+    return bytes;
+}
+
 static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
@@ -464,7 +477,7 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
         while (s + word < end && (s[word] == '\0' || strchr(blanks, s[word]) == NULL))
             word++;
         for (; word > 0; s += bytes, word -= bytes) {
-            utf8_count(s, word, width, &bytes);
+            bytes = piece_of(s, word, width);
             wrap_word(L, list, s, bytes, width);
         }
     }
