@@ -137,7 +137,8 @@ static void test_frozen(void **state)
 /* More colours than there are entries: none of those over it is another, and the rest comes near. */
 static void test_crowded(void **state)
 {
-    static struct shot stays, got;
+    static struct shot plain, stays, got;
+    long off = 0, far = 0;
     static const char over[] =
         "for i = 0, 15 do sprite.put { sprite = 'arrow', x = 9 + 15 * i, y = 200, layer = 'over', "
         "bank = i } end "
@@ -152,6 +153,15 @@ static void test_crowded(void **state)
         for (int x = 0; x < W; x++)
             if (stays.at[y][x] != stays.at[H - 1][W - 1] && got.at[y][x] != stays.at[y][x])
                 fail_msg("pixel %d,%d", x, y);
+    draw("", 1, &plain);
+    for (int y = 82; y < 98; y++)
+        for (int x = 0; x < W; x++)
+            for (int shift = 0; shift < 24; shift += 8) {
+                long is = got.at[y][x] >> shift & 255, was = plain.at[y][x] >> shift & 255;
+                off += labs(is - was / 2);
+                far += labs(was - was / 2);
+            }
+    assert_true(off * 2 < far);
 }
 
 static void test_plate(void **state)

@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "talk say choose sound music test" },
+    { "", '.', "sound music test" },
     { "board", '.', "ask" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },

@@ -228,13 +228,13 @@ static void fill_edges(struct draw_target *c)
     mirror(corner + (dy > 0 ? ny - 1 : h - ny) * fb->pitch, ny, dy > 0 ? -fb->pitch : fb->pitch, w, 1);
 }
 
-static void draw_plates(struct draw_target *c)
+static void draw_plates(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
 
     fb_clip_all(c->fb);
     EACH_LIVE (i, &s->s)
-        if (s->layer[i] == LAYER_PLATE && !(s->flags[i] & SPRITE_HIDDEN))
+        if (s->layer[i] == layer && !(s->flags[i] & SPRITE_HIDDEN))
             video_plate(c, fx_floor(s->x[i]), fx_floor(s->y[i]), s->sprite[i], (int)s->born[i], s->bank[i]);
     video_clip_field(c);
 }
@@ -242,8 +242,9 @@ static void draw_plates(struct draw_target *c)
 /* What no dim darkens. */
 static void draw_over(struct draw_target *c)
 {
-    draw_plates(c);
+    draw_plates(c, LAYER_PLATE);
     draw_sprites(c, LAYER_OVER);
+    draw_plates(c, LAYER_PLATE_FRONT);
     draw_text(c);
     if (c->b->lines.s.live)
         video_lines(c);

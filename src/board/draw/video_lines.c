@@ -71,18 +71,6 @@ static int advance(const struct page *p, uint32_t code)
     return text_blank(code) ? side / (code == 0x3000 ? 1 : 3) : side / 2 + 1;
 }
 
-/* Signs that never begin a row. */
-static bool closes(uint32_t code)
-{
-    static const uint32_t signs[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
-                                      0xff0e, 0xff1f, 0x2026, '!',    '?',    ',',    '.',    ')' };
-
-    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-        if (signs[i] == code)
-            return true;
-    return false;
-}
-
 /* Signs that never end one. */
 static bool opens(uint32_t code)
 {
@@ -104,7 +92,7 @@ static struct row row_at(const struct page *p, uint32_t first)
         if (code == ' ') {
             fit = (struct row){ first, row.end, k + 1, row.px };
             may_break = true;
-        } else if (k > first && code >= UNSPACED && !closes(code) && !opens(p->code[k - 1])) {
+        } else if (k > first && code >= UNSPACED && !text_closes(code) && !opens(p->code[k - 1])) {
             fit = (struct row){ first, k, k, row.px };
             may_break = true;
         }

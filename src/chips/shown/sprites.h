@@ -14,7 +14,8 @@ enum {
     LAYER_FRONT,  /* over everything but the text */
     LAYER_OVER,   /* over a dimmed picture and the plates on it, under the text */
     LAYERS,
-    LAYER_PLATE = LAYERS, /* a plate, which has no picture */
+    LAYER_PLATE = LAYERS, /* a plate, which has no picture: under the layer over */
+    LAYER_PLATE_FRONT,    /* over that */
 
     SPRITE_FLIP_X = 1 << 0, /* as BLIT_FLIP_X */
     SPRITE_FLIP_Y = 1 << 1,
