@@ -158,6 +158,6 @@ return function(now, b, phases, args)
   now.status = { boss = b, team = team }
   now.status.worth = worth_of(now.status)
   local won, all = run(now, b, phases, team, not args)
-  leave(b, team, won)
+  if lead(team) then leave(b, team, won) end
   return all
 end

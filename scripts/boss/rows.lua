@@ -81,9 +81,9 @@ local function lay_out(b, row)
     hud.put(LEFT, row, line)
     row, last = row + 1, sys.cells(line)
   end
-  local cols = row - 1 < top + 2 and not NARROW and SHORT or WIDTH
-  if #pips > 0 and last + 1 + #pips > cols then row, last = row + 1, 0 end
-  hud.put(LEFT + cols - #pips, row - 1, pips)
+  local function room() return row - 1 < top + 2 and not NARROW and SHORT or WIDTH end
+  if #pips > 0 and last + 1 + #pips > room() then row = row + 1 end
+  hud.put(LEFT + room() - #pips, row - 1, pips)
   height = math.max(row - top, 2)
   if phase and phase.spell then
     spell = hud.wrap(text.lang(phase.spell), COLS)

@@ -180,15 +180,12 @@ static void test_title(void **state)
         const char *title, *row[2];
         int phases, col[2];
     } rows[] = {
-        { "NINE", { "NINE                     ***", "" }, 4, { 1, -1 } },
-        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC **", "" }, 3, { 1, -1 } },
-        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC", "***" }, 4, { 1, 26 } },
-        { "A TITLE THAT GOES OVER TWO OF THEM",
-          { "A TITLE THAT GOES OVER TWO", "OF THEM                    *" },
-          2,
-          { 1, 1 } },
-        { "NINE", { "NINE", "" }, 1, { 1, -1 } },
-        { "NINE", { "NINE                  ******", "" }, 9, { 1, -1 } },
+        { "NINE", { "NINE                ***   11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF NINETEEN", { "A TITLE OF NINETEEN ***   11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF TWENTY CC", { "A TITLE OF TWENTY CC      11", "***" }, 4, { 1, 26 } },
+        { "A TITLE THAT GOES OVER TWO OF THEM", { "A TITLE THAT GOES OVER    11", "TWO OF THEM                *" }, 2, { 1, 1 } },
+        { "NINE", { "NINE                      11", "" }, 1, { 1, -1 } },
+        { "NINE", { "NINE             ******   11", "" }, 9, { 1, -1 } },
     };
 
     (void)state;
