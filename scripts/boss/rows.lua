@@ -43,17 +43,19 @@ local function wipe_spell()
   seen.bonus, spell.row = nil, nil
 end
 
+local function forget() top, phase, spell, seen = nil, nil, nil, {} end
+
 local function wipe()
   if not top then return end
   text.clear { col = LEFT, row = top, w = WIDTH, h = height }
   wipe_spell()
-  top, phase, spell, seen = nil, nil, nil, {}
+  forget()
 end
 
 -- A bar each for those who have one; of several each has its name before it, in a narrow panel above. Returns the row
 -- below them.
 local function list_bars(b, row)
-  local hp, label = phase and phase.hp, 0
+  local hp, label = phase and not phase.survive and phase.hp, 0
   bars = {}
   if type(hp) ~= "table" then
     if hp then bars[1] = { e = b.team[1], full = hp, row = row, col = LEFT, cols = SHORT } end
@@ -145,6 +147,7 @@ end
 
 return function(b, row, again, verdict)
   if verdict then tell(verdict) end
+  if not b and again then forget() end -- whatever stands there now is another's
   if not b then return wipe() end
   if row ~= top or again or new("phase", b.phase or b.left or 0) then
     lay_out(b, row)

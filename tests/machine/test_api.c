@@ -48,8 +48,10 @@ static const char world[] =
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
     "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
-    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } },\n"
-    "  cast = { { name = 'i', title = 'I', kind = 'foe', x = 9, y = 9 }, { name = 'o', title = 'O', kind = 'foe', x = 9, y "
+    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } "
+    "},\n"
+    "  cast = { { name = 'i', title = 'I', kind = 'foe', x = 9, y = 9 }, { name = 'o', title = 'O', kind = 'foe', x = "
+    "9, y "
     "= 9 } },\n"
     "  boss = { phases = { { id = 'q', hp = 9, time = 5, run = function() end } }, kind = 'foe', x = 5, y = 5 } }\n"
     "stage.def('s', function() wait(forever) end)\n"
@@ -337,15 +339,15 @@ static void push_steps(lua_State *L, int depth);
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char
-        *const buttons[] = PAD_NAMES,
-               *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
-               *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
-               *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
-               *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
-               *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" }, *const downs[] = { "all", "any" },
-               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
+    static const char *const
+        buttons[] = PAD_NAMES,
+        *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
+        *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
+        *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
+        *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
+        *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+        *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
+        *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);

@@ -36,13 +36,18 @@ struct story {
 /* Of a boss alone: it flies in over 60 frames from frame 1 on. */
 static const struct story stories[] = {
     { "a bonus is paid whole", "one(phase { bonus = 700, run = down(9) }) alone()", 90, "true 71 a true true" },
-    { "a bonus goes down", "one(phase { bonus = 700, bonus_to = 200, run = down(10) }) alone()\n"
-                           "task.go(function() wait(85) say(points()) end)", 99, "true 72 a true true 590" },
-    { "to its end", "one(phase { bonus = 701, bonus_to = 200, survive = true, hp = nil }) alone()\n"
-                    "task.go(function() wait(125) say(points()) end)", 130, "true 111 a true true 200" },
-    { "a death loses it", "one(phase { bonus = 700, run = function(e) hit() wait(5) e.hp = 0 end }) alone()\n"
-                          "task.go(function() wait(85) say(points(), player.get(1).lives) end)", 99,
-      "true 67 a true false 0 1" },
+    { "a bonus goes down",
+      "one(phase { bonus = 700, bonus_to = 200, run = down(10) }) alone()\n"
+      "task.go(function() wait(85) say(points()) end)",
+      99, "true 72 a true true 590" },
+    { "to its end",
+      "one(phase { bonus = 701, bonus_to = 200, survive = true, hp = nil }) alone()\n"
+      "task.go(function() wait(125) say(points()) end)",
+      130, "true 111 a true true 200" },
+    { "a death loses it",
+      "one(phase { bonus = 700, run = function(e) hit() wait(5) e.hp = 0 end }) alone()\n"
+      "task.go(function() wait(85) say(points(), player.get(1).lives) end)",
+      99, "true 67 a true false 0 1" },
     { "of that phase alone",
       "one(phase { bonus = 700, run = function(e) hit() wait(5) e.hp = 0 end }, phase { id = 'c', bonus = 3, run = "
       "down(5) }) alone()\ntask.go(function() wait(95) say(points()) end)",
@@ -62,45 +67,60 @@ static const struct story stories[] = {
       "one(phase { run = function(e) hit() wait(20) e.hp = 0 end }, phase { id = 'l', last = true, run = down(2) }) "
       "alone()",
       140, "a true false true 85 l true true" },
-    { "the safe part", "one(phase { safe = 6, run = function(e) for i = 1, 8 do e:hurt(1) say(e.hp) wait(1) end end, "
-                       "time = 20 }) alone()", 99, "10 10 10 10 10 10 9 8 a false false" },
-    { "talks", "local function talk(s) return { talk = function(e) say(s, e.alive, e.safe == forever) wait(3) end } end\n"
-               "one(talk 'first', talk 'second', phase { run = down(2) }, talk 'between', phase { id = 'c', run = "
-               "down(2) }, talk 'end') alone()",
+    { "the safe part",
+      "one(phase { safe = 6, run = function(e) for i = 1, 8 do e:hurt(1) say(e.hp) wait(1) end end, "
+      "time = 20 }) alone()",
+      99, "10 10 10 10 10 10 9 8 a false false" },
+    { "talks",
+      "local function talk(s) return { talk = function(e) say(s, e.alive, e.safe == forever) wait(3) end } end\n"
+      "one(talk 'first', talk 'second', phase { run = down(2) }, talk 'between', phase { id = 'c', run = "
+      "down(2) }, talk 'end') alone()",
       140, "first true true second true true a true true between true true c true true end true true true 86" },
     { "a talk of a last phase goes with it",
-      "one(phase { time = 2 }, { talk = function() say 'no' end }, phase { id = 'l', last = true }, { talk = function() "
+      "one(phase { time = 2 }, { talk = function() say 'no' end }, phase { id = 'l', last = true }, { talk = "
+      "function() "
       "say 'end' end }) alone()",
       199, "a false false end false 125" },
-    { "what a talk put goes", "one({ talk = function() sprite.put { sprite = 'dot', x = 9, y = 9 } wait(5) "
-                              "say(board.live 'sprites') end }, phase { run = function(e) say(board.live 'sprites') "
-                              "e.hp = 0 end }) alone()", 99, "1 0 true 69 a true true" },
-    { "the stage's clock", "stage.def('s', function() task.go(function() boss.fight('b') say(board.frame()) end) "
-                           "stage.at(70) say('at', board.frame()) wait(200) end)\n"
-                           "one(phase { run = down(3) }) stage.play('s', string.sys.scope())", 199,
-      "64 a true true at 134" },
-    { "goes on", "stage.def('s', function() task.go(function() boss.fight('b', { clock = true }) say(board.frame()) end) "
-                 "stage.at(62) say('at', board.frame()) wait(200) end)\n"
-                 "one(phase { run = down(3) }) stage.play('s', string.sys.scope())", 199,
-      "at 62 64 a true true" },
-    { "a warning comes before", "boss.def('b', { title = 'B', kind = 'e', x = 50, y = 40, warning = 30, phases = { phase "
-                                "{ run = function(e) say(board.frame()) e.hp = 0 end } } }) alone()", 120,
-      "91 true 92 a true true" },
+    { "what a talk put goes",
+      "one({ talk = function() sprite.put { sprite = 'dot', x = 9, y = 9 } wait(5) "
+      "say(board.live 'sprites') end }, phase { run = function(e) say(board.live 'sprites') "
+      "e.hp = 0 end }) alone()",
+      99, "1 0 true 69 a true true" },
+    { "the stage's clock",
+      "stage.def('s', function() task.go(function() boss.fight('b') say(board.frame()) end) "
+      "stage.at(70) say('at', board.frame()) wait(200) end)\n"
+      "one(phase { run = down(3) }) stage.play('s', string.sys.scope())",
+      199, "64 a true true at 134" },
+    { "goes on",
+      "stage.def('s', function() task.go(function() boss.fight('b', { clock = true }) say(board.frame()) end) "
+      "stage.at(62) say('at', board.frame()) wait(200) end)\n"
+      "one(phase { run = down(3) }) stage.play('s', string.sys.scope())",
+      199, "at 62 64 a true true" },
+    { "a warning comes before",
+      "boss.def('b', { title = 'B', kind = 'e', x = 50, y = 40, warning = 30, phases = { phase "
+      "{ run = function(e) say(board.frame()) e.hp = 0 end } } }) alone()",
+      120, "91 true 92 a true true" },
 };
 
 /* Of two at once. */
 static const struct story casts[] = {
-    { "one bar for both", "two(phase { run = function(i, o) o:hurt(4) wait(1) say(i.hp, o.hp) i:hurt(3) o:hurt(2) wait(1) "
-                          "say(i.hp, o.hp) i:hurt(1) end }) alone()", 99, "6 6 1 1 true 64 a true true" },
-    { "a bar each, all down", "two(phase { hp = { iris = 5, opal = 7 }, run = function(i, o) say(i.hp, o.hp) i:hurt(9) "
-                              "wait(1) say(i.safe == forever) wait(1) o:hurt(7) end }) alone()", 99,
-      "5 7 true true 64 a true true" },
-    { "or any", "two(phase { hp = { iris = 5, opal = 7 }, down = 'any', run = function(i, o) o:hurt(7) end }) alone()", 99,
-      "true 62 a true true" },
-    { "who has none is safe", "two(phase { hp = { iris = 5 }, run = function(i, o) say(o.safe == forever) o:hurt(50) "
-                              "wait(2) i:hurt(5) end }) alone()", 99, "true true 64 a true true" },
+    { "one bar for both",
+      "two(phase { run = function(i, o) o:hurt(4) wait(1) say(i.hp, o.hp) i:hurt(3) o:hurt(2) wait(1) "
+      "say(i.hp, o.hp) i:hurt(1) end }) alone()",
+      99, "6 6 1 1 true 64 a true true" },
+    { "a bar each, all down",
+      "two(phase { hp = { iris = 5, opal = 7 }, run = function(i, o) say(i.hp, o.hp) i:hurt(9) "
+      "wait(1) say(i.safe == forever) wait(1) o:hurt(7) end }) alone()",
+      99, "5 7 true true 64 a true true" },
+    { "or any", "two(phase { hp = { iris = 5, opal = 7 }, down = 'any', run = function(i, o) o:hurt(7) end }) alone()",
+      99, "true 62 a true true" },
+    { "who has none is safe",
+      "two(phase { hp = { iris = 5 }, run = function(i, o) say(o.safe == forever) o:hurt(50) "
+      "wait(2) i:hurt(5) end }) alone()",
+      99, "true true 64 a true true" },
     { "each runs until its bar is empty",
-      "local function count(s) return function(e) while true do wait(1) say(s) e:hurt(s == 'i' and 2 or 1) end end end\n"
+      "local function count(s) return function(e) while true do wait(1) say(s) e:hurt(s == 'i' and 2 or 1) end end "
+      "end\n"
       "two(phase { hp = { iris = 4, opal = 4 }, run = { iris = count 'i', opal = count 'o' } }) alone()",
       99, "i o i o o o true 66 a true true" },
     { "what it spawned goes with it",
@@ -108,13 +128,19 @@ static const struct story casts[] = {
       "wait(2) e.hp = 0 wait(forever) end, opal = function(e) wait(1) say(board.live 'sprites') wait(5) say(board.live "
       "'sprites') e.hp = 0 end } }) alone()",
       99, "1 0 true 68 a true true" },
-    { "one that is taken away", "two(phase { hp = { iris = 4, opal = 4 }, run = function(i, o) wait(2) i:remove() wait(2) "
-                                "o:hurt(4) end }) alone()", 99, "true 66 a true true" },
-    { "both", "two(phase { run = function(i, o) wait(2) i:remove() o:remove() end }) alone()", 99, "false 64 a false false" },
-    { "none can be hurt who lasts", "two(phase { survive = true, hp = nil, run = function(i, o) i:hurt(99) o:hurt(99) end })"
-                                    " alone()", 150, "true 111 a true true" },
+    { "one that is taken away",
+      "two(phase { hp = { iris = 4, opal = 4 }, run = function(i, o) wait(2) i:remove() wait(2) "
+      "o:hurt(4) end }) alone()",
+      99, "true 66 a true true" },
+    { "both", "two(phase { run = function(i, o) wait(2) i:remove() o:remove() end }) alone()", 99,
+      "false 64 a false false" },
+    { "none can be hurt who lasts",
+      "two(phase { survive = true, hp = nil, run = function(i, o) i:hurt(99) o:hurt(99) end })"
+      " alone()",
+      150, "true 111 a true true" },
     { "both go home, then leave",
-      "two(phase { run = function(i, o) i.x, i.y, o.x = 5, 5, 5 end, rest = 9, time = 4 }, phase { id = 'c', time = 2, run "
+      "two(phase { run = function(i, o) i.x, i.y, o.x = 5, 5, 5 end, rest = 9, time = 4 }, phase { id = 'c', time = 2, "
+      "run "
       "= function(i, o) say(i.x, i.y, o.x, o.y) end }) alone()\n"
       "task.go(function() wait(130) say(enemy.count()) wait(10) say(enemy.count()) end)",
       150, "a false false 30.0 40.0 90.0 40.0 c false false 2 false 136 0" },
@@ -175,7 +201,8 @@ static void test_history(void **state)
 {
     static const char code[] =
         "player.def('other', { sprite = 'dot', hit = { circle = 2 } })\n"
-        "one(phase { run = down(2) }, phase { id = 's', spell = 'S', run = down(2) }, phase { id = 'lost', spell = 'L', "
+        "one(phase { run = down(2) }, phase { id = 's', spell = 'S', run = down(2) }, phase { id = 'lost', spell = "
+        "'L', "
         "time = 2 }) alone()\n"
         "task.go(function() wait(170)\n"
         "  say(boss.history('b', 'a')) say(boss.history('b', 's')) say(boss.history('b', 'lost'))\n"
@@ -243,11 +270,14 @@ static void test_errors(void **state)
     says("two(phase { down = 'one' })", "boss.def phase: down: expected all or any, got \"one\"");
     says("boss.def('b', { title = 'B', kind = 'e', x = 5, y = 5, cast = {}, phases = { phase {} } })",
          "boss.def: kind: each of the cast has its own");
-    says("boss.def('b', { title = 'B', cast = { { name = 'i', title = 'I', kind = 'e', x = 5, y = 5 } }, phases = {} })",
-         "boss.def: cast: expected two or more, got 1");
-    says("boss.def('b', { title = 'B', x = 5, y = 5, phases = { phase {} } })", "boss.def: kind: expected a name, got nil");
-    says("one(phase {}) alone() alone()", "boss.fight: boss \"b\": \"b\" is fighting; for two at once declare one boss with "
-                                          "cast = { ... }");
+    says(
+        "boss.def('b', { title = 'B', cast = { { name = 'i', title = 'I', kind = 'e', x = 5, y = 5 } }, phases = {} })",
+        "boss.def: cast: expected two or more, got 1");
+    says("boss.def('b', { title = 'B', x = 5, y = 5, phases = { phase {} } })",
+         "boss.def: kind: expected a name, got nil");
+    says("one(phase {}) alone() alone()",
+         "boss.fight: boss \"b\": \"b\" is fighting; for two at once declare one boss with "
+         "cast = { ... }");
     says("one(phase {}) task.go(function() boss.history('b', 'aa') end)",
          "boss.history: phase \"aa\" is not declared (did you mean \"a\"?)");
     says("one(phase {}) task.go(function() boss.history('b', 'a', { difficulty = 'norml' }) end)",

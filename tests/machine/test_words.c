@@ -119,7 +119,9 @@ static void test_boss(void **state)
 
     (void)state;
     boss_with(&m, "\xc3\x89t\xc3\xa9");
-    row_is(4, 1, "\xc9t\xe9\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2" "1144"); /* and the clock's lower half */
+    row_is(4, 1,
+           "\xc9t\xe9\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2"
+           "1144"); /* and the clock's lower half */
     row_is(5, 7, "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9");
     row_is(6, 23, "\xe9toil\xe9");
     end();
@@ -128,7 +130,9 @@ static void test_boss(void **state)
     row_is(8, 21, "\xc9t\xe9 \xc9t\xe9");
     row_is(9, 21, "\xc9t\xe9 \xc9t\xe9");
     /* over the field, to its right edge but one cell, beside the panel's rows */
-    row_is(1, 1, "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0\2\2" "000000000");
+    row_is(1, 1,
+           "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0\2\2"
+           "000000000");
     row_is(2, 9, "\xe9t\xe9 \xe9toil\xe9\2\2HI       ");
     end();
 }

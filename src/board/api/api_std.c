@@ -195,12 +195,16 @@ static const struct api_entry entries[] = {
       "is the stage being run through, to the mark it starts at?" },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
-        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with it; "
+        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
+        "it; "
         "warning: so long a band sweeps before"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
-        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate of "
-        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, and a "
-        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and down "
+        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
+        "of "
+        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, "
+        "and a "
+        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and "
+        "down "
         "says whether all bars or any must be emptied"),
     LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one of the cast of boss.def"),
     LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a talk among the phases of boss.def: f(e), with the boss safe"),
@@ -220,11 +224,10 @@ static const struct api_module api_std = { entries, sizeof entries / sizeof *ent
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
     api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_boss;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,
-                                                 &api_save,   &api_board,  &api_sys,   &api_std,
-                                                 &api_item,   &api_line,   &api_bg,    &api_laser,
-                                                 &api_boss };
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
+                                                 &api_sys,    &api_std,    &api_item,  &api_line,  &api_bg,
+                                                 &api_laser,  &api_boss };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
