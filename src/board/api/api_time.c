@@ -143,7 +143,8 @@ static const struct api_entry entries[] = {
     { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy): an enemy left the field" },
     { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score, or an item, brought a life" },
     { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, item): it was taken, and can still be read" },
-    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb" },
+    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb" },
     { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };
