@@ -117,7 +117,9 @@ local function way(age)
 end
 
 local function draw_name(age)
+  if spell.there then return end
   local k = way(age)
+  spell.there = k == 0
   local row = spell.rest + math.floor((LOW - spell.rest) * k + 0.5)
   local letters = age < WRITTEN and age or -1
   if not new("name", row * 64 + math.floor(k * 32) + (letters << 20)) then return end
