@@ -390,6 +390,45 @@ static void test_rim(void **state)
     close_it();
 }
 
+/* A pixel of the font's letter; 0 outside of it. */
+static int ink(int code, int x, int y)
+{
+    return x < 0 || y < 0 || x > 7 || y > 7 ? 0 : g.cart.glyphs[(code - 32) * 64 + y * 8 + x];
+}
+
+/* A letter twice as large is what scale2x makes of the letter; half of one at the screen's edge is that half. */
+static void test_large(void **state)
+{
+    uint32_t rgb[256];
+    int other = 0;
+
+    (void)state;
+    open_with(NULL, "text.put { col = 3, row = 3, text = 'KA', bank = 1, size = 2 }\n"
+                    "text.put { col = 29, row = 9, text = 'A', bank = 1, size = 2, rim = true }");
+    rig_run(&r, 1);
+    for (int i = 0; i < 64; i++) /* the rig's own has no slant */
+        ((uint8_t *)(uintptr_t)g.cart.glyphs)[('K' - 32) * 64 + i] = (i % 8 * 5 + i / 8 * (i / 8 + 3)) % 7 < 3 ? 3 : 0;
+    board_draw(r.b, &r.fb, rgb, r.scratch);
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 32; x++) {
+            const int code = "KA"[x / 16], u = x % 16 / 2, v = y / 2, at = ink(code, u, v);
+            const int up = ink(code, u, v - 1), down = ink(code, u, v + 1);
+            const int left = ink(code, u - 1, v), right = ink(code, u + 1, v);
+            const int side = x % 2 ? right : left, over = y % 2 ? down : up;
+            const int want = side == over && up != down && left != right ? over : at;
+            const int got = r.fb.pix[(24 + y) * r.fb.pitch + 24 + x];
+            if (got != (want ? 16 + want : got) || (!want && got >= 16 && got < 32))
+                fail_msg("pixel %d,%d is %d, expected %d", x, y, got, want);
+            other += want != at;
+        }
+    assert_true(other > 10);
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 8; x++)
+            if (r.fb.pix[(24 + y) * r.fb.pitch + 40 + x] != 0)
+                assert_int_equal(r.fb.pix[(72 + y) * r.fb.pitch + 232 + x], r.fb.pix[(24 + y) * r.fb.pitch + 40 + x]);
+    close_it();
+}
+
 static void says(const char *registers, const char *line)
 {
     char text[512];
@@ -420,7 +459,7 @@ int main(void)
         cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
         cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),    cmocka_unit_test(test_title),
         cmocka_unit_test(test_again),   cmocka_unit_test(test_spell),     cmocka_unit_test(test_failed),
-        cmocka_unit_test(test_warning),
+        cmocka_unit_test(test_warning), cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
