@@ -108,6 +108,8 @@ static const struct story casts[] = {
       "two(phase { run = function(i, o) o:hurt(4) wait(1) say(i.hp, o.hp) i:hurt(3) o:hurt(2) wait(1) "
       "say(i.hp, o.hp) i:hurt(1) end }) alone()",
       99, "6 6 1 1 true 64 a true true" },
+    { "more than it has", "two(phase { run = function(i, o) i:hurt(9) o:hurt(9) end }) alone()", 99,
+      "true 62 a true true" },
     { "a bar each, all down",
       "two(phase { hp = { iris = 5, opal = 7 }, run = function(i, o) say(i.hp, o.hp) i:hurt(9) "
       "wait(1) say(i.safe == forever) wait(1) o:hurt(7) end }) alone()",
