@@ -51,6 +51,10 @@ end
 local function fly_wave(a)
   for i = 0, a.n - 1 do
     local dx, dy = i * a.dx, i * a.dy
+    if a.place then
+      local x, y = a.place(i)
+      dx, dy = dx + x, dy + y
+    end
     local x, y = path.place(a.path[1], a.mirror, dx, dy)
     local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run, stay = a.stay }
     task.own(e, path.travel, a.path, a.mirror, dx, dy)
@@ -61,6 +65,7 @@ end
 function stage.wave(args)
   local a = sys.check("stage.wave", args)
   if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
+  if a.formation then a.place = sys.read("stage/formation")(a) end
   if stage.skipping() then return sys.pass() end
   sys.mark("wave", a.kind)
   local t = task.go(fly_wave, a)

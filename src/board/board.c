@@ -48,12 +48,13 @@ static uint32_t bullet_groups(const struct manifest *m)
 static uint32_t shot_groups(const struct manifest *m)
 {
     return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) |
-           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
 }
 
 static uint32_t enemy_groups(const struct manifest *m)
 {
-    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
 }
 
 static uint32_t laser_groups(const struct manifest *m)
@@ -71,9 +72,9 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
     PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
     PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
-    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, 0)                                                     \
+    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                        \
     PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
-    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, 0)                                                 \
+    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                   \
     PART(player_chip, player, PADS, 0)                                                                                 \
     PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
     PART(motions_chip, motions, m->motions, 0)                                                                         \
@@ -128,13 +129,13 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, an enemy
- * may touch, die and leave, an item is taken once and may give lives, a laser may graze or hit both players, or
+/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as many as
+ * it can go through, an enemy may touch, die and leave, an item is taken once and may give lives, a laser may graze or hit both players, or
  * shoot. */
 static uint64_t event_room(const struct manifest *m)
 {
-    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
-           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + 1024;
+    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +
+           8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + 1024;
 }
 
 static uint64_t ram_needed(const struct cart *cart)
@@ -406,16 +407,33 @@ static void move_items(struct board *b)
     items_move(&b->items, &b->item_kinds, pull);
 }
 
+/* Where what an enemy goes round is: an enemy has moved then, unless many wait for each other. */
+static bool orbited(struct enemies_world *w, int64_t thing, fx *x, fx *y)
+{
+    const int most = 32;
+    struct board *b = w->context;
+
+    if (!board_alive(b, thing))
+        return false;
+    if (handle_kind(thing) == H_ENEMY && w->deep < most) {
+        w->deep++;
+        enemies_settle(&b->enemies, handle_slot(thing), w);
+        w->deep--;
+    }
+    return board_where(b, thing, x, y);
+}
+
 void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
+    struct enemies_world we = { b, orbited, board_chance, 0 };
     const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
     struct bullets_query query[PADS];
     const bool solid = hit_solid_possible(b);
 
     emit_none(b);
     player_move(&b->player, &b->player_kinds, held, &b->area);
-    enemies_move(&b->enemies, &b->keep);
+    enemies_move(&b->enemies, &b->keep, &we);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
@@ -479,6 +497,32 @@ static void next_frame(struct board *b)
     items_stay(&b->items);
 }
 
+/* The end of a frame that did not stand. */
+static void end_frame(struct board *b)
+{
+    if (b->core.frozen < 0) /* from the next one on */
+        input_done(&b->input);
+    if (b->core.frozen > 0)
+        return;
+    bg_step(&b->bg);
+    pal_step(&b->pal);
+    next_frame(b);
+}
+
+/*
+ * board.stop(n) sets core.frozen to -(n + 1). Each tick counts it up as it begins, and stands if it is still below 0:
+ * no task gets a turn, nothing moves, the clock waits. What is pressed meanwhile counts as of the first tick after it.
+ */
+static bool count_stop(struct board *b, const uint16_t pads[PADS])
+{
+    const bool was = b->core.frozen < 0;
+
+    b->core.frozen += was;
+    const bool stopped = b->core.frozen < 0;
+    input_latch(&b->input, pads, stopped ? PRESS_NOBODY : board_presses(b), was);
+    return stopped;
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
@@ -490,14 +534,14 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
     b->laser_heads.ran = 0;
-    input_latch(&b->input, pads, board_presses(b));
+    const bool stopped = count_stop(b, pads);
     if (!b->core.frozen) {
         player_count_down(&b->player);
         enemies_count_down(&b->enemies);
     }
-    bool fine = vm_call(b, tasks_run);
+    bool fine = stopped || vm_call(b, tasks_run);
     phase_done(b, PHASE_SCRIPTS);
-    if (!b->core.frozen)
+    if (!stopped && b->core.frozen <= 0)
         fine = fine && vm_call(b, move_and_hit);
     phase_done(b, PHASE_HITS);
     fine = fine && vm_call(b, events_run);
@@ -506,13 +550,9 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         drop_followers(b);
         if (b->lines.s.live)
             drop_lines(b);
-        if (!b->core.frozen) {
-            bg_step(&b->bg);
-            pal_step(&b->pal);
-        }
         b->core.frame++;
-        if (!b->core.frozen)
-            next_frame(b);
+        if (!stopped)
+            end_frame(b);
         if (b->reset)
             reset(b);
         else
@@ -692,6 +732,18 @@ void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
         vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
+}
+
+uint64_t board_chance(void *board, uint64_t below)
+{
+    struct board *b = board;
+    struct rng r;
+
+    memcpy(r.s, b->core.random, sizeof r.s);
+    uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
+    memcpy(b->core.random, r.s, sizeof r.s);
+    b->core.drawn++;
+    return v;
 }
 
 /* Demos and the cabinet's font have printable ASCII only. */

@@ -33,7 +33,7 @@ void events_on(lua_State *L, int kind);
 /* Queues the n values on top of L's stack (popped) for the handlers of `name`. False: no such event. */
 bool events_emit(struct board *b, lua_State *L, const char *name, int n);
 
-/* Sets an enemy kind's run, on_hit, on_death or drops to what is on top of the stack (popped). */
+/* Sets an enemy kind's run, on_hit, on_death, drops or parts to what is on top of the stack (popped). */
 void events_set_function(lua_State *L, uint16_t kind, const char *what);
 
 /* The same of the on_death, or nil, of the enemy just spawned in that slot. */
@@ -41,6 +41,9 @@ void events_set_death(lua_State *L, uint32_t slot);
 
 /* The same of its drops: a list that api_drops made, or nil. */
 void events_set_drops(lua_State *L, uint32_t slot);
+
+/* Pushes what events_set_function set, or nil. */
+void events_push_set(lua_State *L, uint16_t kind, const char *what);
 
 /* Pushes an enemy kind's run, on_hit or on_death; false (nothing pushed): it has none. */
 bool events_push_function(lua_State *L, uint16_t kind, const char *what);

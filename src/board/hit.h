@@ -5,7 +5,8 @@
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then lasers by slot (the same), then enemies by slot;
  * then the shots by slot, each with the enemy it touches, or the bullet that shots can hit: of several, the one that
- * was nearest to it before they moved, and of those an enemy, then the lowest slot; then the players' lasers that
+ * was nearest to it before they moved, and of those an enemy, then the lowest slot; one that pierces with several, in
+ * that order; then the players' lasers that
  * touch enemies; then the live bullets by slot, each with the enemy that blocks it, if any does; then by pair of tags
  * the bullets of the first tag by slot, each with the one of the second tag that it meets; then the enemies that left
  * the field, by slot; then the items by slot, each with the player that takes it. Bullets, shots, enemies and items

@@ -45,7 +45,7 @@ struct core {
     uint32_t clock; /* ticks of game time: stands still while frozen */
     uint32_t difficulty;
     uint64_t random[4];      /* the game's stream */
-    int64_t frozen;          /* scope whose tasks alone get turns, 0: none */
+    int64_t frozen;          /* scope whose tasks alone get turns, 0: none; below 0: a hit-stop, counted up */
     uint64_t notes;          /* what board.note folded in */
     uint32_t extended[PADS]; /* extends each player has had */
     uint32_t over;           /* 1: EV_GAME_OVER was raised */
@@ -148,6 +148,9 @@ struct targets board_players(const struct board *b);
 /* Moves everything. What leaves the field is held or marked, so that hit_run still tests it. */
 void board_move(struct board *b);
 
+/* A number of the game's stream below that; below 0: of all 64 bits. */
+uint64_t board_chance(void *board, uint64_t below);
+
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
@@ -161,7 +164,7 @@ bool board_lists(const struct board *b);
 /* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */
 static inline enum press_side board_presses(const struct board *b)
 {
-    return b->core.frozen ? PRESS_PAUSE : PRESS_GAME;
+    return b->core.frozen > 0 ? PRESS_PAUSE : PRESS_GAME;
 }
 
 /* sparks_burst, and board_full when there is no room. */

@@ -296,7 +296,7 @@ static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
 
 bool tasks_frozen(const struct board *b, uint32_t slot)
 {
-    return b->core.frozen && !owned_by(b, slot, b->core.frozen);
+    return b->core.frozen > 0 && !owned_by(b, slot, b->core.frozen);
 }
 
 /* Is it the task, or a task's task, of a thing that stood in the last move? A thing's moves and its tasks' turns go by

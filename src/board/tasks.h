@@ -96,6 +96,12 @@ void tasks_act_for(struct board *b, struct tasks_now was);
 /* Back to the running task's own owner and scene: for an error out of an enemy's handler that a task caught. */
 void tasks_act_for_turn(struct board *b);
 
+/* Is the running task on its way to a practice mark? */
+static inline bool tasks_skipping(const struct tasks *t)
+{
+    return t->current != NO_SLOT && t->flags[t->current] & TASK_SKIPS;
+}
+
 /* Where the author's line stands that led to the task of @std's that has its turn in L; NULL: no such task. */
 const char *tasks_from(const struct board *b, lua_State *L);
 

@@ -28,6 +28,8 @@ static const struct column kind_columns[] = {
     GROUP_COLUMN(bullet_kinds, hp, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, score, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
+    GROUP_COLUMN(bullet_kinds, pierce, GROUP_PIERCE),
+    GROUP_COLUMN(bullet_kinds, every, GROUP_PIERCE),
 };
 
 static const struct column columns[] = {
@@ -68,6 +70,9 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, stands, GROUP_FROZEN),
     GROUP_COLUMN(bullets, kept_vx, GROUP_FROZEN),
     GROUP_COLUMN(bullets, kept_vy, GROUP_FROZEN),
+    GROUP_COLUMN(bullets, pierce, GROUP_PIERCE),
+    GROUP_COLUMNS(bullets, pierced, PIERCED, GROUP_PIERCE),
+    GROUP_COLUMNS(bullets, again, PIERCED, GROUP_PIERCE),
     DERIVED_BLOCKS(bullets, busy, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "follows from motion, pc, mute and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hits read it"),
@@ -141,6 +146,21 @@ static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
     b->idle[i / SLOTS_BLOCK] |= bit(i);
 }
 
+bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t thing, uint32_t clock)
+{
+    if (!b->pierce || !b->pierce[i])
+        return false;
+    const int32_t every = kinds->every[b->kind[i]];
+    int64_t *known = b->pierced + (size_t)i * PIERCED;
+    int k = 0;
+    while (k < PIERCED - 1 && known[k] && known[k] != thing)
+        k++;
+    known[k] = thing;
+    b->again[(size_t)i * PIERCED + (size_t)k] = every == PIERCE_FOREVER ? UINT32_MAX : clock + (uint32_t)every;
+    b->pierce[i] -= b->pierce[i] > 0;
+    return true;
+}
+
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
 {
     uint32_t top = b->s.top;
@@ -170,6 +190,11 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     }
     if (b->hp)
         b->hp[i] = shape->hp;
+    if (b->pierce) {
+        b->pierce[i] = shape->pierce;
+        memset(b->pierced + (size_t)i * PIERCED, 0, PIERCED * sizeof *b->pierced);
+        memset(b->again + (size_t)i * PIERCED, 0, PIERCED * sizeof *b->again);
+    }
     if (b->frozen)
         b->frozen[i] = b->kept_vx[i] = b->kept_vy[i] = b->stands[i] = 0;
     if (b->around)

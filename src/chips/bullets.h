@@ -51,6 +51,9 @@ enum {
     MEET_ALL = 1 << 2, /* also what is not clearable */
     MAX_MEETS = 16,
 
+    PIERCE_FOREVER = -1,
+    PIERCED = 8, /* things that a shot keeps in mind */
+
     MAX_KINDS = 1024
 };
 
@@ -69,6 +72,8 @@ struct bullet_kinds {
     int32_t *hp;      /* of a bullet when it is fired; this and what follows: NULL if the game has no hp for bullets */
     int64_t *score;   /* for a player's shot that takes the last of it */
     uint16_t *spark;  /* kind + 1 that it leaves then, 0: none */
+    int32_t *pierce;  /* of a shot: hits that do not use it up, or PIERCE_FOREVER; NULL, with the next: not asked for */
+    int32_t *every;   /* frames from one hit of a thing to the next, or PIERCE_FOREVER: there is no next */
 };
 
 struct bullets {
@@ -101,6 +106,11 @@ struct bullets {
     int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
     uint8_t *stands;       /* STANDS, STOOD */
     fx *kept_vx, *kept_vy; /* vx, vy of one that stands, which are 0 meanwhile */
+
+    int32_t *pierce;  /* of a shot: hits left that do not use it up, or PIERCE_FOREVER; NULL, with the next two:
+                            * not asked for */
+    int64_t *pierced; /* PIERCED a shot: the things it hit, 0: none */
+    uint32_t *again;  /* the clock at which it can hit each again, UINT32_MAX: never */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
@@ -169,7 +179,7 @@ struct bullet_shape {
     bool fine;      /* the motion is */
     bool clouded;   /* its kind has a cloud, and there is a delay */
     uint32_t delay; /* frames */
-    int32_t hp;
+    int32_t hp, pierce;
     int64_t around;
     uint32_t by;
 };
@@ -209,6 +219,9 @@ static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t
 {
     return b->flags[i] & BULLET_DELAYED ? 0 : bullets_stood(b, i, clock);
 }
+
+/* Shot i hits a thing. True: it goes on, and keeps in mind that it hit it; false: it is used up. */
+bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t thing, uint32_t clock);
 
 /* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);

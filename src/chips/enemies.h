@@ -35,6 +35,13 @@ enum {
 
     SAFE_FOREVER = -1,
 
+    LEAD_ORBIT = 1, /* in `lead`: it goes round, or about; 0: neither */
+    LEAD_WANDER = 2,
+
+    PARTS_DEEP = 8,              /* most parts of parts, the first body not counted */
+    ENEMY_WHOLE = 1 << 16,       /* a rate or share of 1 */
+    ENEMY_MOST_RATE = 100 << 16, /* of damage */
+
     MAX_ENEMIES = 4096
 };
 
@@ -49,6 +56,7 @@ struct enemy_kinds {
     uint8_t *bank; /* and how long it blinks: ENEMY_ */
     uint8_t *flags;
     uint16_t *spark; /* kind + 1, 0: none */
+    int32_t *rate;   /* of the damage it takes, ENEMY_WHOLE: all; NULL: not asked for */
 };
 
 struct enemies {
@@ -73,6 +81,45 @@ struct enemies {
     uint8_t *stands;   /* STOOD */
     uint32_t standing; /* how many stood in the last move */
     uint32_t leaving;  /* how many this frame's move took outside of keep */
+
+    /* Bodies; all NULL: not asked for. A part stays at its body's place plus (dx, dy), which x0 to y1 then lead. */
+    int32_t *rate;   /* of the damage it takes */
+    uint32_t *wound; /* what it has less than hp says, in 2^-32 hp */
+    uint16_t *body;  /* of a part: its body's slot + 1; 0: it is none */
+    uint16_t *parts; /* how many are parts of it, and not of these */
+    fx *dx, *dy;
+    int32_t *share;              /* of a part: of what it takes, so much goes on to its body */
+    uint8_t *lead;               /* LEAD_ */
+    fx *cx, *cy;                 /* the middle of its orbit, or of the ground it wanders about */
+    fx *reach_x, *reach_y;       /* the radius at the orbit's begin and end; half the ground's width and height */
+    int64_t *around;             /* the thing whose place is the middle, 0: none; the board gives it a meaning */
+    ang *angle;                  /* of an orbit, at its begin */
+    int32_t *spin;               /* ang a frame */
+    uint32_t *every, *due, *leg; /* frames from one leg of a wanderer to the next; until the next; of a leg */
+    uint8_t *settled;            /* its move of this frame is made, or has begun */
+};
+
+/* What the moves of bodies ask of the board: where that thing is, after its move of this frame if it is an enemy
+ * (enemies_settle); false: it is gone. And a number of the game's chance. */
+struct enemies_world {
+    void *context;
+    bool (*where)(struct enemies_world *w, int64_t thing, fx *x, fx *y);
+    uint64_t (*draw)(void *context, uint64_t below);
+    int deep; /* enemies that wait for another's place */
+};
+
+struct enemies_orbit {
+    int64_t around; /* 0: (x, y) */
+    fx x, y, radius, radius_to;
+    ang angle;
+    int32_t spin;  /* ang a frame */
+    uint32_t over; /* 0: for ever */
+};
+
+struct enemies_ground {
+    fx x, y, reach_x, reach_y;
+    uint32_t every, leg; /* 1 <= leg <= every */
+    enum ease ease;
 };
 
 /* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
@@ -87,14 +134,44 @@ extern const struct chip enemies_chip, enemy_kinds_chip;
 
 /* Puts an enemy of that kind at (x, y), with the kind's hp and bank. */
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
+
+/* It goes, and its parts go with it; but those that are dying, which then are parts no more. */
 void enemies_drop(struct enemies *e, uint32_t i);
+
+/* Makes i a part. The body is another, and not among i's own parts. */
+void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, int32_t share);
+
+/* How many bodies it is a part of, one of the other. */
+int enemies_depth(const struct enemies *e, uint32_t i);
+
+/* Takes damage away from it, in 2^-32 hp, times its rate, rounded down to such; returns what it took, at most what it
+ * had. hp says what is left, rounded up. */
+uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount);
+
+/* A share of an amount, rounded down; share <= ENEMY_WHOLE. */
+uint64_t enemies_share(uint64_t amount, int32_t share);
 
 /* Removes all that have that owner, but for the dying, which go after their handlers have run. */
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
 /* Moves enemy i to (x, y) in the next `over` calls of enemies_move, 1 <= over < 2^31; it arrives exactly. After k of n
- * it is at the place nearest to that share of its way (motion_eased) on either axis, ties to the even one. */
+ * it is at the place nearest to that share of its way (motion_eased) on either axis, ties to the even one. A part moves
+ * to where that is of its body now. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
+
+/* The same by (dx, dy) from where it is; a part's dx and dy to these. */
+void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease);
+
+/* Puts it there, a part so far from its body, and ends its move. */
+void enemies_put(struct enemies *e, uint32_t i, fx x, fx y);
+
+/* Sends it round, or about: from the next move on. A wanderer's places are drawn in slot order, at the begin of the
+ * frame's move, before any enemy's; each leg is a move that enemies_go would make, to a place of the ground. */
+void enemies_circle(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
+void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *g);
+
+/* It stays where it is: no move, orbit or legs any more. */
+void enemies_halt(struct enemies *e, uint32_t i);
 
 /* Moves enemy i on by (dx, dy) at once, and with it the move it makes; both stay within the world. */
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
@@ -115,7 +192,11 @@ uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kind
  * included. */
 void enemies_count_down(struct enemies *e);
 
-/* Goes on with the moves, and marks those that are outside keep as leaving. */
-void enemies_move(struct enemies *e, const struct box *keep);
+/* Goes on with the moves, and marks those that are outside keep as leaving, but no parts. w: NULL without bodies. In
+ * slot order; but a part after its body, and what orbits an enemy after that one, unless that waits for it. */
+void enemies_move(struct enemies *e, const struct box *keep, struct enemies_world *w);
+
+/* Makes this frame's move of one, unless it is made or has begun. */
+void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w);
 
 #endif

@@ -45,14 +45,21 @@ static void keep_presses(struct input *in, uint32_t p, enum press_side side)
     }
 }
 
-void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side)
+void input_done(struct input *in)
 {
+    for (int p = 0; p < PADS; p++)
+        in->pressed[p] = in->released[p] = in->repeated[p] = 0;
+}
+
+void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry)
+{
+    if (!carry)
+        input_done(in);
     for (int p = 0; p < PADS; p++) {
         unsigned now = without_opposites(pads[p]), was = in->held[p];
         in->held[p] = (uint16_t)now;
-        in->pressed[p] = (uint16_t)(now & ~was);
-        in->released[p] = (uint16_t)(was & ~now);
-        in->repeated[p] = 0;
+        in->pressed[p] |= (uint16_t)(now & ~was);
+        in->released[p] |= (uint16_t)(was & ~now);
         for (int i = 0; i < PAD_BUTTONS; i++) {
             uint32_t *since = &in->since[p * PAD_BUTTONS + i];
             bool down = now >> i & 1;
@@ -60,7 +67,8 @@ void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side si
                 in->repeated[p] |= (uint16_t)(1u << i);
             *since = down ? *since + 1 : 0;
         }
-        keep_presses(in, (uint32_t)p, side);
+        if (side != PRESS_NOBODY)
+            keep_presses(in, (uint32_t)p, side);
     }
 }
 

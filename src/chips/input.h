@@ -14,7 +14,7 @@
 
 enum { REPEAT_AFTER = 20, REPEAT_EVERY = 5, PRESS_KEPT = 60 }; /* frames */
 
-enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES };
+enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES, PRESS_NOBODY = PRESS_SIDES };
 
 struct input {
     struct slots s; /* two entries */
@@ -29,8 +29,12 @@ struct input {
 extern const struct chip input_chip;
 
 /* Takes this frame's pads. Opposite directions held together count as neither. The frame belongs to `side`: it gets the
- * presses, and the other side's do not age. */
-void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side);
+ * presses, and the other side's do not age. carry: what was pressed, released and repeated in the frame before counts
+ * as of this one, too; so a row of frames that are nobody's leaves it to the one after them. */
+void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry);
+
+/* Nothing of this frame is carried. */
+void input_done(struct input *in);
 
 /* Takes the oldest press of a button that is at most n frames old (0 to PRESS_KEPT; 0: of this very frame). */
 bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side);

@@ -274,6 +274,15 @@ static fx place_fx(int64_t v)
     return in_world((v + 0x8000) >> PACE_BITS);
 }
 
+void motion_round(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y)
+{
+    int64_t px = (int64_t)x * (1 << PACE_BITS), py = (int64_t)y * (1 << PACE_BITS);
+
+    add_polar(r, a, &px, &py);
+    *to_x = place_fx(px);
+    *to_y = place_fx(py);
+}
+
 void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
                        fx *y)
 {

@@ -52,7 +52,9 @@ enum {
     GROUP_AROUND,
     GROUP_FROZEN,
     GROUP_MEET,
-    GROUP_ITEMS /* of players: what attracts items */
+    GROUP_ITEMS,  /* of players: what attracts items */
+    GROUP_BODIES, /* of enemies: parts, rates, orbits */
+    GROUP_PIERCE  /* of shots: what goes through enemies */
 };
 
 /* Of what stands still: a column of frames left, or FROZEN_FOREVER, and one of these flags. */
@@ -234,6 +236,9 @@ struct motion_lead {
  */
 void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
                        fx *y);
+
+/* The fx nearest to (x, y) + r (cos a, sin a), r in Q32, |r| <= 2^48: within the world. */
+void motion_round(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y);
 
 /* from, and k/n of the way to `to`: nearest, ties to an even part; exactly `to` at k == n. What is rounded off in frame
  * k comes back in frame n - k, and ties round to alternate sides, so the sum over n frames is right to half a unit as

@@ -71,6 +71,10 @@ struct column {
 #define GROUP_COLUMN(chip, name, group)                                                                                \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_GAME, NULL, group }
 
+/* The same with n values a slot. */
+#define GROUP_COLUMNS(chip, name, n, group)                                                                            \
+    { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL, group }
+
 /* A derived column of a group, with a value a slot, and with one a block. */
 #define GROUP_DERIVED(chip, name, group, why)                                                                          \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why, group }

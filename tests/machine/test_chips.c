@@ -493,10 +493,10 @@ static void test_enemies(void **state)
         const struct box world = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
         uint32_t i = (uint32_t)enemies_spawn(&b->enemies, &b->enemy_kinds, 0, -px(3), px(5), 0);
         enemies_go(&b->enemies, i, -px(3) + moves[k].dx, px(5) + moves[k].dy, 1, EASE_LINEAR);
-        enemies_move(&b->enemies, &world);
+        enemies_move(&b->enemies, &world, NULL);
         assert_int_equal(b->enemies.was_x[i], moves[k].jump ? b->enemies.x[i] : -px(3));
         assert_int_equal(b->enemies.was_y[i], moves[k].jump ? b->enemies.y[i] : px(5));
-        enemies_move(&b->enemies, &world);
+        enemies_move(&b->enemies, &world, NULL);
         assert_true(b->enemies.was_x[i] == b->enemies.x[i] && b->enemies.was_y[i] == b->enemies.y[i]);
         enemies_drop(&b->enemies, i);
     }
@@ -611,7 +611,7 @@ static void test_enemy_ways(void **state)
         e->x[i] = p[0], e->y[i] = p[1];
         enemies_go(e, i, p[2], p[3], n, ease);
         e->made[i] = k - 1;
-        enemies_move(e, &world);
+        enemies_move(e, &world, NULL);
         if (!nearest_place(p[0], p[2], k, n, ease, e->x[i]) || !nearest_place(p[1], p[3], k, n, ease, e->y[i]))
             fail_msg("ease %d, frame %u of %u: from %d, %d to %d, %d it is at %d, %d", (int)ease, k, n, p[0], p[1],
                      p[2], p[3], e->x[i], e->y[i]);

@@ -64,7 +64,7 @@ static void test_model(void **state)
     for (int f = 0; f < 600; f++) {
         const uint16_t pads[PADS] = { (uint16_t)(rng_next(&rng) & rng_next(&rng)), (uint16_t)rng_next(&rng) };
         enum press_side side = f / 50 % 3 == 1 ? PRESS_PAUSE : PRESS_GAME;
-        input_latch(in, pads, side);
+        input_latch(in, pads, side, false);
         model_latch(in, side);
         for (int i = 0; i < 6; i++) {
             uint32_t p = (uint32_t)rng_below(&rng, PADS), k = (uint32_t)rng_below(&rng, PAD_BUTTONS);

@@ -8,12 +8,13 @@
 #include "../api.h"
 
 /* The only parameter of each entry here. */
-enum { ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0 };
+enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0 };
 
 static const struct api_param name_opt[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param chip_req[] = { { "chip", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param demo_req[] = { { "demo", A_STR, REQ, 1, 63, NULL, NULL } };
+static const struct api_param frames_req[] = { { "n", A_INT, REQ, 1, 60, "frames", NULL } };
 static const struct api_param value_req[] = { { "v", A_ANY, REQ, 0, 0, NULL, NULL } };
 
 static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
@@ -82,6 +83,18 @@ static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
 static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
 {
     return count_of(L, b, "board.refused", v[ARG_CHIP].at, board_refused);
+}
+
+/* A pause comes before it, and a stop that is longer; a task on its way to a practice mark passes it over. */
+static int board_stop(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t until = -v[ARG_FRAMES].i - 1;
+
+    if (b->vm.loading)
+        return api_error(L, "board.stop", "nothing moves yet while scripts load");
+    if (until < b->core.frozen && b->core.frozen <= 0 && !tasks_skipping(&b->tasks))
+        b->core.frozen = until;
+    return 0;
 }
 
 static int board_attract(lua_State *L, struct board *b, struct api_value *v)
@@ -199,6 +212,10 @@ static const struct api_entry entries[] = {
     { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count", "live things of a chip (\"bullets\")" },
     { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count", "how often a chip had no room" },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL, "asks the cabinet to show a demo" },
+    { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
+      "hit-stop: after this frame, field and tasks stand for n frames; what is pressed meanwhile counts as of the "
+      "first "
+      "frame after them" },
     { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL, "folds a value into the state hash" },
     { "rom.has", rom_has, PARAMS(name_req), 1, 0, "boolean", "is there such a sprite or text?" },
     { "rom.text", rom_text, PARAMS(name_req), 1, 0, "string", "a text file of the game" },

@@ -171,15 +171,22 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
 }
 
 /* Properties that rom.lua switches on. */
+enum { ENEMIES = 1 << H_ENEMY | 1 << H_ENEMIES };
 static const struct {
     const char *name;
-    unsigned of; /* kinds of handles */
-    int group;   /* of columns */
+    unsigned of;      /* kinds of handles */
+    int group;        /* of columns */
+    const char *word; /* of rom.lua */
 } switched[] = {
     { "frozen",
       1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_LASER | 1 << H_GROUP | 1 << H_SHOTS |
           1 << H_ENEMIES | 1 << H_ITEMS | 1 << H_LASERS,
-      GROUP_FROZEN },
+      GROUP_FROZEN, "frozen" },
+    { "rate", ENEMIES, GROUP_BODIES, "bodies" },
+    { "share", ENEMIES, GROUP_BODIES, "bodies" },
+    { "follow", ENEMIES, GROUP_BODIES, "bodies" },
+    { "dx", ENEMIES, GROUP_BODIES, "bodies" },
+    { "dy", ENEMIES, GROUP_BODIES, "bodies" },
 };
 
 /* One that is off is an error, whether anything is there to have it or not. */
@@ -190,7 +197,7 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
         if (switched[i].name[0] == name[0] && switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
             !(pool(b, kind)->groups & SLOTS_GROUP(switched[i].group)))
             vm_fault(L, FAULT_SCRIPT, "%s: %s is off in this game: write board = { %s = true } in rom.lua", t->name,
-                     name, name);
+                     name, switched[i].word);
 }
 
 static int get_property(lua_State *L)

@@ -12,17 +12,13 @@ static const struct {
     const char *names;
 } reserved[] = {
     { "", '.', "option bomb game talk say choose sound music unlock test" },
-    { "board", '.', "stop ask" },
+    { "board", '.', "ask" },
     { "on", '.', "start bomb continue" },
-    { "enemy", ':', "orbit wander" },
     { "player", ':', "bomb state" },
     { "boot.run", '{', "continues modes screens" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },
-    { "enemy.def", '{', "parts rate" },
-    { "enemy.spawn", '{', "follow parts rate" },
     { "player.def", '{', "bomb bomb_focus deathbomb needs options" },
-    { "shot.def", '{', "every pierce" },
 };
 
 static bool has_word(const char *words, const char *word)

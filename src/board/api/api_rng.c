@@ -8,13 +8,7 @@
 
 static uint64_t draw(struct board *b, uint64_t below)
 {
-    struct rng r;
-
-    memcpy(r.s, b->core.random, sizeof r.s);
-    uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
-    memcpy(b->core.random, r.s, sizeof r.s);
-    b->core.drawn++;
-    return v;
+    return board_chance(b, below);
 }
 
 enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };

@@ -89,7 +89,8 @@ static const struct api_param wave[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
     { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },  { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
     { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },  { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" }
+    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },    { "formation", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "gap", A_NUM, OPT, 0, WORLD, "px", "24" }
 };
 static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
@@ -188,7 +189,11 @@ static const struct api_entry entries[] = {
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),
     LUA("stage.wave", wave, 0, 0, NULL,
-        "n enemies along a path, one each every frames; returns at once; stay as of enemy.spawn"),
+        "n enemies along a path, one each every frames (0: all at once), each dx, dy further than the one before, or, "
+        "with "
+        "formation, at its place of \"v\", \"line\", \"column\" or \"circle\", neighbours gap apart, or of a list of { "
+        "x, y }; returns at "
+        "once; stay as of enemy.spawn"),
     LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
@@ -222,12 +227,12 @@ static const struct api_entry entries[] = {
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
-extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_boss;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
-                                                 &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
-                                                 &api_sys,    &api_std,    &api_item,  &api_line,  &api_bg,
-                                                 &api_laser,  &api_boss };
+extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_body, api_item, api_player, api_screen,
+    api_rng, api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_boss;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_body,
+                                                 &api_player, &api_screen, &api_rng,   &api_query, &api_save,
+                                                 &api_board,  &api_sys,    &api_std,   &api_item,  &api_line,
+                                                 &api_bg,     &api_laser,  &api_boss };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,

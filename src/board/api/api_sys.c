@@ -272,7 +272,7 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushboolean(L, b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS);
+    lua_pushboolean(L, tasks_skipping(&b->tasks));
     return 1;
 }
 

@@ -12,7 +12,7 @@ static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames"
 
 int api_pass_wait(lua_State *L, struct board *b)
 {
-    bool skips = b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
+    bool skips = tasks_skipping(&b->tasks);
 
     if (!skips || ++b->tasks.skipped <= MAX_SKIPS)
         return 0;

@@ -131,11 +131,29 @@ struct hit_solids {
 /* False: no shot can hit any. */
 bool hit_find_solids(struct board *b, struct hit_solids *f);
 
+/* What a shot that pierces does not hit in this frame: what it hit a short while ago, or hits already. */
+struct hit_passed {
+    int n;
+    int64_t thing[PIERCED];
+};
+
+/* Is the thing in that slot among them? passed may be NULL. */
+static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
+{
+    for (int k = 0; passed && k < passed->n; k++)
+        if (handle_kind(passed->thing[k]) == kind && handle_slot(passed->thing[k]) == slot)
+            return true;
+    return false;
+}
+
 /* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot;
  * nearer than *apart, a squared distance, which becomes the bullet's. */
-int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint64_t *apart);
+int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                  uint64_t *apart);
 
-/* Shots against enemies and bullets: raises an event for each shot that hits. */
+/* Shots against enemies and bullets: raises an event for each shot that hits; for one that pierces an event for each
+ * thing that it goes through, the nearest first, and for what uses it up. It keeps in mind at most PIERCED things that
+ * it cannot hit again yet, and while it does it hits no other. What it has in mind and is gone is forgotten here. */
 void hit_shots(struct board *b);
 
 /* Bullets against the enemies that block: raises an event for each bullet that touches one. */

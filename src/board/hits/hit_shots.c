@@ -65,7 +65,8 @@ struct search {
     const struct bullets *pool;
     const struct bullet_kinds *kinds;
     struct body shot;
-    uint32_t slot; /* its own */
+    const struct hit_passed *passed; /* NULL: nothing */
+    uint32_t slot;                   /* its own */
     bool swept;
     int64_t x, y;           /* its place before its move, in the grid */
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
@@ -217,7 +218,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
         uint64_t d = squares(s->x - x, s->y - y);
-        if (d > s->best || (d == s->best && slot > s->found))
+        if (d > s->best || (d == s->best && slot > s->found) || hit_has_passed(s->passed, H_ENEMY, slot))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
         if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
@@ -289,10 +290,10 @@ static void search_rings(struct search *s)
 }
 
 static uint32_t target_by_rings(const struct board *b, const struct grid *g, const struct bullets *pool,
-                                const struct bullet_kinds *kinds, uint32_t i)
+                                const struct bullet_kinds *kinds, uint32_t i, const struct hit_passed *passed)
 {
     struct search s = {
-        .b = b, .g = g, .pool = pool, .kinds = kinds, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY
+        .b = b, .g = g, .pool = pool, .kinds = kinds, .passed = passed, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY
     };
 
     s.shot = hit_bullet_body(pool, kinds, i);
@@ -413,13 +414,12 @@ static inline uint32_t target(const struct board *b, const struct grid *g, const
 {
     uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
-    return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i) : slot;
+    return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
-/* Raises shot i's event with the bullet that it hits, if that was nearer than the enemy that it touches (NO_ENEMY:
- * none).
- */
-static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
+/* The bullet that shot i hits, if that was nearer than the enemy that it touches (NO_ENEMY: none); or NO_SLOT. */
+static int32_t nearer_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
+                            const struct hit_passed *passed)
 {
     const struct bullets *s = &b->shots;
     const struct enemies *e = &b->enemies;
@@ -427,10 +427,79 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 
     if (foe != NO_ENEMY)
         apart = squares((int64_t)s->x[i] - s->vx[i] - e->was_x[foe], (int64_t)s->y[i] - s->vy[i] - e->was_y[foe]);
-    int32_t bullet = hit_solid(b, f, i, &apart);
+    return hit_solid(b, f, i, passed, &apart);
+}
+
+/* Raises shot i's event with a bullet that it hits instead of that enemy. */
+static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
+{
+    int32_t bullet = nearer_solid(b, f, i, foe, NULL);
+
     if (bullet != NO_SLOT)
         raise_shot(b, i, board_handle(b, H_BULLET, bullet));
     return bullet != NO_SLOT;
+}
+
+/* ---- shots that pierce ---- */
+
+/* What shot i has hit and cannot hit yet again; the rest is forgotten. */
+static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
+{
+    int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
+    const uint32_t *again = b->shots.again + (size_t)i * PIERCED;
+
+    passed->n = 0;
+    for (int k = 0; k < PIERCED; k++) {
+        if (!thing[k])
+            continue;
+        if (again[k] <= b->core.clock || !board_there(b, thing[k]))
+            thing[k] = 0;
+        else
+            passed->thing[passed->n++] = thing[k];
+    }
+}
+
+/* The nearest thing that shot i hits and has not passed, or 0. */
+static int64_t next_thing(const struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
+                          const struct hit_passed *passed)
+{
+    uint32_t foe = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
+    int32_t bullet = solids ? nearer_solid(b, solids, i, foe, passed) : NO_SLOT;
+
+    if (bullet != NO_SLOT)
+        return board_handle(b, H_BULLET, bullet);
+    return foe != NO_ENEMY ? board_handle(b, H_ENEMY, (int32_t)foe) : 0;
+}
+
+static bool stops_all(const struct board *b, int64_t thing)
+{
+    return handle_kind(thing) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(thing)] == HP_FOREVER;
+}
+
+/* Raises the events of a shot that pierces. False: it hits nothing. */
+static bool raise_through(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
+{
+    const int32_t through = b->shots.pierce[i];
+    struct hit_passed passed;
+    int n = 0;
+
+    find_passed(b, i, &passed);
+    while (passed.n < PIERCED && (through == PIERCE_FOREVER || n <= through)) {
+        int64_t thing = next_thing(b, g, solids, i, &passed);
+        if (!thing)
+            break;
+        raise_shot(b, i, thing);
+        passed.thing[passed.n++] = thing;
+        n++;
+        if (stops_all(b, thing))
+            break;
+    }
+    return n > 0;
+}
+
+static bool pierces(const struct board *b, uint32_t i)
+{
+    return b->shot_kinds.pierce && b->shot_kinds.pierce[b->shots.kind[i]];
 }
 
 /* Finds what each shot hits. A shot that left the field and hit nothing is released. solids: NULL if there are none. */
@@ -444,7 +513,12 @@ static void target_all(struct board *b, const struct grid *g, const struct hit_s
         if (g->dense)
             locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
         for (uint64_t bits = slots_live_or_held(s, word); bits; bits &= bits - 1) {
-            uint32_t i = word * 64 + bits_lowest(bits), slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
+            uint32_t i = word * 64 + bits_lowest(bits);
+            if (pierces(b, i)) {
+                missed |= raise_through(b, g, solids, i) ? 0 : bits & -bits;
+                continue;
+            }
+            uint32_t slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
             if (solids && raise_solid(b, solids, i, slot))
                 continue;
             if (slot != NO_ENEMY)
@@ -505,7 +579,7 @@ void hit_blocks(struct board *b)
     EACH_LIVE (i, &b->bullets.s) {
         if (b->bullets.flags[i] & BULLET_DELAYED)
             continue;
-        uint32_t foe = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i);
+        uint32_t foe = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
         if (foe != NO_ENEMY)
             board_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)foe));
     }

@@ -68,7 +68,8 @@ static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, 
     return found;
 }
 
-int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint64_t *apart)
+int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                  uint64_t *apart)
 {
     const struct bullets *s = &b->bullets;
     const struct body shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
@@ -89,7 +90,9 @@ int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i,
             int64_t dx = ((int64_t)shot.x - shot.mx) - ((int64_t)body.x - body.mx);
             int64_t dy = ((int64_t)shot.y - shot.my) - ((int64_t)body.y - body.my);
             uint64_t d = (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
-            if (d >= *apart || !touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
+            if (d >= *apart || hit_has_passed(passed, H_BULLET, k))
+                continue;
+            if (!touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
                 continue;
             *apart = d;
             found = (int32_t)k;

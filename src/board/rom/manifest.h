@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5232,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5240,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -49,6 +49,8 @@ struct manifest {
     int32_t wide;                 /* 1: a cell has room for any character, and for its font */
     int32_t bg;                   /* 1: there are backgrounds, which need maps */
     int32_t lasers, curve_points; /* capacities; points: of all curves together, in pieces of 32 */
+    int32_t bodies;               /* 1: enemies have rates and parts, go round and wander */
+    int32_t pierce;               /* 1: shots may go through what they hit */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -136,7 +138,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 31 };
+enum { MANIFEST_NUMBERS = 33 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

@@ -124,6 +124,7 @@ int32_t emit_fire(struct board *b, bool shot, struct bullet_shape *s, int64_t pa
     const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
 
     s->hp = kinds->hp ? kinds->hp[s->kind] : 0;
+    s->pierce = kinds->pierce ? kinds->pierce[s->kind] : 0;
     s->clouded = s->delay && kinds->flags[s->kind] & KIND_CLOUDED;
     int32_t i = bullets_fire(pool, s, clock);
     if (i == NO_SLOT)

@@ -133,8 +133,7 @@ void events_set_drops(lua_State *L, uint32_t slot)
     lua_pop(L, 1);
 }
 
-/* Pushes what events_set_function set, or nil. */
-static void push_set(lua_State *L, uint16_t kind, const char *what)
+void events_push_set(lua_State *L, uint16_t kind, const char *what)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_pushfstring(L, "%s %d", what, (int)kind);
@@ -144,7 +143,7 @@ static void push_set(lua_State *L, uint16_t kind, const char *what)
 
 bool events_push_function(lua_State *L, uint16_t kind, const char *what)
 {
-    push_set(L, kind, what);
+    events_push_set(L, kind, what);
     if (lua_isfunction(L, -1))
         return true;
     lua_pop(L, 1);
@@ -168,7 +167,7 @@ static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
     lua_remove(L, -2);
     if (!own) {
         lua_pop(L, 1);
-        push_set(L, b->enemies.kind[i], "drops");
+        events_push_set(L, b->enemies.kind[i], "drops");
     }
     drop(L, b, b->enemies.x[i], b->enemies.y[i]);
 }
@@ -203,6 +202,22 @@ static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
     tasks_act_for(b, was);
 }
 
+/* A body died: its parts leave their sparks and are gone, in slot order, each after its own. */
+static void burst_parts(struct board *b, uint32_t body)
+{
+    struct enemies *e = &b->enemies;
+
+    if (!e->parts || !e->parts[body])
+        return;
+    EACH_LIVE (i, &e->s) {
+        if (e->body[i] != body + 1 || e->flags[i] & ENEMY_DYING)
+            continue;
+        burst_parts(b, i);
+        death_sparks(b, b->enemy_kinds.spark[e->kind[i]], e->x[i], e->y[i]);
+        enemies_drop(e, i);
+    }
+}
+
 void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
 {
     uint16_t kind = b->enemies.kind[i];
@@ -223,20 +238,8 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
         push_thing(L, p);
         call_own(b, L, i, 2);
     }
-}
-
-bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
-{
-    struct enemies *e = &b->enemies;
-
-    if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
-        return false;
-    e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
-    enemies_blink(e, &b->enemy_kinds, i);
-    if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
-        return false;
-    events_enemy_die(b, L, i, player);
-    return true;
+    if (board_there(b, h))
+        burst_parts(b, i);
 }
 
 /* Does an event that names h still have its effect? Not if h was removed or killed since. */
@@ -247,6 +250,48 @@ static bool counts(const struct board *b, int64_t h)
     return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
 }
 
+/* Takes an amount of 2^-32 hp from one enemy. Returns what of it goes on to its body, *body: 0 if there is none. */
+static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player, int64_t *body)
+{
+    struct enemies *e = &b->enemies;
+
+    *body = e->body[i] ? board_handle(b, H_ENEMY, e->body[i] - 1) : 0;
+    if (e->safe[i] || !enemies_share(amount, e->rate[i]))
+        return 0;
+    const uint64_t on = enemies_share(enemies_damage(e, i, amount), e->share[i]);
+    enemies_blink(e, &b->enemy_kinds, i);
+    if (!e->hp[i] && !(e->flags[i] & ENEMY_UNDYING))
+        events_enemy_die(b, L, i, player);
+    return on;
+}
+
+/* The same where enemies may be parts. A handler may take the body away before its share comes. */
+static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+{
+    const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
+    uint64_t amount = (uint64_t)n << 32;
+
+    for (int64_t h = first, body; amount && counts(b, h); h = body)
+        amount = hurt_one(b, L, handle_slot(h), amount, player, &body);
+    return !counts(b, first);
+}
+
+bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+{
+    struct enemies *e = &b->enemies;
+
+    if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
+        return false;
+    if (e->rate)
+        return hurt_bodies(b, L, i, n, player);
+    e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
+    enemies_blink(e, &b->enemy_kinds, i);
+    if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
+        return false;
+    events_enemy_die(b, L, i, player);
+    return true;
+}
+
 /* Takes a bullet or shot away that is live or held. */
 static void take_away(struct board *b, struct bullets *s, int64_t h)
 {
@@ -254,6 +299,13 @@ static void take_away(struct board *b, struct bullets *s, int64_t h)
         bullets_drop(s, handle_slot(h));
     else
         bullets_release(s, handle_slot(h));
+}
+
+/* Shot h hit a thing: it is used up, or goes through it. */
+static void spend(struct board *b, int64_t h, int64_t thing)
+{
+    if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), thing, b->core.clock))
+        take_away(b, &b->shots, h);
 }
 
 /* A bullet's hp are at 0. Its on_death can read it, but it is not alive. */
@@ -269,7 +321,7 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
         board_score(b, player - 1, k->score[kind]);
     death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
     if (b->items.s.cap) {
-        push_set(L, kind, "bullet's drops");
+        events_push_set(L, kind, "bullet's drops");
         drop(L, b, b->bullets.x[i], b->bullets.y[i]);
     }
     if (events_push_function(L, kind, "bullet's on_death")) {
@@ -290,14 +342,16 @@ static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
     bool cancels = b->shot_kinds.flags[b->shots.kind[shot]] & KIND_CANCELS;
 
     if (s->hp && s->hp[i]) {
-        take_away(b, &b->shots, e->a);
-        if (s->hp[i] == HP_FOREVER)
+        if (s->hp[i] == HP_FOREVER) {
+            take_away(b, &b->shots, e->a);
             return;
+        }
+        spend(b, e->a, e->b);
         s->hp[i] = damage >= s->hp[i] ? 0 : s->hp[i] - damage;
         if (s->hp[i] == 0)
             bullet_die(b, L, e->b, player);
     } else if (cancels && !(b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED)) {
-        take_away(b, &b->shots, e->a);
+        spend(b, e->a, e->b);
         board_vanish(b, i);
         take_away(b, &b->bullets, e->b);
     }
@@ -315,7 +369,7 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
     uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
-    take_away(b, &b->shots, e->a);
+    spend(b, e->a, e->b);
     if (!events_enemy_hurt(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
         push_thing(L, e->b);
         push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);

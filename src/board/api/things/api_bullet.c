@@ -194,7 +194,7 @@ enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_
 enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS, D_HARMLESS };
 
 /* Of shot_def alone. */
-enum { D_CANCELS = D_ORDER + 1 };
+enum { D_CANCELS = D_ORDER + 1, D_PIERCE, D_EVERY };
 
 enum { MOST_ORDER = 100 };
 
@@ -214,12 +214,19 @@ static const struct api_param bullet_def[] = {
 };
 
 static const struct api_param shot_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },   { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
+    { "name", A_STR, REQ, 0, 0, NULL, NULL },
+    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
+    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
+    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },
+    { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
+    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
+    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },
+    { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
     { "cancels", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "pierce", A_COUNT, OPT, 0, 1000000, NULL, "0" },
+    { "every", A_COUNT, OPT, 1, 1000000, "frames", NULL },
 };
 
 /* The ROW_CLOUD of the kind that is declared next. */
@@ -308,6 +315,21 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* How it goes through what it hits. */
+static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const struct api_value *v)
+{
+    enum { USUAL = 6 };
+
+    if (v[D_PIERCE].i && !k->pierce)
+        api_error(L, "shot.def", "pierce: " API_OFF, "board = { pierce = true }");
+    if (v[D_EVERY].given && !v[D_PIERCE].i)
+        api_error(L, "shot.def", "every: only of a shot that has pierce");
+    if (!k->pierce)
+        return;
+    k->pierce[i] = api_or_forever(&v[D_PIERCE]);
+    k->every[i] = v[D_EVERY].given ? api_or_forever(&v[D_EVERY]) : USUAL;
+}
+
 static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 {
     int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
@@ -315,6 +337,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
     b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
     if (v[D_CANCELS].i)
         b->shot_kinds.flags[i] |= KIND_CANCELS;
+    define_pierce(L, &b->shot_kinds, i, v);
     return 0;
 }
 

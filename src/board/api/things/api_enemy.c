@@ -2,8 +2,8 @@
  * api_enemy.c - enemy.
  */
 #include "../../../base/trig.h"
-#include "../api_parts.h"
 #include "../../events_run.h"
+#include "api_enemy.h"
 
 enum {
     D_NAME,
@@ -22,7 +22,9 @@ enum {
     D_BLEND,
     D_BLOCKS,
     D_PICTURES,
-    D_BLINK
+    D_BLINK,
+    D_RATE,
+    D_PARTS
 };
 
 static const struct api_param def[] = {
@@ -34,7 +36,8 @@ static const struct api_param def[] = {
     { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },       { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "blink", A_INT, OPT, 0, 15, "frames", "0" },
+    { "blink", A_INT, OPT, 0, 15, "frames", "0" },     { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
+    { "parts", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
 
 static const char *const first_pictures[] = { "hurt", NULL };
@@ -45,6 +48,16 @@ static void keep_function(lua_State *L, const struct api_value *v, int32_t kind,
         return;
     lua_pushvalue(L, v->at);
     events_set_function(L, (uint16_t)kind, what);
+}
+
+static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const struct api_value *v)
+{
+    if (v[D_RATE].given)
+        api_body_check(L, "enemy.def", "rate");
+    if (k->rate)
+        k->rate[i] = v[D_RATE].given ? v[D_RATE].f : ENEMY_WHOLE;
+    if (v[D_PARTS].given)
+        api_body_define(L, i, v[D_PARTS].at);
 }
 
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
@@ -76,6 +89,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
         api_drops(L, "enemy.def", v[D_DROPS].at);
         events_set_function(L, (uint16_t)i, "drops");
     }
+    define_body(L, k, i, v);
     return 0;
 }
 
@@ -91,6 +105,9 @@ enum {
     S_ON_DEATH,
     S_STAY,
     S_DROPS,
+    S_FOLLOW,
+    S_SHARE,
+    S_RATE,
     S_VALUES
 };
 
@@ -100,7 +117,8 @@ static const struct api_param spawn[] = {
     { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },  { "bank", A_INT, OPT, 0, 15, NULL, NULL },
     { "tag", A_STR, OPT, 0, 0, NULL, NULL },         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },   { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },     { "follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL },
+    { "share", A_FX, OPT, 0, 1, NULL, NULL },        { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -159,9 +177,10 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
     start_task(L, b, h, 4);
 }
 
+/* Its own drops; without items, it may have none. */
 static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct api_value *drops)
 {
-    if (drops->given)
+    if (drops && drops->given)
         api_drops(L, "enemy.spawn", drops->at);
     else if (b->items.s.cap)
         lua_pushnil(L);
@@ -170,43 +189,108 @@ static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct ap
     events_set_drops(L, i);
 }
 
+int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner)
+{
+    int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
+
+    if (i == NO_SLOT) {
+        board_full(b, &b->enemies.s);
+        return i;
+    }
+    b->enemies.by[i] = tasks_serial(b);
+    b->enemies.owner[i] = owner;
+    lua_pushnil(L);
+    events_set_death(L, (uint32_t)i);
+    set_drops(L, b, (uint32_t)i, NULL);
+    return i;
+}
+
+void api_enemy_run(lua_State *L, struct board *b, uint32_t i)
+{
+    if (events_push_function(L, b->enemies.kind[i], "run"))
+        start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
+}
+
+/* Where it is to come. False: what it is placed by is dead. */
+static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+{
+    const struct api_value *at = v + S_PLACE;
+    const bool place = at[PLACE_X].given || at[PLACE_Y].given || at[PLACE_FROM].given;
+
+    if (v[S_FOLLOW].given || v[S_SHARE].given || v[S_RATE].given)
+        api_body_check(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
+    if (v[S_FOLLOW].given) {
+        if (place || v[S_PATH].given)
+            api_error(L, "enemy.spawn", "follow stands in the stead of a place and a path");
+        *x = *y = 0;
+        return board_alive(b, v[S_FOLLOW].i);
+    }
+    if (v[S_SHARE].given)
+        api_error(L, "enemy.spawn", "share: only of a part, with follow");
+    if (!v[S_PATH].given)
+        return api_place(L, b, "enemy.spawn", at, x, y);
+    if (place)
+        api_error(L, "enemy.spawn", "give a place or a path, not both");
+    path_start(L, v, x, y);
+    return true;
+}
+
+/* What enemy.spawn says of a new enemy. */
+static void set_spawned(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    struct enemies *e = &b->enemies;
+
+    if (v[S_HP].given)
+        e->hp[i] = (int32_t)v[S_HP].i;
+    if (v[S_BANK].given)
+        e->bank[i] = (uint8_t)v[S_BANK].i;
+    if (v[S_TAG].given)
+        e->tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
+    if (v[S_RATE].given)
+        e->rate[i] = v[S_RATE].f;
+    if (v[S_FOLLOW].given)
+        enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_PLACE + PLACE_DX].f, v[S_PLACE + PLACE_DY].f,
+                       v[S_SHARE].f);
+    api_value_set(b, N_ENEMY_VALUE, i, v + S_VALUES);
+    lua_pushvalue(L, v[S_ON_DEATH].at);
+    events_set_death(L, i);
+    if (v[S_DROPS].given)
+        set_drops(L, b, i, &v[S_DROPS]);
+}
+
+static void start_tasks(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    const int64_t h = board_handle(b, H_ENEMY, (int32_t)i);
+
+    if (v[S_RUN].given) {
+        lua_pushvalue(L, v[S_RUN].at);
+        start_task(L, b, h, 0);
+    } else
+        api_enemy_run(L, b, i);
+    if (v[S_PATH].given)
+        follow(L, b, h, v);
+}
+
 static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 {
-    uint16_t kind = (uint16_t)v[S_KIND].i;
+    const uint16_t kind = (uint16_t)v[S_KIND].i;
+    int32_t i = NO_SLOT;
     int64_t owner;
     fx x, y;
 
-    if (v[S_PATH].given && (v[S_PLACE + PLACE_X].given || v[S_PLACE + PLACE_Y].given || v[S_PLACE + PLACE_FROM].given))
-        return api_error(L, "enemy.spawn", "give a place or a path, not both");
-    if (v[S_PATH].given)
-        path_start(L, v, &x, &y);
-    else if (!api_place(L, b, "enemy.spawn", v + S_PLACE, &x, &y))
-        return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
-    if (!tasks_owner_of_new(b, v[S_STAY].i, &owner))
-        return lua_pushinteger(L, board_handle(b, H_ENEMY, NO_SLOT)), 1;
-    int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
-    int64_t h = board_handle(b, H_ENEMY, i);
-    if (i == NO_SLOT)
-        board_full(b, &b->enemies.s);
-    else {
-        b->enemies.by[i] = tasks_serial(b);
-        b->enemies.owner[i] = owner;
-        if (v[S_HP].given)
-            b->enemies.hp[i] = (int32_t)v[S_HP].i;
-        if (v[S_BANK].given)
-            b->enemies.bank[i] = (uint8_t)v[S_BANK].i;
-        if (v[S_TAG].given)
-            b->enemies.tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
-        api_value_set(b, N_ENEMY_VALUE, (uint32_t)i, v + S_VALUES);
-        lua_pushvalue(L, v[S_ON_DEATH].at);
-        events_set_death(L, (uint32_t)i);
-        set_drops(L, b, (uint32_t)i, &v[S_DROPS]);
-        if (v[S_RUN].given)
-            lua_pushvalue(L, v[S_RUN].at);
-        if (v[S_RUN].given || events_push_function(L, kind, "run"))
-            start_task(L, b, h, 0);
-        if (v[S_PATH].given)
-            follow(L, b, h, v);
+    if (spawn_place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[S_STAY].i, &owner)) {
+        if (v[S_FOLLOW].given)
+            api_body_check_depth(L, b, kind, v[S_FOLLOW].i);
+        i = api_enemy_bring(L, b, kind, x, y, owner);
+    }
+    const int64_t h = board_handle(b, H_ENEMY, i);
+    if (i != NO_SLOT) {
+        set_spawned(L, b, (uint32_t)i, v);
+        if (b->enemies.rate)
+            api_body_spawn_parts(L, b, (uint32_t)i);
+        start_tasks(L, b, (uint32_t)i, v);
+        if (b->enemies.rate && b->enemies.parts[i])
+            api_body_run_parts(L, b, (uint32_t)i);
     }
     lua_pushinteger(L, h);
     return 1;
@@ -247,7 +331,22 @@ static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties and verbs ---- */
 
-enum { P_X, P_Y, P_HP, P_BANK, P_TAG, P_SAFE, P_KIND, P_AGE, P_FROZEN, P_PICTURE, P_FLIP_X, P_HIDDEN, PROPS };
+enum {
+    P_X,
+    P_Y,
+    P_HP,
+    P_BANK,
+    P_TAG,
+    P_SAFE,
+    P_KIND,
+    P_AGE,
+    P_FROZEN,
+    P_PICTURE,
+    P_FLIP_X,
+    P_HIDDEN,
+    P_BODY,
+    PROPS = P_BODY + BODY_FOLLOW + 1
+};
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
@@ -267,6 +366,15 @@ static const struct api_prop props[PROPS + 1] = {
       "which of its kind's pictures it shows; nil: the sprite" },
     { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
     { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
+    { { "rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL }, PROP_WRITE, "of the damage it takes: 1 all, 0 none" },
+    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "of a part: how far right of its body; a write ends its move" },
+    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+      PROP_WRITE,
+      "of a part: how far below its body; a write ends its move" },
+    { { "share", A_FX, REQ, 0, 1, NULL, NULL }, PROP_WRITE, "of a part: of the damage it takes, for its body" },
+    { { "follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL }, PROP_READ, "the enemy it is a part of, or nil" },
     { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many living enemies have the tag; the one to read" },
 };
 
@@ -308,8 +416,11 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     case P_HIDDEN:
         lua_pushboolean(L, e->flags[i] & flag_of[p]);
         break;
-    default:
+    case P_AGE:
         lua_pushinteger(L, b->core.clock - e->born[i]);
+        break;
+    default:
+        api_body_get(L, b, i, (enum api_body_prop)(p - P_BODY));
     }
 }
 
@@ -319,15 +430,15 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 
     switch (p) {
     case P_X:
-        e->x[i] = v->f;
-        e->over[i] = 0;
+        enemies_put(e, i, v->f, e->y[i]);
         break;
     case P_Y:
-        e->y[i] = v->f;
-        e->over[i] = 0;
+        enemies_put(e, i, e->x[i], v->f);
         break;
     case P_HP:
         e->hp[i] = (int32_t)v->i;
+        if (e->wound)
+            e->wound[i] = 0;
         break;
     case P_BANK:
         e->bank[i] = (uint8_t)((e->bank[i] & ENEMY_BLINK) | v->i);
@@ -346,8 +457,11 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     case P_FROZEN:
         e->frozen[i] = api_or_forever(v);
         break;
-    default:
+    case P_SAFE:
         e->safe[i] = api_or_forever(v);
+        break;
+    default:
+        api_body_set(L, b, i, (enum api_body_prop)(p - P_BODY), v->f);
     }
 }
 
@@ -360,9 +474,11 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
+    const bool parts = p > P_BODY + BODY_RATE;
+
     vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        if (in_group(b, i, tag))
+        if (in_group(b, i, tag) && (!parts || b->enemies.body[i]))
             set(L, b, i, p, v);
 }
 
@@ -377,6 +493,8 @@ enum {
     MOVE_Y,
     MOVE_OVER,
     MOVE_EASE,
+    MOVE_DX,
+    MOVE_DY,
     SHIFT_X = 1,
     SHIFT_Y,
     HURT_HP = 1,
@@ -390,10 +508,12 @@ enum {
     }
 static const struct api_param move[] = {
     SELF,
-    { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "over", A_INT, REQ, 1, 1e9, "frames", NULL },
     { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
+    { "dx", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    { "dy", A_FX, OPT, -WORLD, WORLD, "px", NULL },
 };
 static const struct api_param shift_by[] = { SELF,
                                              { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
@@ -404,12 +524,15 @@ static const struct api_param hurt[] = { SELF,
 static const struct api_param kill_by[] = { SELF, { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
 static const struct api_param self[] = { SELF };
 
-typedef void enemy_verb(lua_State *L, struct board *b, uint32_t i, const struct api_value *v);
-
 static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
+    const uint32_t over = (uint32_t)v[MOVE_OVER].i;
+
     (void)L;
-    enemies_go(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, (uint32_t)v[MOVE_OVER].i, (enum ease)v[MOVE_EASE].i);
+    if (v[MOVE_X].given)
+        enemies_go(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, over, (enum ease)v[MOVE_EASE].i);
+    else
+        enemies_go_by(&b->enemies, i, v[MOVE_DX].f, v[MOVE_DY].f, over, (enum ease)v[MOVE_EASE].i);
 }
 
 static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -438,7 +561,7 @@ static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api
 
 /* A death runs on_death, which may remove others and spawn new ones in their slots: so those that live now are listed
  * first, and each is asked whether it still does. */
-static void each_of(lua_State *L, struct board *b, uint32_t tag, enemy_verb *verb, const struct api_value *v)
+static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
 {
     int list = lua_gettop(L) + 1;
     lua_Integer n = 0;
@@ -461,7 +584,7 @@ static void each_of(lua_State *L, struct board *b, uint32_t tag, enemy_verb *ver
     lua_settop(L, list - 1);
 }
 
-static int act(lua_State *L, struct board *b, enemy_verb *verb, const struct api_value *v)
+int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
 
@@ -474,22 +597,26 @@ static int act(lua_State *L, struct board *b, enemy_verb *verb, const struct api
 
 static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
 {
-    return act(L, b, move_one, v);
+    const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
+
+    if (x != y || dx != dy || x == dx)
+        return api_error(L, "enemy:move", "expected either x and y, or dx and dy");
+    return api_enemy_act(L, b, move_one, v);
 }
 
 static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
 {
-    return act(L, b, shift_one, v);
+    return api_enemy_act(L, b, shift_one, v);
 }
 
 static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return act(L, b, hurt_one, v);
+    return api_enemy_act(L, b, hurt_one, v);
 }
 
 static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 {
-    return act(L, b, kill_one, v);
+    return api_enemy_act(L, b, kill_one, v);
 }
 
 /* Takes also those that leave in this frame: what else they touched is spared. */
@@ -513,8 +640,9 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 /* The verbs of one and of a group; `it` names who does it. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
-             it " starts a move to x, y, and the call returns at once; in each frame it is at the nearest 1/65536 px " \
-                "of its way"),                                                                                         \
+             it                                                                                                        \
+             " starts a move to x, y, or by dx, dy (a part: to that dx, dy), and the call returns at once; in each "   \
+             "frame it is at the nearest 1/65536 px of its way"),                                                      \
         API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
                  it " is moved on by dx, dy at once, and so is the rest of its move"),                                 \
         API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL,                                                         \

@@ -1,0 +1,314 @@
+/*
+ * test_pierce.c - shots that go through what they hit: which things each hits in a frame, against a plain list of all
+ * that it touches; and by hand how often, in which frames, and when it is used up.
+ */
+#include "hits.h"
+
+enum { BULLETS = 96, SHOTS = 48, FOES = 40, KINDS = 4, CLOCK = 1000, MOST = BULLETS + FOES };
+
+/* ---- whom a shot hits ---- */
+
+/* What a shot touches. */
+struct touched {
+    wide apart;
+    int64_t thing;
+};
+
+static int by_distance(const void *a, const void *b)
+{
+    const struct touched *p = a, *q = b;
+
+    if (p->apart != q->apart)
+        return p->apart < q->apart ? -1 : 1;
+    if (handle_kind(p->thing) != handle_kind(q->thing))
+        return handle_kind(p->thing) == H_ENEMY ? -1 : 1;
+    return handle_slot(p->thing) < handle_slot(q->thing) ? -1 : 1;
+}
+
+static long through, kept_out, stopped, full;
+
+/* Does the shot have it in mind? Counts those that it has. */
+static bool in_mind(const struct board *b, uint32_t i, int64_t thing, int *n)
+{
+    bool is = false;
+
+    *n = 0;
+    for (uint32_t k = 0; k < PIERCED; k++) {
+        int64_t h = b->shots.pierced[i * PIERCED + k];
+        if (!h || b->shots.again[i * PIERCED + k] <= CLOCK || !board_there(b, h))
+            continue;
+        is |= h == thing;
+        ++*n;
+    }
+    return is;
+}
+
+static int list_touched(const struct board *b, uint32_t i, struct touched t[MOST])
+{
+    const struct bullets *s = &b->shots, *o = &b->bullets;
+    const uint16_t flags = b->shot_kinds.flags[s->kind[i]];
+    const struct whole shot = flier(s, &b->shot_kinds, i);
+    int n = 0;
+
+    EACH_LIVE (e, &b->enemies.s)
+        if (meets(shot, foe(b, e), flags & KIND_SWEPT))
+            t[n++] = (struct touched){ square((wide)s->x[i] - s->vx[i] - b->enemies.was_x[e]) +
+                                           square((wide)s->y[i] - s->vy[i] - b->enemies.was_y[e]),
+                                       board_handle(b, H_ENEMY, (int32_t)e) };
+    EACH_LIVE (k, &o->s)
+        if (is_solid(b, k, flags & KIND_CANCELS) && meets(shot, flier(o, &b->bullet_kinds, k), flags & KIND_SWEPT))
+            t[n++] = (struct touched){ square((wide)s->x[i] - s->vx[i] - ((wide)o->x[k] - o->vx[k])) +
+                                           square((wide)s->y[i] - s->vy[i] - ((wide)o->y[k] - o->vy[k])),
+                                       board_handle(b, H_BULLET, (int32_t)k) };
+    qsort(t, (size_t)n, sizeof *t, by_distance);
+    return n;
+}
+
+static void expect_of(const struct board *b, uint32_t i)
+{
+    struct touched t[MOST];
+    const int n = list_touched(b, i, t), left = b->shots.pierce[i];
+    int known, hits = 0;
+
+    in_mind(b, i, 0, &known);
+    for (int k = 0; k < n; k++) {
+        int unused;
+        if (b->shot_kinds.pierce[b->shots.kind[i]] && in_mind(b, i, t[k].thing, &unused)) {
+            kept_out++;
+            continue;
+        }
+        if (left != PIERCE_FOREVER && hits > left)
+            break;
+        if (b->shot_kinds.pierce[b->shots.kind[i]] && known + hits == PIERCED) {
+            full++;
+            break;
+        }
+        expect(b, EV_SHOT, H_SHOT, i, handle_kind(t[k].thing), handle_slot(t[k].thing));
+        through += hits++ > 0;
+        if (handle_kind(t[k].thing) == H_BULLET && b->bullets.hp[handle_slot(t[k].thing)] == HP_FOREVER) {
+            stopped++;
+            break;
+        }
+    }
+}
+
+static void draw_kinds(struct bullet_kinds *k, fx span, bool shots)
+{
+    k->s.live = KINDS;
+    for (uint32_t i = 0; i < KINDS; i++) {
+        k->shape[i] = one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX;
+        k->a[i] = (fx)rng_below(&rng, (uint64_t)span / 4 + 1);
+        k->b[i] = k->shape[i] == SHAPE_BOX ? k->a[i] : 0;
+        k->flags[i] = (uint16_t)((one_in(4) ? 0 : KIND_SWEPT) | (shots && one_in(3) ? KIND_CANCELS : 0));
+        if (shots) {
+            k->pierce[i] = one_in(4) ? 0 : one_in(3) ? PIERCE_FOREVER : 1 + (int32_t)rng_below(&rng, 4);
+            k->every[i] = 6;
+        }
+    }
+}
+
+static void draw_pool(struct bullets *s, uint64_t n, fx span, fx grain)
+{
+    while (n--) {
+        struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, KINDS) };
+        uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
+        s->vx[i] = within(span / 2);
+        s->vy[i] = within(span / 2);
+        s->x[i] = within(span) / grain * grain + s->vx[i];
+        s->y[i] = within(span) / grain * grain + s->vy[i];
+        s->fastest = fx_max(s->fastest, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
+        if (s->hp)
+            s->hp[i] = one_in(2) ? 0 : one_in(6) ? HP_FOREVER : 1 + (int32_t)rng_below(&rng, 9);
+    }
+}
+
+static int64_t any_thing(const struct board *b)
+{
+    const bool foe_one = one_in(2);
+    const uint32_t i = (uint32_t)rng_below(&rng, foe_one ? FOES : BULLETS);
+    const struct slots *s = foe_one ? &b->enemies.s : &b->bullets.s;
+
+    return handle_of(foe_one ? H_ENEMY : H_BULLET, i < s->top && !one_in(5) ? s->gen[i] : 77, i);
+}
+
+static void draw_memory(struct board *b)
+{
+    EACH_LIVE (i, &b->shots.s) {
+        const int32_t of = b->shot_kinds.pierce[b->shots.kind[i]];
+        b->shots.pierce[i] = of <= 0 ? of : (int32_t)rng_below(&rng, (uint64_t)of + 1);
+        for (uint32_t k = 0; of && k < PIERCED; k++) {
+            bool twice = false;
+            int64_t h = one_in(3) ? any_thing(b) : 0;
+            for (uint32_t j = 0; j < k; j++)
+                twice |= b->shots.pierced[i * PIERCED + j] == h;
+            b->shots.pierced[i * PIERCED + k] = twice ? 0 : h;
+            b->shots.again[i * PIERCED + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
+        }
+    }
+}
+
+static void scene(struct board *b, int number)
+{
+    const fx span = (fx)(64 + (rng_below(&rng, (uint64_t)edge / 4) >> rng_below(&rng, 14)));
+    const fx grain = one_in(2) ? 1 : 1 + span / (fx)(1 + rng_below(&rng, 9));
+
+    EACH_LIVE (i, &b->shots.s)
+        bullets_drop(&b->shots, i);
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
+    EACH_LIVE (i, &b->enemies.s)
+        enemies_drop(&b->enemies, i);
+    b->bullets.fastest = b->shots.fastest = 0;
+    draw_kinds(&b->bullet_kinds, span, false);
+    draw_kinds(&b->shot_kinds, span, true);
+    draw_pool(&b->bullets, rng_below(&rng, BULLETS), span, grain);
+    draw_pool(&b->shots, 1 + rng_below(&rng, SHOTS), span, grain);
+    b->enemy_kinds.s.live = 1;
+    b->enemy_kinds.shape[0] = SHAPE_CIRCLE;
+    b->enemy_kinds.a[0] = span / 8;
+    for (uint64_t n = rng_below(&rng, FOES); n--;)
+        enemies_spawn(&b->enemies, &b->enemy_kinds, 0, within(span) / grain * grain, within(span) / grain * grain, 0);
+    draw_memory(b);
+    b->core.clock = CLOCK;
+    b->events.n = 0;
+    expected_n = 0;
+    EACH_LIVE (i, &b->shots.s)
+        expect_of(b, i);
+    hit_run(b);
+    compare(b, number);
+}
+
+static void test_random(void **state)
+{
+    const int n = rig_long() ? 40000 : 2500;
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    rng_seed(&rng, 21);
+    m.bullets = BULLETS;
+    m.shots = SHOTS;
+    m.enemies = FOES;
+    m.hp = m.pierce = 1;
+    rig_script(&g, &m, "");
+    rig_power(&r, &g, NULL);
+    for (int i = 0; i < n; i++)
+        scene(r.b, i);
+    if (through < n || kept_out < n / 4 || stopped < n / 4 || full < n / 20)
+        fail_msg("too few: through %ld, kept out %ld, stopped %ld, full %ld", through, kept_out, stopped, full);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- what comes of it ---- */
+
+static const char *says(const char *text)
+{
+    static char script[4096];
+    static struct rig_game g;
+    struct manifest m = rig_manifest();
+
+    m.pierce = m.hp = 1;
+    snprintf(script, sizeof script,
+             "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 }, hp = 9, touch = false })\n"
+             "bullet.def('nut', { sprite = 'dot', hit = { circle = 4 }, hp = 9 })\n"
+             "bullet.def('wall', { sprite = 'dot', hit = { circle = 4 }, hp = forever })\n"
+             "bullet.def('dot', { sprite = 'dot', hit = { circle = 4 } })\n"
+             "shot.def('one', { sprite = 'dot', hit = { circle = 2 }, pierce = 1 })\n"
+             "shot.def('all', { sprite = 'dot', hit = { circle = 2 }, pierce = forever, every = 10 })\n"
+             "shot.def('once', { sprite = 'dot', hit = { circle = 2 }, pierce = forever, every = forever })\n"
+             "shot.def('broom', { sprite = 'dot', hit = { circle = 2 }, pierce = 2, cancels = true })\n"
+             "local function foe(y) return enemy.spawn { kind = 'foe', x = 50, y = y } end\n"
+             "local function fire(kind, y) return bullet.fire { kind = kind, x = 50, y = y, speed = 0 } end\n"
+             "local function shoot(kind, speed)\n"
+             "  return shot.fire { kind = kind, x = 50, y = 200, speed = speed, dir = 270 } end\n"
+             "task.go(function() wait(1) %s end)",
+             text);
+    rig_with_sys(&g, &m, script);
+    const char *said = rig_said(&g, 60, false);
+    rig_game_free(&g);
+    return said;
+}
+
+#define SAYS(text, words) assert_string_equal(says(text), words)
+
+static void test_counts(void **state)
+{
+    (void)state;
+    /* one goes through one and is used up by the next, in one frame */
+    SAYS("local a, b, c = foe(180), foe(160), foe(140) local s = shoot('one', 100) wait(2)\n"
+         "print(a.hp, b.hp, c.hp, s.alive)",
+         "8\t8\t9\tfalse\n");
+    SAYS("local a, b = foe(180), foe(160) local s = shoot('one', 21) wait(4) print(a.hp, b.hp, s.alive)",
+         "8\t8\tfalse\n");
+    /* it stands in one: a hit each 10 frames, the first at once; the usual 6 count too */
+    SAYS("local a = foe(200) local s = shoot('all', 0) wait(10) print(a.hp) wait(1) print(a.hp) wait(10) print(a.hp)",
+         "8\n7\n6\n");
+    SAYS("local a = foe(200) local s = shoot('one', 0) wait(6) print(a.hp, s.alive) wait(1) print(a.hp, s.alive)",
+         "8\ttrue\n7\tfalse\n");
+    SAYS("local a = foe(200) local s = shoot('once', 0) wait(40) print(a.hp, s.alive)", "8\ttrue\n");
+    /* one that is safe counts as hit */
+    SAYS("local a, b = foe(180), foe(160) a.safe = 9 local s = shoot('one', 60) wait(2) print(a.hp, b.hp, s.alive)",
+         "9\t8\tfalse\n");
+    /* a new one in the slot of one that died is hit at once */
+    SAYS("local a = foe(200) a.hp = 1 local s = shoot('once', 0) wait(2) print(a.alive) local b = foe(200) wait(1)\n"
+         "print(b.hp)",
+         "false\n8\n");
+}
+
+static void test_bullets(void **state)
+{
+    (void)state;
+    SAYS("local a, b, c = fire('nut', 180), foe(160), fire('nut', 140) local s = shoot('all', 100) wait(2)\n"
+         "print(a.hp, b.hp, c.hp, s.alive)",
+         "8\t8\t8\ttrue\n");
+    SAYS("local a, b = fire('wall', 180), foe(160) local s = shoot('all', 100) wait(2) print(b.hp, s.alive)",
+         "9\tfalse\n");
+    SAYS("local a = {} for i = 1, 5 do a[i] = fire('dot', 200 - 10 * i) end local s = shoot('broom', 100) wait(2)\n"
+         "print(bullet.group().count, a[3].alive, a[4].alive, s.alive)",
+         "2\tfalse\ttrue\tfalse\n");
+    SAYS("local a = fire('dot', 180) local s = shoot('all', 100) wait(2) print(a.alive, s.alive)", "true\ttrue\n");
+}
+
+/* Eight things at once, and the ninth when one is forgotten. */
+static void test_most(void **state)
+{
+    (void)state;
+    SAYS("local all = {} for i = 1, 9 do all[i] = foe(200) end shoot('all', 0) wait(1)\n"
+         "print(all[8].hp, all[9].hp) wait(10) print(all[8].hp, all[9].hp) all[1]:kill() wait(2) print(all[9].hp)",
+         "8\t9\n7\t9\n8\n");
+}
+
+static void refuses(bool on, const char *of, const char *words)
+{
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    char script[256];
+
+    m.pierce = on;
+    snprintf(script, sizeof script, "shot.def('bolt', { sprite = 'dot', hit = { circle = 2 }, %s })", of);
+    rig_script(&g, &m, script);
+    assert_string_equal(rig_said(&g, 1, false), words);
+    rig_game_free(&g);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    refuses(false, "pierce = 1",
+            "shot.def: pierce: this game has no room for it; rom.lua asks for it: board = { pierce = true }");
+    refuses(false, "pierce = 0", "");
+    refuses(true, "every = 3", "shot.def: every: only of a shot that has pierce");
+    refuses(true, "pierce = -1", "shot.def: pierce: expected forever or a whole number from 0 to 1000000, got -1");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random), cmocka_unit_test(test_counts),  cmocka_unit_test(test_bullets),
+        cmocka_unit_test(test_most),   cmocka_unit_test(test_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
