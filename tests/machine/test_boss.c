@@ -71,6 +71,16 @@ static const struct story stories[] = {
       "one(phase { safe = 6, run = function(e) for i = 1, 8 do e:hurt(1) say(e.hp) wait(1) end end, "
       "time = 20 }) alone()",
       99, "10 10 10 10 10 10 9 8 a false false" },
+    { "the armoured part",
+      "one(phase { hp = 100, safe = 2, armour = 3, run = function(e) for i = 1, 7 do e:hurt(8) say(e.hp) wait(1) end e.hp "
+      "= 0 end }, phase { id = 'c', hp = 100, run = function(e) e:hurt(8) say(e.hp, e.rate) e.hp = 0 end }) alone()",
+      99, "100 100 98 96 94 86 78 92 1.0 a true true true 70 c true true" },
+    { "and its end when the phase is over in it",
+      "enemy.def('soft', { sprite = 'dot', hit = { circle = 3 }, rate = 2, touch = false }) boss.def('b', { title = 'B', "
+      "kind = 'soft', x = 50, y = 40, phases = { phase { hp = 100, armour = 30, rate = 0.5, run = function(e) e:hurt(8) "
+      "say(e.hp) e.hp = 0 end }, phase { id = 'c', hp = 100, run = function(e) e:hurt(8) say(e.hp) e.hp = 0 end } } }) "
+      "alone()",
+      99, "92 84 a true true true 63 c true true" },
     { "talks",
       "local function talk(s) return { talk = function(e) say(s, e.alive, e.safe == forever) wait(3) end } end\n"
       "one(talk 'first', talk 'second', phase { run = down(2) }, talk 'between', phase { id = 'c', run = "
@@ -154,9 +164,11 @@ static struct rig r;
 static void open_with(const char *code, const struct board_start *start)
 {
     static char text[1 << 14];
+    struct manifest m = rig_manifest();
 
+    m.bodies = 1;
     snprintf(text, sizeof text, "%s%s", game, code);
-    rig_with_sys(&g, NULL, text);
+    rig_with_sys(&g, &m, text);
     rig_power(&r, &g, start);
 }
 
@@ -256,6 +268,8 @@ static void test_errors(void **state)
          "boss.def: phase \"a\": hp: expected a whole number from 1 to 2147483647, got a table");
     says("one(phase { armor = 3 })", "boss.def phase: unknown argument \"armor\" (did you mean \"armour\"?)");
     says("one(phase { safe = 2.5 })", "boss.def phase: safe: expected a whole number from 0 to 65535 frames, got 2.5");
+    says("one(phase { armour = 9 })",
+         "boss.def phase: armour: this game has no room for it; rom.lua asks for it: board = { bodies = true }");
     says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is more than the bonus, 5");
     says("one(phase { spell = 'S', cut_in = true })",
          "boss.def: phase \"a\": cut_in: the boss has no portrait (portrait = a sprite)");

@@ -7,6 +7,7 @@
 #include "../../base/edit.h"
 #include "../../base/hash.h"
 #include "api_parts.h"
+#include "things/api_enemy.h"
 
 /* ---- boss.def ---- */
 
@@ -219,6 +220,8 @@ static void read_phase(struct reading *r)
         lua_setfield(L, at, "drops");
     }
     read_cut_in(r, at, id);
+    if (number(L, at, "armour") > 0)
+        api_body_check(L, "boss.def phase", "armour");
     r->last |= is_true(L, at, "last");
     lua_settop(L, at);
 }
