@@ -243,6 +243,25 @@ static void test_history(void **state)
     close_it();
 }
 
+/* A phase alone, of a cast with a warning and talks: none of these, again and again. */
+static void test_practice(void **state)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "b/c" } };
+
+    (void)state;
+    open_with("boss.def('b', { title = 'B', warning = 50, cast = {\n"
+              "  { name = 'iris', title = 'Iris', kind = 'e', x = 30, y = 40 },\n"
+              "  { name = 'opal', title = 'Opal', kind = 'e', x = 90, y = 40 } }, phases = { phase {},\n"
+              "  { talk = function() say 'talk' end }, phase { id = 'c', last = true, hp = { opal = 9 }, run = {\n"
+              "    opal = function(e) say(board.frame(), e.x, e.hp) wait(3) e:hurt(9) end } },\n"
+              "  { talk = function() say 'end' end } } })\n"
+              "stage.def('s', idle) boot.run { stages = { 's' }, players = { 'ship' } }",
+              &start);
+    rig_run(&r, 150);
+    assert_string_equal(rig_told(&r), "60 90.0 9 c true true 125 90.0 9 c true true");
+    close_it();
+}
+
 static void says(const char *code, const char *line)
 {
     struct rig_game played;
@@ -307,6 +326,7 @@ int main(void)
         cmocka_unit_test(test_stories),
         cmocka_unit_test(test_casts),
         cmocka_unit_test(test_history),
+        cmocka_unit_test(test_practice),
         cmocka_unit_test(test_errors),
     };
 
