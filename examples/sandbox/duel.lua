@@ -28,9 +28,9 @@ boss.def("sisters", {
   phases = {
     { talk = function() wait(30) end },
     { id = "both", hp = 400, time = 25 * 60, bonus = 8000, run = function(iris, opal)
-      task.own(iris, sway, 70)
-      task.own(opal, sway, 170)
-      task.own(iris, rings, "orb", 1)
+      task.go(sway, iris, 70)
+      task.go(sway, opal, 170)
+      task.go(rings, iris, "orb", 1)
       rings(opal, "star", -1)
     end },
     { id = "mirror", spell = "Mirror Sign: Two Rivers", hp = { iris = 260, opal = 320 }, time = 40 * 60,
@@ -38,8 +38,8 @@ boss.def("sisters", {
       run = { iris = needles, opal = function(e) rings(e, "star", 1) end } },
     { id = "dusk", spell = "Last Sign: The Longest Dusk", last = true, survive = true, time = 20 * 60, bonus = 60000,
       run = function(iris, opal)
-        task.own(iris, rings, "orb", 1)
-        task.own(opal, rings, "star", -1)
+        task.go(rings, iris, "orb", 1)
+        task.go(rings, opal, "star", -1)
         while true do
           pattern.line { x = 120, y = -8, kind = "rice", n = 9, width = 220, dir = 90, speed = rng.number(1, 2) }
           wait(30)

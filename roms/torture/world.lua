@@ -26,18 +26,36 @@ enemy.def("limb", { sprite = "steps", hit = { circle = 4 }, hp = 5, score = 3, s
 enemy.def("crab", { sprite = "letter", hit = { box = { 16, 10 } }, hp = 30, parts = {
   { kind = "limb", dx = -14, dy = 3, share = 0.5, tag = "left" }, { kind = "limb", dx = 14, dy = 3, share = 1 / 3, hp = 3, rate = 1.5 } } })
 
-boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, phases = {
-  { id = "one", hp = 60, time = 240, bonus = 500, drops = { heart = 1, coin = 3 }, clear = { items = "coin", spark = "ping" }, run = function(e)
+boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, warning = 20, portrait = "box", phases = {
+  { talk = function(e) board.note(e.safe) wait(9) end },
+  { id = "one", hp = 60, safe = 10, bonus_to = 100, time = 180, bonus = 500, drops = { heart = 1, coin = 3 }, clear = { items = "coin", spark = "ping" }, run = function(e)
       task.go(function() while true do pattern.aimed { from = e, kind = "needle", n = 3, every = 5, speed = 2, lock = true } wait(20) end end)
       pattern.spiral { from = e, kind = "dot", n = forever, arms = 2, step = 13, every = 6, speed = 1.6 }
     end },
-  { id = "two", spell = "Sign of Two", survive = true, time = 150, rest = 20, bg = "still", run = function(e)
+  { id = "two", spell = "Sign of Two", survive = true, time = 90, rest = 20, bg = "still", run = function(e)
       while true do
         e:move { x = rng.int(40, 180), y = rng.number(40, 90), over = 25, ease = rng.pick { "in", "out", "both", "linear" } }
         pattern.arc { from = e, kind = "dot", n = 7, dir = rng.dir(), sweep = 200, speed = 1.2, motion = "spin" }
         wait(30)
       end
-    end } } })
+    end },
+  { id = "end", hp = 20, time = 60, last = true, run = function(e) e:hurt(30) end },
+  { talk = function(e) board.note(e.alive) board.note((boss.history("twin", "two"))) end } } })
+
+local function ringing(e)
+  for k = 1, forever do
+    pattern.ring { from = e, kind = "dot", n = 5, dir = 11 * k, speed = 1.4 }
+    wait(25)
+  end
+end
+
+boss.def("pair", { title = "Iris and Opal", cast = {
+  { name = "iris", title = "Iris", kind = "wall", x = 70, y = 40 }, { name = "opal", title = "Opal", kind = "drone", x = 150, y = 50 } },
+  phases = {
+    { id = "shared", hp = 20, time = 90, rest = 10, run = function(iris, opal) task.own(opal, ringing) ringing(iris) end },
+    { id = "own", spell = "Both", hp = { iris = 4, opal = 6 }, time = 120, rest = 0, bonus = 90, bonus_to = 30,
+      run = { iris = function(e) wait(20) e:hurt(9) end, opal = ringing } },
+    { id = "any", hp = { iris = 3, opal = 4 }, down = "any", time = 60, run = function(iris, opal) wait(15) opal:hurt(4) end } } })
 
 -- ---- one task a corner; all end with the stage ----
 
@@ -570,6 +588,7 @@ end)
 
 stage.def("second", function()
   for _, f in ipairs(corners) do task.go(f) end
+  task.go(function() boss.fight("pair", { clock = true }) end)
   stage.wave { kind = "wall", n = 30, every = 3, path = across }
   stage.at(120)
   stage.clear(200)

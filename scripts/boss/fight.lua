@@ -74,14 +74,15 @@ local function play(now, b, team, phase)
   sys.mark("phase", phase.id, b.name, phase.spell)
   status.phase, status.began, status.missed, status.hit = phase, sys.clock(), false, false
   local before = phase.bg and backdrop(b, phase)
+  local armour = phase.armour > 0 and sys.read("boss/armour")(team, phase)
   local scene, down = begin(b, team, phase)
-  if phase.armour > 0 then sys.read("boss/armour")(team, phase, scene) end
   if phase.cut_in then sys.read("boss/cut_in")(b, phase, scene) end
   if phase.spell then sys.history(b.name, phase.id, 1) end
   wait_until(function() return not lead(team) or status.hit or down() end, phase.time)
   local won = lead(team) ~= nil and not status.hit and (phase.survive or down())
   local captured = won and not status.missed
   task.stop(scene)
+  if armour then task.stop(armour) end
   if before then sys.backdrop(before) end
   tidy(team, phase, won)
   if phase.bonus > 0 then
@@ -158,6 +159,6 @@ return function(now, b, phases, args)
   now.status = { boss = b, team = team }
   now.status.worth = worth_of(now.status)
   local won, all = run(now, b, phases, team, not args)
-  leave(b, team, won)
+  if lead(team) then leave(b, team, won) end
   return all
 end

@@ -43,17 +43,19 @@ local function wipe_spell()
   seen.bonus, spell.row = nil, nil
 end
 
+local function forget() top, phase, spell, seen = nil, nil, nil, {} end
+
 local function wipe()
   if not top then return end
   text.clear { col = LEFT, row = top, w = WIDTH, h = height }
   wipe_spell()
-  top, phase, spell, seen = nil, nil, nil, {}
+  forget()
 end
 
 -- A bar each for those who have one; of several each has its name before it, in a narrow panel above. Returns the row
 -- below them.
 local function list_bars(b, row)
-  local hp, label = phase and phase.hp, 0
+  local hp, label = phase and not phase.survive and phase.hp, 0
   bars = {}
   if type(hp) ~= "table" then
     if hp then bars[1] = { e = b.team[1], full = hp, row = row, col = LEFT, cols = SHORT } end
@@ -81,9 +83,9 @@ local function lay_out(b, row)
     hud.put(LEFT, row, line)
     row, last = row + 1, sys.cells(line)
   end
-  local cols = row - 1 < top + 2 and not NARROW and SHORT or WIDTH
-  if #pips > 0 and last + 1 + #pips > cols then row, last = row + 1, 0 end
-  hud.put(LEFT + cols - #pips, row - 1, pips)
+  local function room() return row - 1 < top + 2 and not NARROW and SHORT or WIDTH end
+  if #pips > 0 and last + 1 + #pips > room() then row = row + 1 end
+  hud.put(LEFT + room() - #pips, row - 1, pips)
   height = math.max(row - top, 2)
   if phase and phase.spell then
     spell = hud.wrap(text.lang(phase.spell), COLS)
@@ -115,7 +117,9 @@ local function way(age)
 end
 
 local function draw_name(age)
+  if spell.there then return end
   local k = way(age)
+  spell.there = k == 0
   local row = spell.rest + math.floor((LOW - spell.rest) * k + 0.5)
   local letters = age < WRITTEN and age or -1
   if not new("name", row * 64 + math.floor(k * 32) + (letters << 20)) then return end
@@ -145,6 +149,7 @@ end
 
 return function(b, row, again, verdict)
   if verdict then tell(verdict) end
+  if not b and again then forget() end -- whatever stands there now is another's
   if not b then return wipe() end
   if row ~= top or again or new("phase", b.phase or b.left or 0) then
     lay_out(b, row)

@@ -4,6 +4,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 return function(list, team)
   local scene = sys.scene(sys.task()) -- takes what they put along
+  wait(1) -- on.phase of the phase before comes at the end of the frame
   for _, f in ipairs(list) do
     local run = rawget(sys, "talk") -- talk.run, of a game that has it
     local function told() f(table.unpack(team)) end

@@ -54,6 +54,7 @@ for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without 
     rm -rf page
     cp -r "$repo/examples/sandbox" page
     rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua page/words.lua page/scenes.lua page/rays.lua
+    rm page/duel.lua
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200", "power", "point", "life", "shard",'

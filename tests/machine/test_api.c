@@ -56,8 +56,12 @@ static const char world[] =
     "  options = { kind = 'moon', style = 'orbit', radius = 9, levels = { { n = 3 } } },\n"
     "  choices = { 'GO', 'STAY' }, faces = { calm = 'dot', cross = 'arrow' },\n"
     "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
-    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
-    "}\n"
+    "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } "
+    "},\n"
+    "  cast = { { name = 'i', title = 'I', kind = 'foe', x = 9, y = 9 }, { name = 'o', title = 'O', kind = 'foe', x = "
+    "9, y "
+    "= 9 } },\n"
+    "  boss = { phases = { { id = 'q', hp = 9, time = 5, run = function() end } }, kind = 'foe', x = 5, y = 5 } }\n"
     "stage.def('s', function() wait(forever) end)\n"
     "boss.def('b', { title = 'B', kind = 'foe', x = 50, y = 50, phases = {\n"
     "  { id = 'p', hp = 10, time = 20, run = function(e) e.hp = 0 end } } })\n"
@@ -389,7 +393,8 @@ static void push_value(lua_State *L, const struct api_param *p)
         *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
         *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
         *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-        *const options[] = { "bead", "moon" }, *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
+        *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" },
+        *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -417,6 +422,8 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_pushliteral(L, "words.txt");
         else if (!strcmp(p->name, "of") && !one_in(4))
             push_from(L, pools, 3);
+        else if (entry && !strcmp(entry->name, "boss.history") && one_in(2)) /* the boss and its phase */
+            lua_pushstring(L, !strcmp(p->name, "id") ? "p" : !strcmp(p->name, "name") ? "b" : "normal");
         else if (entry && !strcmp(entry->name, "board.dip") && one_in(4))
             lua_pushliteral(L, "odd");
         else if (entry && !strcmp(entry->name, "player.def") && !strncmp(p->name, "bomb", 4) && !one_in(4))
@@ -523,6 +530,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MEET:
         push_from(L, meets, 4);
+        break;
+    case A_DOWN:
+        push_from(L, downs, 2);
         break;
     case A_MAP:
         push_from(L, maps, 2);

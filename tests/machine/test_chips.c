@@ -866,6 +866,18 @@ static void test_fix(void **state)
     assert_memory_equal(f->bank + 40, "\0\2\2\2\2\2\0", 7);
     fix_clear(f, 0, 4, 10, 1);
     row_is(f, 4, "");
+    /* twice as large: a quarter a cell, cut off as all else */
+    fix_put(f, 8, 4, "ab", 2, 3 | FIX_RIM | FIX_BIG, 0);
+    fix_put(f, 1, 8, "a", 1, 3 | FIX_BIG, 0);
+    row_is(f, 4, "........aa");
+    row_is(f, 5, "........aa");
+    row_is(f, 8, ".aa");
+    const uint8_t look = 3 | FIX_RIM;
+    const uint8_t quarters[] = { look | FIX_BIG, look | 2 * FIX_BIG, look | 3 * FIX_BIG, look | 4 * FIX_BIG };
+    assert_memory_equal(f->bank + 48, quarters, 2);
+    assert_memory_equal(f->bank + 58, quarters + 2, 2);
+    assert_int_equal(f->bank[82], 3 | 2 * FIX_BIG);
+    fix_clear(f, 0, 4, 10, 5);
     fix_clear(f, 3, 1, 1, 1);
     row_is(f, 1, "..a.c");
     fix_clear(f, -5, 1, 8, 2);

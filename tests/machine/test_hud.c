@@ -180,15 +180,15 @@ static void test_title(void **state)
         const char *title, *row[2];
         int phases, col[2];
     } rows[] = {
-        { "NINE", { "NINE                     ***", "" }, 4, { 1, -1 } },
-        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC **", "" }, 3, { 1, -1 } },
-        { "A TITLE OF TWENTY-FOUR CC", { "A TITLE OF TWENTY-FOUR CC", "***" }, 4, { 1, 26 } },
+        { "NINE", { "NINE                ***   11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF NINETEEN", { "A TITLE OF NINETEEN ***   11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF TWENTY CC", { "A TITLE OF TWENTY CC      11", "***" }, 4, { 1, 26 } },
         { "A TITLE THAT GOES OVER TWO OF THEM",
-          { "A TITLE THAT GOES OVER TWO", "OF THEM                    *" },
+          { "A TITLE THAT GOES OVER    11", "TWO OF THEM                *" },
           2,
           { 1, 1 } },
-        { "NINE", { "NINE", "" }, 1, { 1, -1 } },
-        { "NINE", { "NINE                  ******", "" }, 9, { 1, -1 } },
+        { "NINE", { "NINE                      11", "" }, 1, { 1, -1 } },
+        { "NINE", { "NINE             ******   11", "" }, 9, { 1, -1 } },
     };
 
     (void)state;
@@ -200,6 +200,126 @@ static void test_title(void **state)
             row_is(4 + (uint32_t)k, rows[i].col[k], rows[i].row[k]);
         close_it();
     }
+}
+
+/* A fight as it is shown: the clock in letters of two cells by two, what its bar has lost, a spell that is declared in
+ * the middle, slides up and rests below the title, its bonus, and what it came to. */
+static const char spell_game[] =
+    "player.def('p', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'p')\n"
+    "hud.banks.alarm, hud.banks.faint = 7, 6 hud.start(string.sys.scope(), 1)\n"
+    "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "boss.def('b', { title = 'NINE', kind = 'e', x = 99, y = 9, phases = {\n"
+    "  { id = 'a', hp = 8, time = 660, spell = 'GLASS SIGN', bonus = 6600, bonus_to = 0, rest = 60, run = function(e)\n"
+    "    wait(40) e.hp = 2 wait(60) %s wait(450) e.hp = 0 end },\n"
+    "  { id = 'l', hp = 8, time = 99, run = function() end } } })\n"
+    "task.go(function() boss.fight('b') end)";
+
+static void open_spell(const struct manifest *m, const char *then)
+{
+    static char text[2048];
+
+    snprintf(text, sizeof text, spell_game, then);
+    open_with(m, text);
+}
+
+static uint8_t bank_at(uint32_t row, uint32_t col)
+{
+    return r.b->fix.bank[row * r.b->fix.cols + col];
+}
+
+static void test_spell(void **state)
+{
+    (void)state;
+    open_spell(NULL, "");
+    rig_run(&r, 68);
+    row_is(3, 1, "===-------------------- 1111"); /* it fills */
+    row_is(4, 1, "NINE                  * 1111");
+    assert_int_equal(bank_at(3, 25), 2 | FIX_RIM | FIX_BIG);
+    assert_int_equal(bank_at(4, 28), 2 | FIX_RIM | 4 * FIX_BIG);
+    row_is(25, 10, "GLASS");
+    rig_run(&r, 22);
+    row_is(25, 10, "GLASS SIGN");
+    rig_run(&r, 22);
+    row_is(3, 1, "======----------------- 1111");
+    row_is(25, -1, "");
+    row_is(10, 17, "GLASS SIGN");
+    rig_run(&r, 18);
+    row_is(10, -1, "");
+    row_is(5, 19, "GLASS SIGN");
+    row_is(6, 16, "BONUS 0005910");
+    assert_int_equal(bank_at(3, 28) & FIX_BANK, 7); /* ten seconds are left */
+    rig_run(&r, 270);
+    row_is(4, 1, "NINE                  *   66");
+    row_is(6, 16, "BONUS 0003210");
+    rig_run(&r, 215);
+    row_is(3, -1, "");
+    row_is(4, 1, "NINE                  *");
+    row_is(5, -1, "");
+    row_is(6, -1, "");
+    row_is(13, 11, "CAPTURED");
+    row_is(15, 13, "1090");
+    rig_run(&r, 250);
+    row_is(4, -1, "");
+    row_is(13, -1, "");
+    close_it();
+}
+
+/* A death, whose bonus it was; and the names of a cast, with a bar each. */
+static void test_failed(void **state)
+{
+    static char text[2048];
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y");
+    rig_run(&r, 200);
+    row_is(6, 23, "FAILED");
+    assert_int_equal(bank_at(6, 23), 6 | FIX_RIM);
+    rig_run(&r, 430);
+    row_is(13, 9, "BONUS FAILED");
+    close_it();
+    for (int panel = 0; panel < 2; panel++) {
+        m.field_w = panel ? 160 : 240;
+        snprintf(
+            text, sizeof text,
+            "player.def('p', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'p')\n"
+            "hud.start(string.sys.scope(), 1) enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+            "boss.def('b', { title = 'TWO', cast = { { name = 'i', title = 'IRIS', kind = 'e', x = 9, y = 9 },\n"
+            "  { name = 'o', title = 'OPAL THE LONG', kind = 'e', x = 99, y = 9 } }, phases = { { id = 'a', time = "
+            "5000, hp = { i = 8, o = 4 }, run = function(i, o) wait(40) i.hp, o.hp = 4, 3 end } } })\n"
+            "task.go(function() boss.fight('b') end)");
+        open_with(&m, text);
+        rig_run(&r, 120);
+        row_is(panel ? 9 : 3, panel ? 21 : 1, panel ? "=====----" : "IRIS    ========------- 8833");
+        row_is(panel ? 10 : 4, panel ? 21 : 1, panel ? "OPAL THE" : "OPAL TH ============--- 8833");
+        row_is(panel ? 11 : 5, panel ? 21 : 1, panel ? "=======--" : "TWO");
+        close_it();
+    }
+}
+
+/* The band before a boss: it opens, runs, closes, and leaves nothing. */
+static void test_warning(void **state)
+{
+    (void)state;
+    open_with(NULL,
+              "hud.banks.alarm = 7\n"
+              "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+              "boss.def('b', { title = 'NINE', kind = 'e', x = 99, y = 9, warning = 90, phases = { { id = 'a', hp = "
+              "5, time = 99, run = function() end } } })\n"
+              "task.go(function() boss.fight('b') end)");
+    rig_run(&r, 8);
+    row_is(16, 7, "RNING  WARNING");
+    rig_run(&r, 40);
+    row_is(16, 2, "WARNING  WARNING  WARNING  W");
+    row_is(18, 8, "WWAARRNNIINNGG");
+    row_is(19, 8, "WWAARRNNIINNGG");
+    row_is(21, 13, "NINE");
+    row_is(23, 0, "RNING  WARNING  WARNING  WARNI");
+    assert_int_equal(bank_at(18, 8), 7 | FIX_RIM | FIX_BIG);
+    rig_run(&r, 44);
+    for (uint32_t row = 0; row < r.b->fix.rows; row++)
+        row_is(row, -1, "");
+    close_it();
 }
 
 /* Rows are written again only when what they tell of is another, and after hud.refresh. */
@@ -270,6 +390,45 @@ static void test_rim(void **state)
     close_it();
 }
 
+/* A pixel of the font's letter; 0 outside of it. */
+static int ink(int code, int x, int y)
+{
+    return x < 0 || y < 0 || x > 7 || y > 7 ? 0 : g.cart.glyphs[(code - 32) * 64 + y * 8 + x];
+}
+
+/* A letter twice as large is what scale2x makes of the letter; half of one at the screen's edge is that half. */
+static void test_large(void **state)
+{
+    uint32_t rgb[256];
+    int other = 0;
+
+    (void)state;
+    open_with(NULL, "text.put { col = 3, row = 3, text = 'KA', bank = 1, size = 2 }\n"
+                    "text.put { col = 29, row = 9, text = 'A', bank = 1, size = 2, rim = true }");
+    rig_run(&r, 1);
+    for (int i = 0; i < 64; i++) /* the rig's own has no slant */
+        ((uint8_t *)(uintptr_t)g.cart.glyphs)[('K' - 32) * 64 + i] = (i % 8 * 5 + i / 8 * (i / 8 + 3)) % 7 < 3 ? 3 : 0;
+    board_draw(r.b, &r.fb, rgb, r.scratch);
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 32; x++) {
+            const int code = "KA"[x / 16], u = x % 16 / 2, v = y / 2, at = ink(code, u, v);
+            const int up = ink(code, u, v - 1), down = ink(code, u, v + 1);
+            const int left = ink(code, u - 1, v), right = ink(code, u + 1, v);
+            const int side = x % 2 ? right : left, over = y % 2 ? down : up;
+            const int want = side == over && up != down && left != right ? over : at;
+            const int got = r.fb.pix[(24 + y) * r.fb.pitch + 24 + x];
+            if (got != (want ? 16 + want : got) || (!want && got >= 16 && got < 32))
+                fail_msg("pixel %d,%d is %d, expected %d", x, y, got, want);
+            other += want != at;
+        }
+    assert_true(other > 10);
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 8; x++)
+            if (r.fb.pix[(24 + y) * r.fb.pitch + 40 + x] != 0)
+                assert_int_equal(r.fb.pix[(72 + y) * r.fb.pitch + 232 + x], r.fb.pix[(24 + y) * r.fb.pitch + 40 + x]);
+    close_it();
+}
+
 static void says(const char *registers, const char *line)
 {
     char text[512];
@@ -299,7 +458,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
         cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),    cmocka_unit_test(test_title),
-        cmocka_unit_test(test_again),
+        cmocka_unit_test(test_again),   cmocka_unit_test(test_spell),     cmocka_unit_test(test_failed),
+        cmocka_unit_test(test_warning), cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

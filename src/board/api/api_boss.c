@@ -7,6 +7,7 @@
 #include "../../base/edit.h"
 #include "../../base/hash.h"
 #include "api_parts.h"
+#include "things/api_enemy.h"
 
 /* ---- boss.def ---- */
 
@@ -124,7 +125,8 @@ static void each_of_cast(struct reading *r, int at, const char *phase, const str
     lua_pushnil(L);
     while (lua_next(L, copy - 1)) {
         if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, by names of the cast", phase, p->name);
+            api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, by names of the cast", phase,
+                      p->name);
         lua_pushvalue(L, -2);
         if (lua_rawget(L, r->cast) == LUA_TNIL)
             no_member(r, phase, p->name, lua_tostring(L, -3));
@@ -167,8 +169,8 @@ static void check_bonus(lua_State *L, int at, const char *id)
         return;
     }
     if (lua_tointeger(L, -1) > number(L, at, "bonus"))
-        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is more than the bonus, %d", id,
-                  (int)lua_tointeger(L, -1), (int)number(L, at, "bonus"));
+        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is more than the bonus, %d", id, (int)lua_tointeger(L, -1),
+                  (int)number(L, at, "bonus"));
     lua_pop(L, 1);
 }
 
@@ -218,6 +220,8 @@ static void read_phase(struct reading *r)
         lua_setfield(L, at, "drops");
     }
     read_cut_in(r, at, id);
+    if (number(L, at, "armour") > 0)
+        api_body_check(L, "boss.def phase", "armour");
     r->last |= is_true(L, at, "last");
     lua_settop(L, at);
 }
@@ -352,8 +356,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
     const char *difficulty = v[H_DIFFICULTY].given ? lua_tostring(L, v[H_DIFFICULTY].at)
                              : m->n_difficulties   ? m->difficulties[b->core.difficulty]
                                                    : "";
-    const uint64_t of =
-        name_hash(name_hash(HASH_START, lua_tostring(L, v[H_BOSS].at)), lua_tostring(L, v[H_ID].at));
+    const uint64_t of = name_hash(name_hash(HASH_START, lua_tostring(L, v[H_BOSS].at)), lua_tostring(L, v[H_ID].at));
     lua_Integer tries = 0, captures = 0;
     char key[NV_KEY + 1];
 
@@ -376,7 +379,8 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean", "checks a boss's cast and phases; is one a last one?" },
+    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
+      "checks a boss's cast and phases; is one a last one?" },
     { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
       "how often a spell was tried and captured; add 1: a try, 2: a capture" },
 };

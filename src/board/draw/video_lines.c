@@ -4,6 +4,7 @@
  * Rows are broken as for the whole text, so that no word jumps while its letters come. A row may end at a blank, and
  * between characters of scripts that have none (from U+2E80 on), but not before a sign that closes.
  */
+#include <string.h>
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
 #include "../video.h"
@@ -182,37 +183,51 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
     }
 }
 
-/* A cell of a character twice as large: the quarter of its picture, drawn with the corners that scale2x finds, so that
- * slants are no stairs. */
-static void enlarge(const uint8_t from[CART_GLYPH], int quarter, uint8_t out[CART_GLYPH])
+/* The quarter of a character twice as large, drawn with the corners that scale2x finds, so that slants are no stairs. */
+static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH])
 {
-    for (int i = 0; i < CART_GLYPH; i++) {
-        const int X = quarter % 2 * 8 + i % 8, Y = quarter / 2 * 8 + i / 8, x = X / 2, y = Y / 2, at = y * 8 + x;
-        const int up = y > 0 ? from[at - 8] : 0, down = y < 7 ? from[at + 8] : 0;
-        const int left = x > 0 ? from[at - 1] : 0, right = x < 7 ? from[at + 1] : 0;
-        const int beside = X % 2 ? right : left, over = Y % 2 ? down : up;
-        const bool corner = beside == over && up != down && left != right;
-        out[i] = corner ? (uint8_t)over : from[at];
-    }
+    const int x0 = quarter % 2 * 4, y0 = quarter / 2 * 4;
+
+    for (int y = y0; y < y0 + 4; y++)
+        for (int x = x0; x < x0 + 4; x++) {
+            const uint8_t *p = from + y * FIX_CELL + x;
+            uint8_t *to = out + (y - y0) * 2 * FIX_CELL + (x - x0) * 2;
+            const int on = *p, up = y > 0 ? p[-FIX_CELL] : 0, down = y < 7 ? p[FIX_CELL] : 0;
+            const int left = x > 0 ? p[-1] : 0, right = x < 7 ? p[1] : 0;
+            const bool slant = up != down && left != right;
+            to[0] = (uint8_t)(slant && left == up ? up : on);
+            to[1] = (uint8_t)(slant && right == up ? up : on);
+            to[FIX_CELL] = (uint8_t)(slant && left == down ? down : on);
+            to[FIX_CELL + 1] = (uint8_t)(slant && right == down ? down : on);
+        }
 }
 
-/* What a cell shows of its character: false: nothing, or a box. */
+/* A glyph as one of 8 x 8 px; what is outside of the cell is cut off. */
+static const uint8_t *fitted(const struct face_glyph *g, uint8_t room[CART_GLYPH])
+{
+    if (g->w == FIX_CELL && g->h == FIX_CELL && g->pitch == FIX_CELL && g->x == 0 && g->y == 0)
+        return g->pix;
+    memset(room, 0, CART_GLYPH);
+    for (int y = 0; y < FIX_CELL; y++)
+        for (int x = 0; x < FIX_CELL; x++) {
+            const int u = x - g->x, v = y - g->y;
+            if (u >= 0 && v >= 0 && u < g->w && v < g->h)
+                room[y * FIX_CELL + x] = g->pix[v * g->pitch + u];
+        }
+    return room;
+}
+
+/* What a cell shows of its character; of a large one the quarter is made in `room`. False: nothing, or a box. */
 static bool cell_glyph(const struct page *p, const struct fix *f, uint32_t i, uint8_t room[CART_GLYPH],
                        struct face_glyph *g)
 {
-    uint8_t whole[CART_GLYPH] = { 0 };
+    uint8_t whole[CART_GLYPH];
 
     if (!find(p, fix_code(f, i), g))
         return false;
     if (!(f->bank[i] & FIX_QUARTERS))
         return true;
-    for (int y = 0; y < FIX_CELL; y++)
-        for (int x = 0; x < FIX_CELL; x++) {
-            const int u = x - g->x, v = y - g->y;
-            if (u >= 0 && v >= 0 && u < g->w && v < g->h)
-                whole[y * FIX_CELL + x] = g->pix[v * g->pitch + u];
-        }
-    enlarge(whole, f->bank[i] / FIX_BIG - 1, room);
+    enlarge(fitted(g, whole), f->bank[i] / FIX_BIG - 1, room);
     *g = (struct face_glyph){ room, FIX_CELL, FIX_CELL, FIX_CELL, 0, 0, FIX_CELL };
     return true;
 }
@@ -243,7 +258,12 @@ void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 
     if (!p.face.data && !(f->bank[i] & FIX_QUARTERS) && text_has(&p.font, fix_code(f, i))) {
         text_rim(c->fb, &p.font, x, y, fix_code(f, i), rim);
-    } else if (cell_glyph(&p, f, i, room, &g)) {
+    } else if (!cell_glyph(&p, f, i, room, &g)) {
+        return;
+    } else if (g.pix == room) {
+        const struct font one = { room, (int)fix_code(f, i), 1 };
+        text_rim(c->fb, &one, x, y, fix_code(f, i), rim);
+    } else {
         struct image image = { g.pix, g.w, g.h, g.pitch };
         blit_rim(c->fb, &image, x + g.x, y + g.y, rim);
     }
