@@ -158,6 +158,7 @@ static void start(int players, bool doom)
 
 static void pause_and_go_on(void)
 {
+    const uint32_t game = r.b->player.gen[0];
     uint32_t clock;
 
     press(PAD_START, 0);
@@ -171,6 +172,7 @@ static void pause_and_go_on(void)
     frames(10);
     gone("PAUSE");
     assert_true(r.b->core.clock > clock);
+    assert_int_equal(r.b->player.gen[0], game);
     assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
 }
 

@@ -119,7 +119,8 @@ static const struct api_param boot_run[] = {
     { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "continues", A_INT, OPT, 1, 99, NULL, NULL }, { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "continues", A_INT, OPT, 1, 99, NULL, NULL },
+    { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
 };
 static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
