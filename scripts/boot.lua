@@ -150,7 +150,7 @@ local function practise(a, start)
 end
 
 function boot.run(args)
-  local a, practice, with = sys.read("boot/check")(args), sys.practice()
+  local a, practice, with = sys.read("boot/args")(args), sys.practice()
   screens = a.screens or screens
   if practice == "" then return task.go(go_round, a) end
   a.with = with

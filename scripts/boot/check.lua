@@ -1,4 +1,4 @@
--- boot/check.lua - what boot.run was given, looked at once while the game loads.
+-- boot/check.lua - what boot.run was given beyond players and stages (boot/args.lua), looked at while the game loads.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
 local SCREENS = {
@@ -34,15 +34,6 @@ local function expect_stages(what, list)
     fail(what, "a list of at least one stage", type(list) == "table" and "none" or type(list))
   end
   for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
-end
-
-local function check_players(list)
-  local kinds, known = sys.kinds("player"), {}
-  for _, kind in ipairs(kinds) do known[kind] = true end
-  for _, kind in ipairs(list) do
-    if not known[kind] then sys.unknown("boot.run", "player", tostring(kind), kinds) end
-  end
-  if #list == 0 then fail("players", "a list of at least one", "none") end
 end
 
 local function check_screens(screens)
@@ -128,11 +119,7 @@ local function check_music(list)
   end
 end
 
--- Returns the arguments, with what was left out.
-return function(args)
-  local a = sys.check("boot.run", args)
-  check_players(a.players)
-  if not a.modes or a.stages then expect_stages("stages", a.stages) end
+return function(a)
   if a.screens then check_screens(a.screens) end
   if a.modes then check_modes(a.modes) end
   if a.difficulties then check_difficulties(a.difficulties) end
@@ -141,7 +128,4 @@ return function(args)
   if a.staff then check_staff(a.staff) end
   if a.music then check_music(a.music) end
   if a.demos then check_demos(a.demos) end
-  a.stages = a.stages or a.modes[1].stages
-  sys.read("boot/records").expect(a)
-  return a
 end

@@ -129,7 +129,7 @@ struct board_out {
     int markers;
     struct board_full full[FULLS];
     int fulls;
-    bool menu; /* a menu before a game stands: who has just come needs to know the keys */
+    bool menu;                       /* a menu before a game stands: who has just come needs to know the keys */
     const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
 };
 

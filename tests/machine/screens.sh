@@ -53,10 +53,10 @@ press() {
     shift
     for key in "$@"; do
         xdotool key --delay 60 "$key"
-        rounds 8
+        rounds 2
     done
     check "$game: $* leads to \"$line\"" soon more "$line" "$before"
-    rounds 12 # it takes keys from its second frame on
+    rounds 3 # it takes keys from its second frame on
 }
 
 # way PLAYERS: title, mode, difficulty, ship, pause, results, ending, staff, name, scores, and back; then the other mode.
@@ -64,7 +64,7 @@ way() {
     local two=
     [ "$1" = 2 ] && two=Down
     check "$game: the title" soon more "shown: title" 0
-    rounds 12
+    rounds 3
     press "shown: mode" Return $two z
     press "shown: difficulty" z
     press "shown: ship" Up z
@@ -73,7 +73,7 @@ way() {
     xdotool key --delay 60 Return
     check "$game: results" soon more "shown: results" 0
     check "$game: an ending" soon more "shown: ending" 0
-    rounds 60
+    rounds 25
     press "shown: staff" z
     press "shown: name" Return
     if [ "$1" = 2 ]; then press "shown: scores" z z Return j j 2; else press "shown: scores" z z Return; fi
@@ -81,17 +81,17 @@ way() {
     press "shown: scores" Return Up z
     press "shown: title" z
     xdotool key --delay 60 x # from the list back to PRESS START
-    rounds 8
+    rounds 2
     press "shown: mode" Return z
     press "shown: difficulty" Down z
     press "shown: ship" z
     press "stage doom" z
     check "$game: a continue" soon more "shown: continue" 0
-    rounds 12
+    rounds 3
     names=$(count "shown: name")
     xdotool key --delay 60 Return # goes on, with the one continue there is
     check "$game: a name after the last life" soon more "shown: name" "$names"
-    rounds 12
+    rounds 3
     press "shown: scores" z z Return
     press "shown: title" z
     press "shown: scores" # nobody comes: a demo, and then the scores

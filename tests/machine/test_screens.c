@@ -137,6 +137,12 @@ static void start(int players, bool doom)
     soon("LIVES", 60);
     press(0, players > 1 ? PAD_RIGHT : 0);
     soon(players > 1 ? "GREY TERN" : "HERON", 5);
+    if (players > 1) { /* nobody goes without the other */
+        press(0, PAD_FIRE);
+        frames(60);
+        assert_int_equal(r.b->player.in[0], 0);
+        press(0, PAD_BOMB);
+    }
     press(PAD_FIRE, 0);
     assert_true(at("READY") >= 0);
     if (players > 1) {
@@ -152,6 +158,7 @@ static void start(int players, bool doom)
 
 static void pause_and_go_on(void)
 {
+    const uint32_t game = r.b->player.gen[0];
     uint32_t clock;
 
     press(PAD_START, 0);
@@ -165,6 +172,7 @@ static void pause_and_go_on(void)
     frames(10);
     gone("PAUSE");
     assert_true(r.b->core.clock > clock);
+    assert_int_equal(r.b->player.gen[0], game);
     assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
 }
 
@@ -261,8 +269,11 @@ static void test_back(void **state)
     soon("DIFFICULTY", 30);
     press(PAD_BOMB, 0);
     soon("STORY", 30);
+    assert_true(screen_dim(&r.b->screen, r.b->core.frame) > 0);
     press(PAD_BOMB, 0);
     soon("PRESS START", 30);
+    frames(10);
+    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
     press(PAD_START, 0);
     soon("2 PLAYERS", 30);
     frames(1801);

@@ -215,6 +215,31 @@ static void bad_settings(void **state)
     refuse(longline, sizeof longline, "x.conf:1: not a line of text");
 }
 
+/* The first switch of an action, as it would be written. */
+static void first_switch(void **state)
+{
+    static const char *const words[] = { "a",         "z",         "1",         "9",         "0",
+                                         "f1",        "f12",       "kp1",       "kp5",       "kp9",
+                                         "kp0",       "kp.",       "enter",     "rgui",      "up",
+                                         "key4",      "pad.south", "pad.start", "pad1.east", "pad2.right",
+                                         "alt+enter", "key100",    "ctrl+q",    "space",     "none" };
+    struct keys k;
+    char name[32];
+
+    (void)state;
+    keys_defaults(&k);
+    keys_first(&k, "p1.start", name, sizeof name);
+    assert_string_equal(name, "enter");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        assert_true(keys_bind(&k, "p2.bomb", words[i], err, sizeof err));
+        keys_first(&k, "p2.bomb", name, sizeof name);
+        assert_string_equal(name, strcmp(words[i], "key4") ? words[i] : "a");
+    }
+    assert_true(keys_bind(&k, "p2.bomb", "kp3 x", err, sizeof err));
+    keys_first(&k, "p2.bomb", name, 3);
+    assert_string_equal(name, "kp");
+}
+
 static void count_line(const char *line)
 {
     assert_true(strlen(line) < 120);
@@ -244,6 +269,7 @@ int main(void)
         cmocka_unit_test(a_settings_file),
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
+        cmocka_unit_test(first_switch),
     };
     return cmocka_run_group_tests(tests, 0, 0);
 }

@@ -1,0 +1,37 @@
+-- boot/args.lua - what boot.run was given, looked at once while the game loads: here what each game gives, in
+-- boot/check.lua the rest.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local PLAIN <const> = { players = true, stages = true, demo = true, continues = true }
+
+local function check_players(list)
+  local kinds, known = sys.kinds("player"), {}
+  for _, kind in ipairs(kinds) do known[kind] = true end
+  for _, kind in ipairs(list) do
+    if not known[kind] then sys.unknown("boot.run", "player", tostring(kind), kinds) end
+  end
+  if #list == 0 then sys.fail("boot.run", "players: expected a list of at least one, got none") end
+end
+
+local function check_stages(list)
+  if not list or #list == 0 then
+    sys.fail("boot.run", "stages: expected a list of at least one, got " .. (list and "none" or "nil"))
+  end
+  for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
+end
+
+-- Returns the arguments.
+return function(args)
+  local a = sys.check("boot.run", args)
+  check_players(a.players)
+  if a.stages or not a.modes then check_stages(a.stages) end
+  for key in pairs(a) do
+    if not PLAIN[key] then
+      sys.read("boot/check")(a)
+      break
+    end
+  end
+  a.stages = a.stages or a.modes[1].stages
+  sys.read("boot/records").expect(a)
+  return a
+end
