@@ -273,6 +273,10 @@ analyze: deps-play-nightly
 nightly: deps-play-test-fuzz-nightly
 	@tests/nightly.sh $(ARGS)
 
+$(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@

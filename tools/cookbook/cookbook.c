@@ -1,0 +1,196 @@
+/*
+ * cookbook.c - runs pages of the cookbook: `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from power-on and
+ * prints a line of it:
+ *
+ *     PAGE HASH BULLETS LASERS WORK MOST
+ *
+ * the state's hash after FRAMES frames, bullets and lasers at most, and the work of Lua in a frame, mean and most: its
+ * instructions, a call of the API counted as a hundred. With -o, the field as it is in three frames from
+ * FRAME on (300), STEP (40) from each other, goes to DIR/PAGE.png.
+ * Exit code 1: a fault, or a pool was full; which, says standard error.
+ *
+ * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then.
+ * floor: tools
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/board/machine.h"
+#include "../../src/cab/pack/pack.h"
+#include "../../src/cab/pack/png.h"
+
+enum {
+    SWAY = 40,        /* frames to a side */
+    BOMB_EVERY = 400, /* frames from bomb to bomb */
+    BOMB_FIRST = 200,
+    PICTURES = 3, /* of a page, side by side */
+    GAP = 4       /* px between two of them */
+};
+
+struct cookbook {
+    struct rom_image image;
+    struct cart cart;
+    size_t ram_size;
+    void *ram;
+    const char *dir; /* for pictures; NULL: none are wanted */
+    long frames;
+};
+
+/* Pictures of a page side by side, in the colours of the last. */
+struct strip {
+    struct fb fb;
+    void *screen, *scratch;
+    uint8_t *pix;
+    int w, count;
+    uint32_t rgb[256];
+};
+
+struct tally {
+    uint32_t bullets, lasers; /* at most */
+    uint64_t work, most;      /* sum, and of a frame */
+};
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "cookbook: %s\n", what);
+    exit(2);
+}
+
+static uint16_t hands(const struct board *b, long f)
+{
+    uint16_t pads = PAD_FIRE;
+
+    if (!b->player.in[0] || b->player.kind[0] == 0)
+        return 0;
+    if (f / SWAY % 4 != 1)
+        pads |= f / SWAY % 4 == 2 ? PAD_RIGHT : f / SWAY % 4 == 0 ? PAD_LEFT : 0;
+    if (f / (SWAY * 4) % 2)
+        pads |= PAD_FOCUS;
+    if (f % BOMB_EVERY == BOMB_FIRST)
+        pads |= PAD_BOMB;
+    return pads;
+}
+
+static void strip_open(struct strip *s, const struct cookbook *c, const struct board *b)
+{
+    int w, h;
+
+    board_screen(b, &w, &h);
+    s->w = PICTURES * (c->cart.m.field_w + GAP) - GAP;
+    s->pix = calloc((size_t)s->w, (size_t)c->cart.m.field_h);
+    s->screen = malloc(fb_size(w, h));
+    s->scratch = malloc(board_scratch(b));
+    if (!s->pix || !s->screen || !s->scratch)
+        fail("out of memory");
+    fb_init(&s->fb, s->screen, w, h);
+}
+
+/* Adds the field as it is, without the words beside it. */
+static void strip_add(struct strip *s, const struct cookbook *c, const struct board *b)
+{
+    const struct manifest *m = &c->cart.m;
+
+    board_draw(b, &s->fb, s->rgb, s->scratch);
+    for (int y = 0; y < m->field_h; y++)
+        memcpy(s->pix + (ptrdiff_t)y * s->w + s->count * (m->field_w + GAP),
+               s->fb.pix + (ptrdiff_t)(m->field_y + y) * s->fb.pitch + m->field_x, (size_t)m->field_w);
+    s->count++;
+}
+
+static void strip_close(struct strip *s, const struct cookbook *c, const char *page)
+{
+    uint8_t *bytes;
+    size_t size;
+    char path[1024];
+
+    snprintf(path, sizeof path, "%s/%s.png", c->dir, page);
+    if (!png_write(s->pix, s->w, s->w, c->cart.m.field_h, s->rgb, &bytes, &size))
+        fail("out of memory");
+    FILE *f = fopen(path, "wb");
+    if (!f || fwrite(bytes, 1, size, f) != size || fclose(f))
+        fail(path);
+    free(bytes);
+    free(s->pix);
+    free(s->screen);
+    free(s->scratch);
+}
+
+static void count(struct tally *t, const struct board *b)
+{
+    if (b->bullets.s.live > t->bullets)
+        t->bullets = b->bullets.s.live;
+    if (b->lasers.s.live > t->lasers)
+        t->lasers = b->lasers.s.live;
+    t->work += b->vm.work;
+    if (b->vm.work > t->most)
+        t->most = b->vm.work;
+}
+
+/* False: a fault, or a line in the log, which tells of a full pool. */
+static bool sound(const char *page, const struct board *b)
+{
+    const struct board_out *out = board_last(b);
+
+    if (out->log_size)
+        fprintf(stderr, "%s: frame %u: %.*s", page, board_frame(b), (int)out->log_size, out->log);
+    if (out->fault)
+        fprintf(stderr, "%s: frame %u: %s\n", page, board_frame(b), out->fault->message);
+    return !out->fault && !out->log_size;
+}
+
+static bool run(const struct cookbook *c, const char *page, long frame, long step)
+{
+    struct board_start start = { .difficulty = -1, .seed = 1 };
+    struct tally t = { 0 };
+    struct strip strip = { 0 };
+    char err[512];
+
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", page);
+    struct board *b = board_power(c->ram, c->ram_size, &c->image.rom, &start, true, err, sizeof err);
+    if (!b)
+        fail(err);
+    bool fine = sound(page, b);
+    if (c->dir)
+        strip_open(&strip, c, b);
+    for (long f = 1; f <= c->frames && fine; f++) {
+        const uint16_t pads[PADS] = { hands(b, f) };
+        board_tick(b, pads);
+        fine = sound(page, b);
+        count(&t, b);
+        if (c->dir && f == frame + strip.count * step && strip.count < PICTURES)
+            strip_add(&strip, c, b);
+    }
+    if (c->dir)
+        strip_close(&strip, c, page);
+    printf("%s %016llx %u %u %llu %llu\n", page, (unsigned long long)board_hash(b), t.bullets, t.lasers,
+           (unsigned long long)(t.work / (uint64_t)c->frames), (unsigned long long)t.most);
+    return fine;
+}
+
+int main(int argc, char **argv)
+{
+    struct cookbook c = { 0 };
+    bool fine = true;
+    char err[512];
+    int i = 3;
+
+    if (argc < 4 || (c.frames = atol(argv[2])) < 1)
+        fail("usage: cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...");
+    if (argc > 5 && !strcmp(argv[i], "-o")) {
+        c.dir = argv[i + 1];
+        i += 2;
+    }
+    if (!rom_image_load(argv[1], false, &c.image, err, sizeof err) ||
+        !cart_open(&c.cart, &c.image.rom, err, sizeof err) || !board_size(&c.image.rom, &c.ram_size, err, sizeof err))
+        fail(err);
+    c.ram = malloc(c.ram_size);
+    if (!c.ram)
+        fail("out of memory");
+    for (; i < argc; i++) {
+        char page[64] = "";
+        long frame = 300, step = 40;
+        sscanf(argv[i], "%63[^:]:%ld:%ld", page, &frame, &step);
+        fine &= run(&c, page, frame, step);
+    }
+    return fine ? 0 : 1;
+}
