@@ -42,7 +42,7 @@ LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
-STD_LUA   := $(wildcard scripts/*.lua)
+STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
@@ -125,7 +125,7 @@ $(OUT)/embed: tools/embed.c
 $(OUT)/gen/std.c: $(STD_LUA) $(OUT)/embed
 	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(basename $(notdir $f))=$f) > $@
+	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(patsubst scripts/%.lua,%,$f)=$f) > $@
 
 $(OUT)/gen/no_rom.c: $(OUT)/embed
 	@mkdir -p $(@D)

@@ -204,69 +204,6 @@ local function practise(a, start)
   end
 end
 
--- ---- the list of what can be practised, for the cabinet ----
-
-local TOLD = 12 -- sys.mark calls in one frame: fewer than the board can hand out
-
--- True if the text of a practice start ("boss/phase", "stage:mark") can hold the name: short enough, plain characters,
--- and none that `except`, a Lua pattern, matches.
-local function startable(name, except) return #name < 32 and not name:find("[^ -~]") and not name:find(except) end
-
--- A function that does what sys.mark does, and waits a frame when the frame is full.
-local function teller()
-  local told = 0
-  return function(...)
-    if told == TOLD then
-      wait(1)
-      told = 0
-    end
-    told = told + 1
-    sys.mark(...)
-  end
-end
-
-local function tell_ship(tell, kind)
-  local ship = sys.ship(kind)
-  tell("ship", kind, "", "", ship.lives)
-  for _, r in ipairs(ship.registers) do
-    if startable(r.name, "=") then tell("register", r.name, "", "", r.value) end
-  end
-end
-
-local function tell_boss(tell, b)
-  if not startable(b.name, "/") then return end
-  tell("boss", b.name, "", b.title)
-  for _, phase in ipairs(b.phases) do
-    if startable(phase.id, "\0") then tell("phase", phase.id, b.name, phase.spell) end
-  end
-end
-
--- Stages run through as they would be played, so in a game with its ship.
-local function tell_marks(tell, a, name)
-  local scope = enter({ a.players[1] }, "AGAIN", a.with)
-  local marks, whole = stage.run_through(name, scope)
-  leave(scope, 1)
-  for _, mark in ipairs(marks) do
-    if startable(mark, "/") then tell("point", mark, name) end
-  end
-  if not whole then print(('stage "%s" waits for ever when it is skipped: marks after that are not known'):format(name)) end
-end
-
--- First what is known without running anything: a stage that runs through may fault, and then the list ends there.
-local function list_pieces(a)
-  local tell, stages = teller(), {}
-  tell_ship(tell, a.players[1])
-  for _, name in ipairs(stage.names(a.stages)) do
-    if startable(name, "[:/]") then
-      tell("stage", name)
-      stages[#stages + 1] = name
-    end
-  end
-  boss.each(function(b) tell_boss(tell, b) end)
-  for _, name in ipairs(stages) do tell_marks(tell, a, name) end
-  tell("listed", "") -- the list is complete
-end
-
 function boot.run(args)
   local a, kinds = sys.check("boot.run", args), sys.kinds("player")
   local known = {}
@@ -280,7 +217,7 @@ function boot.run(args)
   if practice == "" then return task.go(front, a) end
   expect_registers(a.players[1], with)
   a.with = with
-  if practice == "?" then return task.go(list_pieces, a) end -- the cabinet asks what can be practised
+  if practice == "?" then return task.go(sys.read("boot/list"), a, enter, leave) end -- the cabinet asks what there is
   task.go(practise, a, part(practice))
 end
 

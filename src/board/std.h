@@ -4,6 +4,10 @@
  *
  * A ROM has the modules that its scripts name, and those that these name; what is not in the ROM is not loaded. Below
  * cab nobody has their texts: they are lumps "script/@std/NAME.lua".
+ *
+ * What a module seldom needs stands in pieces of its own, "screens/title": they come into the ROM with their module, are
+ * not run when the machine starts, and are read each time sys.read asks for one. They may name what their module names
+ * (or the game, where it asked for them), for they bring no module along.
  */
 #ifndef BOARD_STD_H
 #define BOARD_STD_H
@@ -18,6 +22,9 @@ enum { STD_MODULES = 12 };
 
 /* Module i, in the order in which they are loaded: "pattern". The first is the prelude, which all others need. */
 const char *std_module(int i);
+
+/* The module whose piece "boss/cast" is: that of the folder's name, of "screens" it is boot. -1: no piece. */
+int std_piece_of(const char *name);
 
 /* The module that binds the global of that name, or -1. */
 int std_of(const char *name);

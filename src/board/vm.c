@@ -403,6 +403,27 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
+static const char sys_key = 0; /* registry: the sys table */
+
+void vm_read_piece(lua_State *L, const char *name)
+{
+    char path[64];
+    const char *text;
+    size_t size;
+
+    snprintf(path, sizeof path, "@std/%s", name);
+    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        vm_fault(L, FAULT_SCRIPT, "sys.read: \"%s\" is no piece of a module of this ROM", name);
+    vm_charge(L, size);
+    vm_load(L, path);
+    if (vm_board(L)->vm.loading) { /* it is kept, then */
+        snprintf(path, sizeof path, "@@std/%s.lua", name);
+        lualib_drop_locals(L, path);
+    }
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &sys_key);
+    lua_call(L, 1, 1);
+}
+
 /* Runs module i, @std/NAME, if the ROM has it and what it adds to is on, with sys and binds what it returns: prelude's
  * entries one by one, the others under their name. */
 static void load_std(lua_State *L, int i, int sys)
@@ -480,6 +501,8 @@ int vm_boot(lua_State *L)
     open_libraries(L);
     api_open(L); /* leaves the sys table */
     int sys = lua_gettop(L);
+    lua_pushvalue(L, sys);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &sys_key);
     for (int i = 0; i < STD_MODULES; i++)
         load_std(L, i, sys);
     lua_gc(L, LUA_GCCOLLECT); /* the game's scripts get the place of what only loading needed */

@@ -107,6 +107,10 @@ int vm_print(lua_State *L);
  * metatable of the value below, for good. */
 void vm_seal(lua_State *L);
 
+/* Runs the library's piece "screens/title" (std.h) and leaves what it returns; a fault when the ROM has none. It counts
+ * as work: a unit a byte. */
+void vm_read_piece(lua_State *L, const char *name);
+
 /* Loads script "stages/one" or "@std/pattern" and leaves its function on the stack; a fault when it cannot. */
 void vm_load(lua_State *L, const char *name);
 

@@ -111,7 +111,7 @@ static inline struct manifest rig_manifest(void)
 /* A game of these scripts; m NULL: rig_manifest. One named "@std/NAME" takes the place of the library's. */
 static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
 {
-    enum { MOST = 64 };
+    enum { MOST = 128 };
     static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[96 * CART_GLYPH];
     static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
     struct manifest own = m ? *m : rig_manifest();
@@ -182,7 +182,7 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
 /* Puts two blends into a game, "ghost" and "glow", whose tables are nonsense. */
 static inline void rig_blends(struct rig_game *g)
 {
-    enum { MOST = 64 };
+    enum { MOST = 128 };
     static uint8_t blend[2][CART_BLEND];
     struct rig_game had = *g;
     struct lump lumps[MOST];
@@ -203,7 +203,7 @@ static inline void rig_blends(struct rig_game *g)
 /* Two maps: "sea" of 3 x 2 solid tiles of 8 px, and "reef" of 5 x 4 tiles of 16 px with holes. */
 static inline void rig_maps(struct rig_game *g)
 {
-    enum { MOST = 64, TILES = 4 };
+    enum { MOST = 128, TILES = 4 };
     static uint8_t sea[CART_MAP_HEADER + 2 * 6 + TILES * (1 + 64)], reef[CART_MAP_HEADER + 2 * 20 + TILES * (1 + 256)];
     struct {
         uint8_t *at;

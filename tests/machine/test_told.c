@@ -508,6 +508,35 @@ static void test_places_in_library(void **state)
     }
 }
 
+/* A piece is run anew each time it is read, with sys, and what it made is collected; one that is not there is a fault. */
+static void test_pieces(void **state)
+{
+    static const char piece[] = "local sys = ...\nstring.runs = (string.runs or 0) + 1\n"
+                                "return function(x) return x .. string.runs .. type(sys.read) end";
+    static const char game[] = "local read = string.sys.read\n"
+                               "assert(read('boot/list')('a') == 'a1function')\n"
+                               "task.go(function()\n"
+                               "  assert(read('boot/list')('b') == 'b2function')\n"
+                               "  wait(2)\n"
+                               "  read('boot/lists')\n"
+                               "end)";
+    const struct rig_script scripts[] = { { "@std/boot/list", piece },
+                                          { "@std/prelude", "string.sys = ... return {}" },
+                                          { "main", game } };
+    static const uint16_t none[PADS];
+
+    (void)state;
+    rig_scripts(&g, NULL, scripts, 3);
+    rig_power(&rig, &g, NULL);
+    for (int f = 0; f < 4 && !rig_fault(&rig); f++)
+        board_tick(rig.b, none);
+    assert_non_null(rig_fault(&rig));
+    assert_string_equal(rig_fault(&rig)->message,
+                        "main.lua:6: sys.read: \"boot/lists\" is no piece of a module of this ROM");
+    rig_free(&rig);
+    rig_game_free(&g);
+}
+
 /* ---- what chapter 10 of the manual says of places, grazes and hits ---- */
 
 static void test_manual(void **state)
@@ -577,7 +606,8 @@ int main(void)
         cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
         cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
         cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_manual),    cmocka_unit_test(test_each),
+        cmocka_unit_test(test_pieces),    cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_each),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);

@@ -22,7 +22,7 @@
 #include "../repair.h"
 #include "../temp.h"
 
-enum { MAX_LUMPS = 64, MOST = 1 << 20 };
+enum { MAX_LUMPS = 128, MOST = 1 << 20 };
 
 static char dir[256], path[300], err[512];
 static uint8_t rom_bytes[1 << 20];

@@ -303,7 +303,7 @@ static void test_same_bytes(void **state)
     rom_image_free(&b);
 }
 
-/* The modules of the library that a game of this main.lua gets, in the order of lumps: "path prelude". */
+/* The modules of the library, without their pieces, that a game of this main.lua gets, in the order of lumps: "path prelude". */
 static const char *modules_of(const char *text)
 {
     static char got[128];
@@ -317,7 +317,9 @@ static const char *modules_of(const char *text)
         struct lump l;
         rom_lump(&image.rom, i, &l);
         const char *name = l.name + strlen(folder);
-        snprintf(got + strlen(got), sizeof got - strlen(got), "%s%.*s", got[0] ? " " : "", (int)strlen(name) - 4, name);
+        if (!strchr(name, '/'))
+            snprintf(got + strlen(got), sizeof got - strlen(got), "%s%.*s", got[0] ? " " : "", (int)strlen(name) - 4,
+                     name);
     }
     rom_image_free(&image);
     return got;
@@ -370,11 +372,39 @@ static void test_std(void **state)
     refused("std/nonesuch.lua: the standard library has no such script to replace");
 }
 
-/* The library's files and the modules that the board knows are the same. */
+/* A piece is in the ROM with its module, and the game's own in its stead; a game without the module has none. */
+static void test_pieces(void **state)
+{
+    struct rom_image image;
+
+    (void)state;
+    put_game("return {}");
+    put_text("main.lua", "return wait_until");
+    image = packed(false);
+    assert_int_equal(rom_find(&image.rom, "script/@std/boot/list.lua"), -1);
+    rom_image_free(&image);
+    put_text("main.lua", "return boot.run");
+    image = packed(false);
+    assert_true(rom_find(&image.rom, "script/@std/boot/list.lua") >= 0);
+    rom_image_free(&image);
+    put_text("std/boot/list.lua", "return 'mine'");
+    image = packed(false);
+    assert_lump(&image.rom, "script/@std/boot/list.lua", "return 'mine'");
+    rom_image_free(&image);
+    put_text("std/boot/lists.lua", "return 1");
+    refused("std/boot/lists.lua: the standard library has no such script to replace");
+}
+
+/* The library's files are the modules that the board knows and their pieces. */
 static void test_library(void **state)
 {
+    int pieces = 0;
+
     (void)state;
-    assert_int_equal(std_script_count, STD_MODULES);
+    for (int k = 0; k < std_script_count; k++)
+        pieces += std_piece_of(std_scripts[k].name) >= 0;
+    assert_int_equal(std_script_count, STD_MODULES + pieces);
+    assert_true(pieces > 0);
     for (int i = 0; i < STD_MODULES; i++) {
         int found = 0;
         for (int k = 0; k < std_script_count; k++)
@@ -1040,8 +1070,9 @@ int main(void)
         TEST(test_art_errors), TEST(test_too_large_turned), TEST(test_errors),
         TEST(test_long_name),  TEST(test_long_text),        TEST(test_load),
         TEST(test_list),       TEST(test_unpack),           TEST(test_unpack_refuses),
-        TEST(test_modules),    TEST(test_library),          TEST(test_price),
-        TEST(test_globals),    TEST(test_not_here),         TEST(test_sized),
+        TEST(test_pieces),     TEST(test_modules),          TEST(test_library),
+        TEST(test_price),      TEST(test_globals),          TEST(test_not_here),
+        TEST(test_sized),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -316,6 +316,12 @@ static void test_modules(void **state)
                      std_module(i));
         assert_true(std_named(text, (size_t)n) == 0);
     }
+    assert_int_equal(std_piece_of("boss"), -1);
+    assert_int_equal(std_piece_of("bosses/cast"), -1);
+    assert_int_equal(std_piece_of("bos/cast"), -1);
+    assert_int_equal(std_piece_of("/cast"), -1);
+    assert_int_equal(std_piece_of("boss/cast"), std_of("boss"));
+    assert_int_equal(std_piece_of("screens/title"), std_of("boot"));
     assert_string_equal(std_module(0), "prelude");
     assert_int_equal(std_of("prelude"), -1);
     assert_int_equal(std_of("wait_for"), 0);

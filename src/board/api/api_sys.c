@@ -96,6 +96,13 @@ static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static int sys_read(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    vm_read_piece(L, lua_tostring(L, v[ARG_NAME].at));
+    return 1;
+}
+
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[ARG_NAME].at);
@@ -433,6 +440,7 @@ static const struct api_entry entries[] = {
     { "sys.fail", sys_fail, PARAMS(fail), 2, API_SYS, NULL, "raises an entry's error" },
     { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
+    { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any", "runs a piece of the library, \"screens/title\"" },
     { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
     { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },

@@ -49,6 +49,20 @@ static int in_list(const char *list, const char *word, size_t n)
     return 0;
 }
 
+int std_piece_of(const char *name)
+{
+    size_t n = strcspn(name, "/");
+
+    if (name[n] == '\0')
+        return -1;
+    if (n == strlen("screens") && memcmp(name, "screens", n) == 0)
+        return std_of("boot");
+    for (int i = 0; i < STD_MODULES; i++)
+        if (strlen(modules[i].name) == n && memcmp(modules[i].name, name, n) == 0)
+            return i;
+    return -1;
+}
+
 const char *std_adds_to(int i)
 {
     return modules[i].to;

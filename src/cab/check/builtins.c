@@ -123,13 +123,13 @@ void name_set_close(struct name_set *s)
     *s = (struct name_set){ 0 };
 }
 
-/* Is it a module that adds to a table which another one, or the board, hands out? */
+/* Is it a module that adds to a table which another one, or the board, hands out; or a piece of one? */
 static bool adds_only(const char *script)
 {
     for (int i = 0; i < STD_MODULES; i++)
         if (strcmp(script, std_module(i)) == 0)
             return std_adds_to(i) != NULL;
-    return false;
+    return std_piece_of(script) >= 0;
 }
 
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)

@@ -591,6 +591,17 @@ static bool add_module(struct packer *p, const struct embedded *s)
     return add_copy(p, "script/@std/", file, s->data, s->size);
 }
 
+/* The pieces of the modules that are there; the game's own are there already. */
+static bool add_pieces(struct packer *p)
+{
+    for (int i = 0; i < std_script_count; i++) {
+        int of = std_piece_of(std_scripts[i].name);
+        if (of >= 0 && p->std >> of & 1 && !replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
+            return false;
+    }
+    return true;
+}
+
 /* What the game's scripts name, and what these modules name in their turn; the prelude comes along with any other. */
 static bool add_std(struct packer *p)
 {
@@ -605,7 +616,7 @@ static bool add_std(struct packer *p)
         p->std |= std_needed(i, (const char *)s->data, s->size);
         in |= (uint64_t)1 << i;
     }
-    return true;
+    return add_pieces(p);
 }
 
 static int by_name(const void *a, const void *b)
