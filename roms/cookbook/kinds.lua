@@ -1,4 +1,4 @@
--- kinds.lua - what the recipes take for granted. Nothing kills the plain ship: it flickers, so that all can be looked at.
+-- kinds.lua - what the recipes take for granted. Nothing kills a ship here: it flickers.
 bullet.def("orb",   { sprite = "orb",   hit = { circle = 3.5 } })
 bullet.def("rice",  { sprite = "rice",  hit = { circle = 2 }, turns = true })
 bullet.def("knife", { sprite = "knife", hit = { circle = 2.5 }, turns = true })
@@ -23,6 +23,7 @@ player.def("gun", { sprite = "ship", hit = { circle = 2 }, run = function(p)
   end
 end })
 
+-- A ship that is meant to die says so by its name.
 on.hit(function(p)
-  if p.kind == "ship" or p.kind == "gun" then p.safe = 30 end
+  if p.kind ~= "mortal" then p.safe = 30 end
 end)

@@ -52,7 +52,8 @@ return {
   },
   maps = {
     sea    = { tiles = "art/tiles.png", bank = 13, rows = { { 1, 2, 3, 4 } } },
-    slabs  = { tiles = "art/tiles.png", bank = 13, rows = { { 5, 6, 7, 6 }, { 7, 8, 5, 6 }, { 6, 5, 8, 7 }, { 8, 7, 6, 5 } } },
+    slabs  = { tiles = "art/tiles.png", bank = 13, rows =
+               { { 5, 6, 7, 6 }, { 7, 8, 5, 6 }, { 6, 5, 8, 7 }, { 8, 7, 6, 5 } } },
     clouds = { tiles = "art/tiles.png", bank = 13, file = "maps/clouds.csv" },
   },
   difficulties = { "easy", "normal", "hard" }, difficulty = "normal",

@@ -1,13 +1,13 @@
 /*
- * cookbook.c - runs pages of the cookbook: `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from power-on and
- * prints a line of it:
+ * cookbook.c - runs pages of the cookbook: `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from
+ * power-on and prints a line of it:
  *
- *     PAGE HASH BULLETS LASERS WORK MOST
+ *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *
- * the state's hash after FRAMES frames, bullets and lasers at most, and the work of Lua in a frame, mean and most: its
- * instructions, a call of the API counted as a hundred. With -o, the field as it is in three frames from
- * FRAME on (300), STEP (40) from each other, goes to DIR/PAGE.png.
- * Exit code 1: a fault, or a pool was full; which, says standard error.
+ * the state's hash after FRAMES frames; bullets and lasers at most; and the work of Lua in a frame, mean, most and least,
+ * but for the first two, in which the book writes its words: instructions, with a hundred for a call of the API. With
+ * -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each other, goes to
+ * DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
  *
  * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then.
  * floor: tools
@@ -20,6 +20,7 @@
 #include "../../src/cab/pack/png.h"
 
 enum {
+    FIRST = 2,        /* frames that are not counted */
     SWAY = 40,        /* frames to a side */
     BOMB_EVERY = 400, /* frames from bomb to bomb */
     BOMB_FIRST = 200,
@@ -46,8 +47,8 @@ struct strip {
 };
 
 struct tally {
-    uint32_t bullets, lasers; /* at most */
-    uint64_t work, most;      /* sum, and of a frame */
+    uint32_t bullets, lasers;   /* at most */
+    uint64_t work, most, least; /* sum, and of a frame */
 };
 
 static void fail(const char *what)
@@ -121,7 +122,11 @@ static void count(struct tally *t, const struct board *b)
         t->bullets = b->bullets.s.live;
     if (b->lasers.s.live > t->lasers)
         t->lasers = b->lasers.s.live;
+    if (board_frame(b) <= FIRST)
+        return;
     t->work += b->vm.work;
+    if (b->vm.work < t->least)
+        t->least = b->vm.work;
     if (b->vm.work > t->most)
         t->most = b->vm.work;
 }
@@ -141,7 +146,7 @@ static bool sound(const char *page, const struct board *b)
 static bool run(const struct cookbook *c, const char *page, long frame, long step)
 {
     struct board_start start = { .difficulty = -1, .seed = 1 };
-    struct tally t = { 0 };
+    struct tally t = { .least = UINT64_MAX };
     struct strip strip = { 0 };
     char err[512];
 
@@ -162,8 +167,9 @@ static bool run(const struct cookbook *c, const char *page, long frame, long ste
     }
     if (c->dir)
         strip_close(&strip, c, page);
-    printf("%s %016llx %u %u %llu %llu\n", page, (unsigned long long)board_hash(b), t.bullets, t.lasers,
-           (unsigned long long)(t.work / (uint64_t)c->frames), (unsigned long long)t.most);
+    printf("%s %016llx %u %u %llu %llu %llu\n", page, (unsigned long long)board_hash(b), t.bullets, t.lasers,
+           (unsigned long long)(t.work / (uint64_t)(c->frames - FIRST)), (unsigned long long)t.most,
+           (unsigned long long)t.least);
     return fine;
 }
 
@@ -174,7 +180,7 @@ int main(int argc, char **argv)
     char err[512];
     int i = 3;
 
-    if (argc < 4 || (c.frames = atol(argv[2])) < 1)
+    if (argc < 4 || (c.frames = atol(argv[2])) <= FIRST)
         fail("usage: cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...");
     if (argc > 5 && !strcmp(argv[i], "-o")) {
         c.dir = argv[i + 1];

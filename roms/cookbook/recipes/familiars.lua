@@ -1,7 +1,9 @@
--- familiars.lua - Familiars: six bullets that circle their owner, at a distance that breathes, and fire outwards. Each
--- has a task of its own, which ends with it; when the owner dies the orbit is over, and so are they.
+-- familiars.lua - Familiars: six bullets that circle their owner, at a distance that breathes, and
+-- fire outwards. Each has a task of its own, which ends with it; when the owner dies the orbit is
+-- over, and so are they.
 local round = motion.def { { orbit = 0, radius_to = 46, spin = 2, over = 40 },
-  { loop = 99, { orbit = 46, radius_to = 26, spin = 2, over = 60 }, { orbit = 26, radius_to = 46, spin = 2, over = 60 } }, { die = true } }
+  { loop = 99, { orbit = 46, radius_to = 26, spin = 2, over = 60 },
+    { orbit = 26, radius_to = 46, spin = 2, over = 60 } }, { die = true } }
 
 local function fire(me, owner)
   while true do
@@ -12,7 +14,8 @@ end
 
 return function(e)
   for i = 1, 6 do
-    local b = bullet.fire { kind = "big", bank = 6, from = e, dir = 60 * i, speed = 0, around = e, motion = round }
+    local b = bullet.fire { kind = "big", bank = 6, from = e, dir = 60 * i, speed = 0, around = e,
+                            motion = round }
     task.own(b, fire, e)
   end
   while true do

@@ -1,6 +1,7 @@
--- formation.lua - A formation: seven wisps fly a route in a V, each begun further aside and later. Both wings are the same
--- route, one of them mirrored; they fire when the route stands.
-local dive = path.def { { x = 120, y = -20 }, { x = 120, y = 90, over = 70, ease = "out" }, { wait = 50 }, { x = 120, y = -40, over = 80, ease = "in" } }
+-- formation.lua - A formation: seven wisps fly a route in a V, each begun further aside and later.
+-- Both wings are the same route, one of them mirrored; they fire when the route stands.
+local dive = path.def { { x = 120, y = -20 }, { x = 120, y = 90, over = 70, ease = "out" },
+                        { wait = 50 }, { x = 120, y = -40, over = 80, ease = "in" } }
 
 local function fire(me)
   wait(80)
@@ -12,7 +13,8 @@ local function run()
     enemy.spawn { kind = "wisp", path = dive, run = fire }
     for i = 1, 3 do
       enemy.spawn { kind = "wisp", path = dive, dx = 30 * i, dy = -16 * i, run = fire }
-      enemy.spawn { kind = "wisp", path = dive, dx = 30 * i, dy = -16 * i, mirror = true, run = fire }
+      enemy.spawn { kind = "wisp", path = dive, dx = 30 * i, dy = -16 * i, mirror = true,
+                    run = fire }
     end
     wait(210)
   end

@@ -1,8 +1,10 @@
--- grid.lua - To a place by name: each bullet flies to a place of its own, in a grid, and then down in columns. The places
--- are declared values, so one program serves all; a program for each place would fill the pool.
+-- grid.lua - To a place by name: each bullet flies to a place of its own, in a grid, and then down
+-- in columns. The places are declared values, so one program serves all; a program for each place
+-- would fill the pool.
 value.def("to_x")
 value.def("to_y")
-local march = motion.def { { go_to = { "to_x", "to_y" }, over = 50, ease = "out" }, { wait = 30 }, { dir = 90, bank = 1 }, { speed = 2.2, over = 40 } }
+local march = motion.def { { go_to = { "to_x", "to_y" }, over = 50, ease = "out" }, { wait = 30 },
+                           { dir = 90, bank = 1 }, { speed = 2.2, over = 40 } }
 
 return function(e)
   for k = 0, forever do

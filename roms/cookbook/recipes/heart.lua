@@ -1,5 +1,5 @@
--- heart.lua - A picture: rows of signs, a bullet each. It pulses as its bullets are told to stand and go by their tag, all
--- with one line each.
+-- heart.lua - A picture: rows of signs, a bullet each. It pulses as its bullets are told to stand
+-- and go by their tag, all with one line each.
 local heart = [[
   .##...##.
   ####.####
@@ -13,7 +13,8 @@ local heart = [[
 
 return function(e)
   for k = 1, forever do
-    pattern.picture { from = e, kind = "orb", bank = 1, gap = 11, dots = heart, aim = true, speed = 1.3, tag = "heart" .. k % 4 }
+    pattern.picture { from = e, kind = "orb", bank = 1, gap = 11, dots = heart, aim = true,
+                      speed = 1.3, tag = "heart" .. k % 4 }
     for _ = 1, 3 do
       wait(24)
       bullet.group("heart" .. k % 4).speed = 0.2

@@ -1,5 +1,6 @@
--- homing_shot.lua - Homing shots: fangs leave to both sides, and after a moment turn towards the nearest enemy, by six
--- degrees a frame. A shot's motion program homes at enemies as a bullet's does at players.
+-- homing_shot.lua - Homing shots: fangs leave to both sides, and after a moment turn towards the
+-- nearest enemy, by six degrees a frame. A shot's motion program homes at enemies as a bullet's
+-- does at players.
 shot.def("fang", { sprite = "fang", hit = { circle = 4 }, damage = 1, turns = true, bank = 4 })
 local seek = motion.def { { speed = 4, over = 10 }, { home = 6, speed = 7, over = 50 } }
 
@@ -7,7 +8,8 @@ player.def("hunter", { sprite = "ship", hit = { circle = 2 }, run = function(p)
   while true do
     if pad.down("fire", p) then
       for side = -1, 1, 2 do
-        shot.fire { kind = "fang", from = p, dx = 10 * side, dir = 270 + 55 * side, speed = 7, motion = seek }
+        shot.fire { kind = "fang", from = p, dx = 10 * side, dir = 270 + 55 * side, speed = 7,
+                    motion = seek }
       end
     end
     wait(7)

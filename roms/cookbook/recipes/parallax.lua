@@ -1,5 +1,5 @@
--- parallax.lua - Parallax: a sea below, cloud shadows that only darken it, and clouds above, each at its own speed. The
--- lines of the sea sway, which no picture had to be drawn for.
+-- parallax.lua - Parallax: a sea below, cloud shadows that only darken it, and clouds above, each
+-- at its own speed. The lines of the sea sway, which no picture had to be drawn for.
 bg.def("coast", function()
   local sea, shadow, cloud = bg.layer(1), bg.layer(2), bg.layer(3)
   sea.map, sea.bank, sea.vy = "sea", 9, 0.5

@@ -1,12 +1,14 @@
--- reflect.lua - Shots that turn bullets round: a parry button opens a bubble for a third of a second, and what is in it
--- flies back as shots. A bullet is removed and a shot of the same direction, turned round, takes its place.
+-- reflect.lua - Shots that turn bullets round: a parry button opens a bubble for a third of a
+-- second, and what is in it flies back as shots. A bullet is removed and a shot of the same
+-- direction, turned round, takes its place.
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })
 
 local function parry(p)
   local bubble = sprite.put { sprite = "bubble_200", follow = p, bank = 4 }
   for _ = 1, 20 do
     for _, b in ipairs(query.near { what = "bullet", from = p, radius = 26 }) do
-      shot.fire { kind = "returned", x = b.x, y = b.y, dir = b.dir + 180, speed = b.speed + 3, by = p }
+      shot.fire { kind = "returned", x = b.x, y = b.y, dir = b.dir + 180, speed = b.speed + 3,
+                  by = p }
       b:clear { spark = "glint" }
     end
     wait(1)
@@ -23,8 +25,8 @@ end })
 
 local function run(e)
   while true do
-    pattern.aimed { from = e, kind = "orb", bank = 1, n = 8, every = 4, speed = 2.6 }
-    wait(30)
+    pattern.fan { from = e, kind = "orb", bank = 1, n = 9, spread = 60, aim = true, speed = 2.6 }
+    wait(18)
   end
 end
 

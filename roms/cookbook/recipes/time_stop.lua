@@ -1,11 +1,13 @@
--- time_stop.lua - Time stop: all bullets stand, and knives are put up among them while nothing moves. What was there goes
--- on where it was when time does, with the knives. The screen loses its colour meanwhile.
+-- time_stop.lua - Time stop: all bullets stand, and knives are put up among them while nothing
+-- moves. What was there goes on where it was when time does, with the knives. The screen loses its
+-- colour meanwhile.
 local function strike(e, p)
   bullet.group().frozen = forever
   palette.fade { to = 0x303848, over = 10, first = 16 * 6, last = 16 * 7 - 1 }
   for i = 1, 12 do
-    bullet.fire { kind = "knife", bank = 1, x = p.x + 80 * angle.cos(137.5 * i), y = p.y - 70 + 50 * angle.sin(137.5 * i),
-                  aim = true, speed = 2.4, delay = 5 * (12 - i) + 40 }
+    bullet.fire { kind = "knife", bank = 1, x = p.x + 80 * angle.cos(137.5 * i),
+                  y = p.y - 70 + 50 * angle.sin(137.5 * i), aim = true, speed = 2.4,
+                  delay = 5 * (12 - i) + 40 }
     wait(5)
   end
   wait(40)

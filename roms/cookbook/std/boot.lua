@@ -1,5 +1,5 @@
--- boot.lua - in place of the standard one: no title, but a book. One recipe is played at a time, again and again, with its
--- words beside the field. While the list is open the arrows turn pages; while it is closed they fly the ship.
+-- boot.lua - in place of the standard one: no title, but a book. One recipe is played at a time, again and again, with
+-- its words beside the field. While the list is open the arrows turn pages; while it is closed they fly the ship.
 local sys = ... -- functions that only the standard library gets
 local boot = {}
 
