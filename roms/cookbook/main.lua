@@ -1,15 +1,15 @@
 -- main.lua - the cookbook: small patterns and effects, one a file in recipes/. A file returns a task for an enemy,
--- f(e, p); or a table: run, that task; ship, the player's; alone = true, if no enemy is wanted (then it is run(nil, p));
+-- f(e, p); or a table: run, that task; ship, the player's; alone = true, if no enemy is wanted (run(nil, p));
 -- hud = true, if the score shall be seen. std/boot.lua turns the pages; book.txt, which `make cookbook` writes, has
 -- their titles and words.
 require "kinds"
 
 local pages = {
   -- Bullets
-  "spiral", "counter", "flower", "polygons", "whips", "arrows", "heart", "odd_even", "crossfire", "rain", "snow", "wall",
-  "corridor", "sines", "bounce", "stop_and_aim", "amulets", "split", "trails", "fireworks", "pinwheel", "familiars",
-  "implosion", "grid", "star_drawing", "knives", "time_stop", "clouds", "mirror", "gravity", "slow_field", "red_blue",
-  "lanterns", "glow",
+  "spiral", "counter", "flower", "polygons", "whips", "arrows", "heart", "odd_even", "crossfire", "rain", "snow",
+  "wall", "corridor", "sines", "bounce", "stop_and_aim", "amulets", "split", "trails", "fireworks", "pinwheel",
+  "familiars", "implosion", "grid", "star_drawing", "knives", "time_stop", "clouds", "mirror", "gravity",
+  "slow_field", "red_blue", "lanterns", "glow",
   -- Lasers
   "sweep", "curve_laser", "cage", "clock",
   -- Enemies and bosses

@@ -4,10 +4,11 @@
  *
  *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *
- * the state's hash after FRAMES frames; bullets and lasers at most; and the work of Lua in a frame, mean, most and least,
- * but for the first two, in which the book writes its words: instructions, with a hundred for a call of the API. With
- * -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each other, goes to
- * DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
+ * the state's hash after FRAMES frames; bullets and lasers at most; and the work of Lua's calls of the engine in a
+ * frame, mean, most and least, but for the first two frames, in which the book writes its words: a hundred a call, more
+ * where it does much. (It depends a little on addresses, as the order does in which pairs() finds
+ * what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each
+ * other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
  *
  * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then.
  * floor: tools
@@ -154,6 +155,7 @@ static bool run(const struct cookbook *c, const char *page, long frame, long ste
     struct board *b = board_power(c->ram, c->ram_size, &c->image.rom, &start, true, err, sizeof err);
     if (!b)
         fail(err);
+    board_count(b, false);
     bool fine = sound(page, b);
     if (c->dir)
         strip_open(&strip, c, b);

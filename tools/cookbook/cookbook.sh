@@ -34,7 +34,8 @@ book() { for page in $(pages); do echo "$page|$(words "$page")"; done; }
 # Where the pictures of a page are taken.
 moments() {
     for page in $(pages); do
-        echo "$page:$(awk -v page="$page" '$1 == page { at = $2 } END { print at ? at : "300:40" }' $table)"
+        at=$(awk -v page="$page" '$1 == page { print $2 }' $table)
+        echo "$page:${at:-300:40}"
     done
 }
 
@@ -46,7 +47,7 @@ run() {
 }
 
 table() {
-    echo "# page  pictures  hash after $frames frames  bullets, lasers at most  work of Lua a frame: mean, most, least"
+    echo "# page  pictures  hash after $frames frames  bullets, lasers at most  work of calls: mean, most, least"
     run "$@"
 }
 
@@ -56,7 +57,7 @@ price() { # NAME
     awk -v page="$1" -v book="$(sort -nk8 $table | awk '!/^#/ { print $8; exit }')" '$1 == page {
         if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
         if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
-        print s "work " $6 - book " a frame; at most " $7 - book }' $table | comma
+        printf "%s%.1f calls a frame, at most %.0f\n", s, ($6 - book) / 100, ($7 - book) / 100 }' $table | comma
 }
 
 page() {
@@ -72,10 +73,10 @@ page() {
 	\`run\`, and \`ship\` or others besides; what they fire and who flies stands in
 	[kinds.lua](../roms/cookbook/kinds.lua). [The manual](manual.md) explains what they are written in.
 
-	Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and the work of Lua in a
-	frame, in instructions of its machine, where a call of the API counts for a hundred. A bullet that is fired is about a
-	hundred and fifty, and a microsecond; the rest (what flies, hits and is drawn) is in C and not in that number:
-	[chapter 20](manual.md#20-capacities-and-prices) has its prices. \`make cookbook\` writes this page.
+	Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how often it calls
+	the engine in a frame, on average and at most. A call is about a microsecond, as one that fires a bullet is. What flies,
+	hits and is drawn is not in that number: [chapter 20](manual.md#20-capacities-and-prices) has the prices. \`make cookbook\`
+	writes this page.
 	END
     list | while read -r what name; do
         if [ "$what" = chapter ]; then
