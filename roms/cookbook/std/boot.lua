@@ -133,6 +133,7 @@ function boot.run(list, book)
     while true do
       if first ~= "" then sys.mark("start", "") end
       play()
+      wait(1) -- a press turns one page
     end
   end)
 end
