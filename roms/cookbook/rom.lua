@@ -1,7 +1,7 @@
 -- rom.lua - the cookbook: what its recipes draw with, and room for all of them.
 return {
   title = "Cookbook", author = "The Curtain authors",
-  screen = { w = 400, h = 320 }, field = { x = 160, y = 0, w = 240, h = 320 },
+  screen = { w = 416, h = 320 }, field = { x = 176, y = 0, w = 240, h = 320 },
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 192,
             values = { bullet = 4 }, hp = true, around = true, frozen = true, meet = true,
             items = 256, lines = 16, lasers = 64, curve_points = 2048 },

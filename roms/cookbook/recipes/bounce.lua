@@ -1,4 +1,4 @@
--- bounce.lua - Rings that bounce once: sides and top throw each bullet back a single time, to the
+-- bounce.lua - Bounce once: the sides and the top throw each bullet back a single time, to the
 -- exact place, and it changes its colour there. So a green bullet will still turn and a gold one
 -- flies away.
 local once = motion.def { { bounce = 1, walls = "left right top", { bank = 3 } } }

@@ -1,5 +1,5 @@
--- counter.lua - Two spirals against each other: one turns right, one left, with another step, so
--- their crossings wander and make a lace that never repeats soon. Two tasks are all it takes.
+-- counter.lua - Two spirals: against each other, one turns right and one left, with another step,
+-- so their crossings wander and make a lace that never repeats soon. Two tasks are all it takes.
 local function arms(e, bank, step)
   pattern.spiral { from = e, kind = "petal", bank = bank, n = forever, arms = 5, step = step,
                    every = 6, speed = 1.5 }

@@ -1,5 +1,5 @@
--- heart.lua - A picture: rows of signs, a bullet each. It pulses as its bullets are told to stand
--- and go by their tag, all with one line each.
+-- heart.lua - A heart: rows of signs, a bullet each. It pulses as its bullets are told to stand and
+-- go by their tag, all with one line each.
 local heart = [[
   .##...##.
   ####.####

@@ -1,6 +1,5 @@
--- lanterns.lua - Bullets that can be shot: lanterns have hp, stop shots, and burst into an aimed
--- ring when they are shot down; left alone they only drift. So it is the player who says when and
--- where.
+-- lanterns.lua - Lanterns to shoot: lanterns have hp, stop shots, and burst into an aimed ring when
+-- they are shot down; left alone they only drift. So it is the player who says when and where.
 local function burst(b)
   pattern.ring { kind = "rice", bank = 3, x = b.x, y = b.y, n = 14, aim = true, speed = 1.5 }
 end

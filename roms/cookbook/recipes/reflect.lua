@@ -1,4 +1,4 @@
--- reflect.lua - Shots that turn bullets round: a parry button opens a bubble for a third of a
+-- reflect.lua - Turned round: shots out of bullets. A parry button opens a bubble for a third of a
 -- second, and what is in it flies back as shots. A bullet is removed and a shot of the same
 -- direction, turned round, takes its place.
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })

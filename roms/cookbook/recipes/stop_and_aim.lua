@@ -1,4 +1,4 @@
--- stop_and_aim.lua - Stop, recolour, re-aim: rings slow down to a stand, turn from blue to red as a
+-- stop_and_aim.lua - Stop and re-aim: rings slow down to a stand, turn from blue to red as a
 -- warning, look at the player, and fly on. It is one motion program for all of them: no task runs
 -- meanwhile.
 local again = motion.def { { speed = 0, over = 40 }, { bank = 2 }, { wait = 20 },

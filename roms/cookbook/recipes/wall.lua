@@ -1,4 +1,4 @@
--- wall.lua - A wall with a moving gap: rows right across, each without four of its bullets, and the
+-- wall.lua - A moving gap: a wall of rows right across, each without four of its bullets, and the
 -- hole goes to and fro by one place a row. skip counts from the right end, for a line that flies
 -- down.
 return function()

@@ -4,7 +4,7 @@ local sys = ... -- functions that only the standard library gets
 local boot = {}
 
 local LENGTH <const> = 900 -- frames until a recipe begins anew
-local COL, WIDTH, LIST <const> = 1, 18, 11
+local COL <const>, WIDTH <const>, LIST <const> = 1, 20, 13
 local ROWS <const> = rom.screen.h // 8
 
 local pages            -- a list of { name, recipe, title, words }
@@ -36,14 +36,14 @@ end
 local function draw_list()
   local first = math.max(1, math.min(at - LIST // 2, #pages - LIST + 1))
   for i = first, math.min(first + LIST - 1, #pages) do
-    put(ROWS - 18 + i - first, (i == at and ">" or " ") .. pages[i].title:sub(1, WIDTH - 1), i == at and 3 or 6)
+    put(ROWS - 8 - LIST + i - first, (i == at and ">" or " ") .. pages[i].title:sub(1, WIDTH - 1), i == at and 3 or 6)
   end
 end
 
 local function draw()
   local page = pages[at]
   text.clear { w = COL + WIDTH + 1 }
-  put(1, ("COOKBOOK     %2d/%2d"):format(at, #pages), 5)
+  put(1, ("COOKBOOK       %2d/%2d"):format(at, #pages), 5)
   paragraph(paragraph(3, page.title, 3) + 1, page.words)
   if open then draw_list() end
   local help = open and { "ARROWS   turn", "FIRE    again", "START     fly" } or
