@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# cookbook.sh - every page of the cookbook runs without a fault and with no pool full, and comes to what it always came to
-# (tests/cookbook/table); its words and the page docs/cookbook.md are those of the recipes, with a picture of each.
+# cookbook.sh - every page of the cookbook runs without a fault and with no pool full, and comes to what it always came
+# to (tests/cookbook/table); its words and the page docs/cookbook.md are those of the recipes, with a picture of each.
 # `make cookbook` renews all of that.
 . "$(dirname "$0")/../tap.sh"
 game=roms/cookbook

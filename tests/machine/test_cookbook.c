@@ -86,7 +86,8 @@ static void test_practice(void **state)
         rig_run(&r, 1);
         const struct board_out *out = board_last(r.b);
         for (int i = 0; i < out->markers; i++) {
-            pages += out->marker[i].kind == MARKER_STAGE;
+            if (out->marker[i].kind == MARKER_STAGE && !pages++)
+                assert_string_equal(out->marker[i].name, "spiral");
             listed |= out->marker[i].kind == MARKER_LISTED;
         }
     }

@@ -52,32 +52,33 @@ table() {
 }
 
 comma() { sed -E ':a; s/([0-9])([0-9]{3})($|[ ,;])/\1,\2\3/; ta'; }
-# The least work of all is the book's own, which looks at the buttons: that is not the recipe's.
+# What most pages have as their least work is the book's own, which looks at the buttons: that is not the recipe's.
+book_work() { awk '!/^#/ { print $8 }' $table | sort | uniq -c | sort -rn | awk 'NR == 1 { print $2 }'; }
 price() { # NAME
-    awk -v page="$1" -v book="$(sort -nk8 $table | awk '!/^#/ { print $8; exit }')" '$1 == page {
+    awk -v page="$1" -v book="$(book_work)" '$1 == page {
         if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
         if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
         printf "%s%.1f calls a frame, at most %.0f\n", s, ($6 - book) / 100, ($7 - book) / 100 }' $table | comma
 }
 
 page() {
-    cat <<-END
-	# The cookbook
+    cat <<END
+# The cookbook
 
-	Small patterns and effects, one a file in [roms/cookbook/recipes](../roms/cookbook/recipes), to look at and to copy.
-	\`curtain play roms/cookbook\` shows them: the arrows turn the pages, fire begins one again, and START closes the list,
-	so that the arrows fly the ship. \`curtain play roms/cookbook --stage flower\` begins at one, and
-	\`curtain render roms/cookbook --stage flower --frames 300 -o out\` makes a picture of it.
+Small patterns and effects, one a file in [roms/cookbook/recipes](../roms/cookbook/recipes), to look at and to copy.
+\`curtain play roms/cookbook\` shows them: the arrows turn the pages, fire begins one again, and START closes the list,
+so that the arrows fly the ship. \`curtain play roms/cookbook --stage flower\` begins at one, and
+\`curtain render roms/cookbook --stage flower --frames 300 -o out\` makes a picture of it.
 
-	A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. Some return a table with that task as
-	\`run\`, and \`ship\` or others besides; what they fire and who flies stands in
-	[kinds.lua](../roms/cookbook/kinds.lua). [The manual](manual.md) explains what they are written in.
+A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. Some return a table with that task as
+\`run\`, and \`ship\` or others besides; what they fire and who flies stands in
+[kinds.lua](../roms/cookbook/kinds.lua). [The manual](manual.md) explains what they are written in.
 
-	Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how often it
-	calls the engine in a frame, on average and at most. A call is about a microsecond, as one that fires a bullet is.
-	What flies, hits and is drawn is not in that number: [chapter 20](manual.md#20-capacities-and-prices) has the
-	prices. \`make cookbook\` writes this page.
-	END
+Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how often it
+calls the engine in a frame, on average and at most. A call is about a microsecond, as one that fires a bullet is.
+What flies, hits and is drawn is not in that number: [chapter 20](manual.md#20-capacities-and-prices) has the
+prices. \`make cookbook\` writes this page.
+END
     list | while read -r what name; do
         if [ "$what" = chapter ]; then
             printf '\n## %s\n' "$name"
