@@ -6,14 +6,14 @@ require "kinds"
 
 local pages = {
   -- Bullets
-  "spiral", "counter", "flower", "polygons", "whips", "arrows", "heart", "odd_even", "crossfire", "rain", "snow",
-  "wall", "corridor", "sines", "bounce", "stop_and_aim", "amulets", "split", "trails", "fireworks", "pinwheel",
-  "familiars", "implosion", "grid", "star_drawing", "knives", "time_stop", "clouds", "mirror", "gravity",
-  "slow_field", "red_blue", "lanterns", "glow",
+  "spiral", "counter", "flower", "polygons", "atom", "butterfly", "whips", "arrows", "heart", "odd_even",
+  "crossfire", "rain", "snow", "wall", "corridor", "sines", "bounce", "stop_and_aim", "amulets", "mines", "split",
+  "trails", "fireworks", "pinwheel", "familiars", "implosion", "grid", "star_drawing", "knives", "time_stop",
+  "clouds", "mirror", "gravity", "slow_field", "red_blue", "lanterns", "glow",
   -- Lasers
-  "sweep", "curve_laser", "cage", "clock",
+  "sweep", "curve_laser", "bolts", "cage", "clock",
   -- Enemies and bosses
-  "formation", "revenge", "survive",
+  "formation", "revenge", "survive", "difficulty",
   -- Players
   "spread_shot", "homing_shot", "laser_shot", "charge_shot", "reflect", "shield", "rank", "shower", "cancel",
   -- The picture

@@ -33,7 +33,7 @@ static void test_turning(void **state)
     assert_string_equal(turned(&r, PAD_RIGHT, 5), "counter");
     assert_string_equal(turned(&r, PAD_FIRE, 5), "counter"); /* again */
     assert_string_equal(turned(&r, PAD_LEFT, 5), "spiral");
-    assert_string_equal(turned(&r, PAD_DOWN, 5), "snow"); /* ten on */
+    assert_string_equal(turned(&r, PAD_DOWN, 5), "crossfire"); /* ten on */
     assert_string_equal(turned(&r, PAD_UP, 5), "spiral");
     assert_string_equal(turned(&r, PAD_SPECIAL, 5), ""); /* only while the list is closed */
     assert_string_equal(turned(&r, PAD_START, 5), "");

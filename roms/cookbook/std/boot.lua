@@ -9,6 +9,7 @@ local ROWS <const> = rom.screen.h // 8
 
 local pages            -- a list of { name, recipe, title, words }
 local at, open = 1, true
+local difficulty       -- of the run's start: a recipe may set another
 local turned           -- another page, or the same anew, is asked for
 
 -- "name|title|words", a line a page.
@@ -93,6 +94,7 @@ end
 local function play()
   local page, game = pages[at], sys.scope()
   sys.wipe()
+  board.difficulty(difficulty)
   sys.join(1, page.ship)
   if page.hud then hud.start(game, 1) end
   draw()
@@ -123,6 +125,7 @@ function boot.run(list, book)
   pages = list
   read(book)
   local first = sys.practice()
+  difficulty = board.difficulty()
   for i, page in ipairs(pages) do
     stage_of(page)
     if page.name == first then at, open = i, false end
