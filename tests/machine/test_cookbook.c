@@ -1,6 +1,6 @@
 /*
- * test_cookbook.c - the pages of roms/cookbook are turned by the buttons: while the list is open by the arrows, while it
- * is closed by special and select; every page tells its name, and all of them can be practised.
+ * test_cookbook.c - the pages of roms/cookbook are turned by the buttons: while the list is open by the arrows, while
+ * it is closed by special and select; every page tells its name, and all of them can be practised.
  */
 #include "rig.h"
 
