@@ -76,8 +76,8 @@ A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. So
 
 Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how often it
 calls the engine in a frame, on average and at most; one that does much counts as several. A call is about a
-microsecond, as one that fires a bullet is. What flies, hits and is drawn is not in that number: [chapter
-20](manual.md#20-capacities-and-prices) has the prices. \`make cookbook\` writes this page.
+microsecond, as one that fires a bullet is. What flies, hits and is drawn is not in that number:
+[chapter 20](manual.md#20-capacities-and-prices) has the prices. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do
         if [ "$what" = chapter ]; then
