@@ -1,4 +1,4 @@
--- palette_cycle.lua - Palette cycle: fifteen colours of one bank rotate, and everything drawn in it
+-- palette_cycle.lua - Palette cycle: twelve colours of one bank rotate, and everything drawn in it
 -- shimmers without a script. Then the field darkens to dusk and comes back: a fade of the colours
 -- alone.
 return function(e)
