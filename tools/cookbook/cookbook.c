@@ -38,13 +38,13 @@ struct cookbook {
     long frames;
 };
 
-/* Pictures of a page side by side, in the colours of the last. */
+/* Pictures of a page side by side. */
 struct strip {
     struct fb fb;
     void *screen, *scratch;
     uint8_t *pix;
-    int w, count;
-    uint32_t rgb[256];
+    int w, count, colours;
+    uint32_t rgb[256]; /* so many colours of all pictures */
 };
 
 struct tally {
@@ -87,16 +87,49 @@ static void strip_open(struct strip *s, const struct cookbook *c, const struct b
     fb_init(&s->fb, s->screen, w, h);
 }
 
+static int64_t distance(uint32_t a, uint32_t b)
+{
+    int64_t sum = 0;
+
+    for (int shift = 0; shift < 24; shift += 8) {
+        int64_t d = (int64_t)(a >> shift & 255) - (int64_t)(b >> shift & 255);
+        sum += d * d;
+    }
+    return sum;
+}
+
+/* The strip's number of a colour; when there are 256, of the nearest one. */
+static int strip_colour(struct strip *s, uint32_t rgb)
+{
+    int best = 0;
+
+    for (int i = 1; i < s->colours; i++) {
+        if (distance(s->rgb[i], rgb) < distance(s->rgb[best], rgb))
+            best = i;
+    }
+    if (s->colours && (s->rgb[best] == rgb || s->colours == 256))
+        return best;
+    s->rgb[s->colours] = rgb;
+    return s->colours++;
+}
+
 /* Adds the field as it is, without the words beside it. */
 static void strip_add(struct strip *s, const struct cookbook *c, const struct board *b)
 {
     const struct manifest *m = &c->cart.m;
+    int known[256], x0 = s->count++ * (m->field_w + GAP);
+    uint32_t rgb[256];
 
-    board_draw(b, &s->fb, s->rgb, s->scratch);
-    for (int y = 0; y < m->field_h; y++)
-        memcpy(s->pix + (ptrdiff_t)y * s->w + s->count * (m->field_w + GAP),
-               s->fb.pix + (ptrdiff_t)(m->field_y + y) * s->fb.pitch + m->field_x, (size_t)m->field_w);
-    s->count++;
+    memset(known, -1, sizeof known);
+    board_draw(b, &s->fb, rgb, s->scratch);
+    for (int y = 0; y < m->field_h; y++) {
+        const uint8_t *from = s->fb.pix + (ptrdiff_t)(m->field_y + y) * s->fb.pitch + m->field_x;
+        for (int x = 0; x < m->field_w; x++) {
+            if (known[from[x]] < 0)
+                known[from[x]] = strip_colour(s, rgb[from[x]]);
+            s->pix[(ptrdiff_t)y * s->w + x0 + x] = (uint8_t)known[from[x]];
+        }
+    }
 }
 
 static void strip_close(struct strip *s, const struct cookbook *c, const char *page)
