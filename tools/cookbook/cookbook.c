@@ -26,7 +26,8 @@ enum {
     BOMB_EVERY = 400, /* frames from bomb to bomb */
     BOMB_FIRST = 200,
     PICTURES = 3, /* of a page, side by side */
-    GAP = 4       /* px between two of them */
+    GAP = 4,      /* px between two of them */
+    GREY = 0x282828
 };
 
 struct cookbook {
@@ -82,6 +83,7 @@ static void strip_open(struct strip *s, const struct cookbook *c, const struct b
     s->pix = calloc((size_t)s->w, (size_t)c->cart.m.field_h);
     s->screen = malloc(fb_size(w, h));
     s->scratch = malloc(board_scratch(b));
+    s->rgb[s->colours++] = GREY; /* between two */
     if (!s->pix || !s->screen || !s->scratch)
         fail("out of memory");
     fb_init(&s->fb, s->screen, w, h);
@@ -107,7 +109,7 @@ static int strip_colour(struct strip *s, uint32_t rgb)
         if (distance(s->rgb[i], rgb) < distance(s->rgb[best], rgb))
             best = i;
     }
-    if (s->colours && (s->rgb[best] == rgb || s->colours == 256))
+    if (s->rgb[best] == rgb || s->colours == 256)
         return best;
     s->rgb[s->colours] = rgb;
     return s->colours++;
