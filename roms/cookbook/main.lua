@@ -13,9 +13,11 @@ local pages = {
   -- Lasers
   "sweep", "curve_laser", "bolts", "cage", "clock",
   -- Enemies and bosses
-  "formation", "revenge", "survive", "difficulty",
+  "formation", "escorts", "revenge", "fortress", "hit_stop", "survive", "two_bosses", "entrance", "talk",
+  "difficulty",
   -- Players
-  "spread_shot", "homing_shot", "laser_shot", "charge_shot", "reflect", "shield", "rank", "shower", "cancel",
+  "spread_shot", "homing_shot", "pierce", "laser_shot", "charge_shot", "reflect", "shield", "options",
+  "trail_options", "orbit_options", "bomb", "deathbomb", "rank", "gauge", "chain", "shower", "cancel",
   -- The picture
   "floor", "parallax", "blast", "palette_cycle", "echoes", "spell_name",
 }

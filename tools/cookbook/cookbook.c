@@ -10,7 +10,7 @@
  * what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each
  * other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
  *
- * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then.
+ * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then, and when it was hit.
  * floor: tools
  */
 #include <stdio.h>
@@ -25,6 +25,7 @@ enum {
     SWAY = 40,        /* frames to a side */
     BOMB_EVERY = 400, /* frames from bomb to bomb */
     BOMB_FIRST = 200,
+    LATE = 5,     /* frames that a hit leaves for a bomb */
     PICTURES = 3, /* of a page, side by side */
     GAP = 4,      /* px between two of them */
     GREY = 0x282828
@@ -69,8 +70,8 @@ static uint16_t hands(const struct board *b, long f)
         pads |= f / SWAY % 4 == 2 ? PAD_RIGHT : f / SWAY % 4 == 0 ? PAD_LEFT : 0;
     if (f / (SWAY * 4) % 2)
         pads |= PAD_FOCUS;
-    if (f % BOMB_EVERY == BOMB_FIRST)
-        pads |= PAD_BOMB;
+    if (f % BOMB_EVERY == BOMB_FIRST || (b->player.hit[0] == LATE && f % BOMB_EVERY < BOMB_FIRST))
+        pads |= PAD_BOMB; /* also against some of the hits */
     return pads;
 }
 

@@ -96,6 +96,7 @@ local function play()
   sys.wipe()
   board.difficulty(difficulty)
   sys.join(1, page.ship)
+  sys.start(game)
   if page.hud then hud.start(game, 1) end
   draw()
   turned = false
