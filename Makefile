@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy bench bench-fx compare prove cross demos
+         fuzz mutants nightly analyze accuracy bench bench-fx compare prove cross demos cookbook
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -59,7 +59,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy prove cross
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy prove cross cookbook
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -78,6 +78,7 @@ help:
 	@echo "make accuracy measure docs/accuracy.md anew"
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
+	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
@@ -219,7 +220,7 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/bench $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/bench $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -273,6 +274,10 @@ analyze: deps-play-nightly
 nightly: deps-play-test-fuzz-nightly
 	@tests/nightly.sh $(ARGS)
 
+$(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 $(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
@@ -290,6 +295,11 @@ bench-fx-objects: $(BENCH_FX)
 demos: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/bot
 	@OUT=$(OUT) tools/demos.sh
+
+# The page of the cookbook, with its pictures, and what its test compares.
+cookbook: deps-play
+	@$(MAKE) --no-print-directory $(OUT)/cookbook
+	@OUT=$(OUT) tools/cookbook/cookbook.sh
 
 # ---- pages of measurements: text, tables, plots ----
 

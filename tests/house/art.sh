@@ -40,6 +40,7 @@ for cc in gcc clang; do
     compare art-$cc glasstide
     compare art-$cc testcard card
     compare art-$cc bench bench
+    compare art-$cc cookbook cookbook
     check "the sandbox's own pictures are what art-$cc draws" own art-$cc
     check "the icons are what art-$cc draws" icons art-$cc
 done

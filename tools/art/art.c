@@ -1,7 +1,7 @@
 /*
  * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
- * OUTDIR bench` the bench's; `art OUTDIR glow` what the sandbox has of its own; and `art OUTDIR icon` the program's
- * icons.
+ * OUTDIR bench` the bench's, `art OUTDIR cookbook` the cookbook's; `art OUTDIR glow` what the sandbox has of its own;
+ * and `art OUTDIR icon` the program's icons.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
@@ -37,6 +37,12 @@ static const struct picture CARD[] = { { "card", art_card }, { "font", art_font 
 
 static const struct picture LIGHT[] = {
     { "glow", art_glow }, { "items", art_items }, { "tiles", art_tiles }, { NULL, NULL }
+};
+
+static const struct picture BOOK[] = {
+    { "bullets", art_bullets }, { "shots", art_shots }, { "sparks", art_sparks }, { "heron", art_heron },
+    { "enemies", art_enemies }, { "queen", art_queen }, { "glow", art_glow },     { "items", art_items },
+    { "tiles", art_tiles },     { "font", art_font },   { NULL, NULL },
 };
 
 static bool write_png(const char *dir, const char *name, const uint8_t *rgba, int w, int h)
@@ -116,20 +122,37 @@ static bool write_icons(const char *dir, const uint32_t rgb[256])
     return ok;
 }
 
+/* The pictures of what is asked for; NULL: it is not known. */
+static const struct picture *pictures(const char *what)
+{
+    static const struct {
+        const char *name;
+        const struct picture *list;
+    } lists[] = { { "", GAME },       { "sheet", GAME },    { "card", CARD },
+                  { "bench", BENCH }, { "cookbook", BOOK }, { "glow", LIGHT } };
+
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        if (!strcmp(what, lists[i].name))
+            return lists[i].list;
+    }
+    return NULL;
+}
+
 int main(int argc, char **argv)
 {
+    const char *dir = argc > 1 ? argv[1] : "", *what = argc > 2 ? argv[2] : "";
+    const struct picture *p = pictures(what);
+    bool icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
     uint32_t rgb[256];
-    if (argc < 2 || argc > 3) {
-        fprintf(stderr, "usage: art OUTDIR [card | bench | glow | icon | sheet]\n");
+
+    if (argc < 2 || argc > 3 || (!p && !icon)) {
+        fprintf(stderr, "usage: art OUTDIR [card | bench | cookbook | glow | icon | sheet]\n");
         return 2;
     }
-    const char *dir = argv[1];
-    bool card = argc == 3 && !strcmp(argv[2], "card"), look = argc == 3 && !strcmp(argv[2], "sheet"), ok = true;
-    bool bench = argc == 3 && !strcmp(argv[2], "bench"), glow = argc == 3 && !strcmp(argv[2], "glow");
     art_palette(rgb);
-    if (argc == 3 && !strcmp(argv[2], "icon"))
+    if (icon)
         return write_icons(dir, rgb) ? 0 : 3;
-    for (const struct picture *p = card ? CARD : bench ? BENCH : glow ? LIGHT : GAME; p->name && ok; p++) {
+    for (; p->name && ok; p++) {
         struct sheet s = p->make();
         ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
         sheet_free(&s);

@@ -1,0 +1,16 @@
+-- bolts.lua - Bolts that bounce: short lasers leave in a fan and are thrown back three times by the
+-- sides. They grow out of where they are fired, and hit with all of their length.
+local banks = motion.def { { bounce = 3, walls = "left right", { bank = 2 } } }
+
+return function(e)
+  while true do
+    for i = 0, 3 do
+      for side = -1, 1, 2 do
+        laser.bolt { kind = "ray", bank = 5, from = e, dir = 90 + side * (28 + 14 * i), speed = 3,
+                     length = 46, width = 8, motion = banks }
+      end
+      wait(6)
+    end
+    wait(64)
+  end
+end

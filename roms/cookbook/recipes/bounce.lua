@@ -1,0 +1,12 @@
+-- bounce.lua - Bounce once: the sides and the top throw each bullet back a single time, to the
+-- exact place, and it changes its colour there. So a green bullet will still turn and a gold one
+-- flies away.
+local once = motion.def { { bounce = 1, walls = "left right top", { bank = 3 } } }
+
+return function(e)
+  for k = 0, forever do
+    pattern.ring { from = e, kind = "orb", bank = 4, n = 24, dir = 7.5 * k, speed = 1.8,
+                   motion = once }
+    wait(56)
+  end
+end

@@ -1,0 +1,18 @@
+-- butterfly.lua - A butterfly: arcs to both sides whose bullets turn back, the outer ones more
+-- slowly, so that wings open and fold. One program for the left wing, one for the right.
+local wing = { [-1] = motion.def { { turn = -1.4, over = 90 }, { accel = 0.02, over = 60 } },
+               [1] = motion.def { { turn = 1.4, over = 90 }, { accel = 0.02, over = 60 } } }
+
+return function(e)
+  for k = 0, forever do
+    for i = 0, 5 do
+      for side = -1, 1, 2 do
+        pattern.arc { from = e, kind = "petal", bank = ({ 7, 1, 2, 3, 2, 1 })[i + 1], n = 8,
+                      dir = 270 + 20 * side, sweep = 70 * side, speed = 1.1 + 0.22 * i,
+                      motion = wing[side] }
+      end
+      wait(7)
+    end
+    wait(70)
+  end
+end

@@ -1,0 +1,14 @@
+-- corridor.lua - A corridor: two walls of bullets leave a way that winds down the field. The way is
+-- the sum of two sines, and each row puts its walls beside it; the player reads it like a road.
+return function()
+  for k = 0, forever do
+    local way = 120 + 62 * angle.sin(7 * k) + 18 * angle.sin(17 * k)
+    for side = -1, 1, 2 do
+      for i = 0, 2 do
+        bullet.fire { kind = "orb", bank = i == 0 and 3 or 2, x = way + side * (34 + 14 * i),
+                      y = -8, speed = 1.9 }
+      end
+    end
+    wait(7)
+  end
+end

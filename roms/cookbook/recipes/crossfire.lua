@@ -1,0 +1,16 @@
+-- crossfire.lua - Cross fire: fans from two corners weave a lattice of diamonds, whose holes are
+-- where the player goes. Both corners fire in the same frame and with the same fan, mirrored, so
+-- the holes are exact.
+return function()
+  for k = 0, forever do
+    for i = 0, 4 do
+      local lean = 4 * (k % 3) + 0.5 * i
+      pattern.fan { x = 0, y = 20, kind = "rice", bank = 4, n = 11, spread = 100, dir = 45 + lean,
+                    speed = 1.7 }
+      pattern.fan { x = 240, y = 20, kind = "rice", bank = 1, n = 11, spread = 100,
+                    dir = 135 - lean, speed = 1.7 }
+      wait(14)
+    end
+    wait(40)
+  end
+end

@@ -1,0 +1,18 @@
+-- entrance.lua - An entrance: a warning band before the boss, a second in which she cannot be hurt
+-- and three in which she hardly can, and with her spell a portrait that crosses the field. All of
+-- it are settings of boss.def.
+local function bloom(e)
+  for k = 0, forever do
+    pattern.rose { from = e, kind = "petal", bank = 7 - k % 2 * 6, n = 48, petals = 6, dir = 15 * k,
+                   speed = 2, speed_to = 1.2 }
+    wait(50)
+  end
+end
+
+boss.def("rose", { title = "The Rose Queen", kind = "queen", x = 120, y = 100,
+                   portrait = "queen_200",
+  warning = 150, phases = {
+  { id = "bloom", spell = "Rose Sign: Six Petals", hp = 600, time = 20 * 60, bonus = 20000,
+    safe = 60, armour = 180, cut_in = true, run = bloom } } })
+
+return { run = function() boss.fight("rose") end, ship = "gun", alone = true, hud = true }

@@ -1,0 +1,13 @@
+-- flower.lua - Flower: roses of five petals, one inside the other, each turned by half a petal. A
+-- rose is one shot whose speed goes up and down with the angle; four of them make a blossom.
+return function(e)
+  for k = 0, forever do
+    for i = 0, 3 do
+      pattern.rose { from = e, kind = "petal", n = 60, petals = 5, speed = 2.2 - 0.4 * i,
+                     speed_to = 1.2 - 0.25 * i,
+                     dir = 270 + 36 * (i + k), bank = i == 3 and 3 or 7 - i % 2 * 6 }
+      wait(6)
+    end
+    wait(80)
+  end
+end

@@ -1,0 +1,28 @@
+-- gauge.lua - A gauge: heat rises with every shot and drains by itself, after half a second without
+-- one. At its top the gun stops until half of it is gone. A register does the counting and the bar.
+player.def("hothead", { sprite = "ship", hit = { circle = 2 },
+  registers = { heat = { max = 100, drain = 1, hold = 20, show = "bar" } },
+  run = function(p)
+    while true do
+      if pad.down("fire", p) then
+        p.heat = p.heat + 4
+        pattern.fan { fire = "shot", from = p, dy = -12, kind = "dart", n = 5, spread = 24,
+                      speed = 9,
+                      bank = p.heat > 60 and 1 or 0, by = p }
+      end
+      if p.heat == 100 then
+        spark.burst { kind = "glint", from = p, n = 30, speed = 2 }
+        wait_until(function() return p.heat <= 50 end)
+      end
+      wait(5)
+    end
+  end })
+
+local function run(e)
+  for k = 0, forever do
+    e:move { x = 120 + 60 * angle.sin(90 * k), y = 80, over = 60, ease = "both" }
+    wait(60)
+  end
+end
+
+return { run = run, ship = "hothead", hud = true }

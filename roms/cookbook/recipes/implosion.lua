@@ -1,0 +1,18 @@
+-- implosion.lua - Implosion: bullets come from all round to one place, pass through it, and open
+-- again on the other side. They are told to lie on a ring and to fly inwards; nothing else is
+-- needed.
+return function()
+  for k = 0, forever do
+    local x, y = 120 + 40 * angle.cos(90 * k), 130 + 30 * angle.sin(90 * k)
+    for ring = 0, 2 do
+      for i = 0, 19 do
+        local a = 18 * i + 6 * ring
+        bullet.fire { kind = "petal", bank = 7 - ring, x = x + 110 * angle.cos(a),
+                      y = y + 110 * angle.sin(a), dir = a + 180 + 8,
+                      speed = 1.5, delay = 20 }
+      end
+      wait(12)
+    end
+    wait(90)
+  end
+end

@@ -1,0 +1,28 @@
+-- laser_shot.lua - A player's laser: a beam that follows the ship while fire is held and fades when
+-- it is let go. A laser kind with damage hurts enemies, every few frames, and nobody else.
+laser.def("lance", { strip = "ray", width = 10, hit = { share = 1 }, damage = 2, every = 4,
+                     bank = 4 })
+
+player.def("lancer", { sprite = "ship", hit = { circle = 2 }, run = function(p)
+  while true do
+    wait_until(function() return pad.down("fire", p) end)
+    local beam = laser.beam { kind = "lance", follow = p, dy = -14, dir = 270, length = 320,
+                              hold = forever, warn = 0, grow = 6 }
+    while pad.down("fire", p) do
+      beam.width = p.focus and 16 or 9
+      wait(1)
+    end
+    beam:fade()
+  end
+end })
+
+local function run()
+  for k = 0, forever do
+    enemy.spawn { kind = "wisp", x = 30 + 71 * k % 180, y = -10, hp = 24, run = function(e)
+      e:move { x = e.x, y = 340, over = 260 }
+    end }
+    wait(24)
+  end
+end
+
+return { run = run, ship = "lancer", alone = true }

@@ -1,0 +1,19 @@
+-- parallax.lua - Parallax: a sea below, cloud shadows that only darken it, and clouds above, each
+-- at its own speed. The lines of the sea sway, which no picture had to be drawn for.
+bg.def("coast", function()
+  local sea, shadow, cloud = bg.layer(1), bg.layer(2), bg.layer(3)
+  sea.map, sea.bank, sea.vy = "sea", 9, 0.5
+  bg.lines(1, { wave = 5, every = 64, speed = 0.5 })
+  shadow.map, shadow.bank, shadow.blend, shadow.x, shadow.vy = "clouds", 3, "ghost", 40, 0.9
+  cloud.map, cloud.bank, cloud.vx, cloud.vy = "clouds", 3, -0.25, 1.5
+end)
+
+return function(e)
+  bg.show("coast", { over = 20 })
+  while true do
+    e:move { x = 60, y = 70, over = 90, ease = "both" }
+    wait(90)
+    e:move { x = 180, y = 70, over = 90, ease = "both" }
+    wait(90)
+  end
+end

@@ -1,0 +1,27 @@
+-- pierce.lua - A spear that goes through: it hits up to three enemies in its way, each again after
+-- six frames, and is spent then. Its kind says so; what it hurts blinks and blocks nothing.
+shot.def("spear", { sprite = "dart", hit = { capsule = { 8, 3 } }, damage = 4, turns = true,
+                    bank = 2, pierce = 3, every = 6 })
+
+player.def("spearman", { sprite = "ship", hit = { circle = 2 }, run = function(p)
+  while true do
+    if pad.down("fire", p) then
+      for side = -1, 1, 2 do
+        shot.fire { kind = "spear", from = p, dx = 10 * side, dy = -12, speed = 8 }
+      end
+    end
+    wait(14)
+  end
+end })
+
+local down = path.def { { x = 114, y = -20 }, { x = 114, y = 340, over = 260 } }
+
+local function run()
+  while true do
+    stage.wave { kind = "wisp", n = 5, every = 0, formation = "line", gap = 30,
+                 path = down }
+    wait(50)
+  end
+end
+
+return { run = run, ship = "spearman", alone = true }

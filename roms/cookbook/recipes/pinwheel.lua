@@ -1,0 +1,15 @@
+-- pinwheel.lua - Pinwheel: bullets circle the enemy while their distance grows, and are let go one
+-- after the other, along their circle. orbit leads them; after it they fly on as they flew.
+local wind_up = motion.def { { orbit = 0, radius_to = 60, spin = 5, over = 50 },
+                             { speed = 1.4, over = 20 } }
+
+return function(e)
+  for k = 0, forever do
+    for i = 0, 29 do
+      pattern.ring { kind = "drop", bank = 4 + k % 3, from = e, n = 4, dir = 6 * i, speed = 0,
+                     around = e, motion = wind_up }
+      wait(3)
+    end
+    wait(40)
+  end
+end

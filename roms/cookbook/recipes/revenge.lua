@@ -1,0 +1,21 @@
+-- revenge.lua - Revenge bullets: a wisp that is shot down answers with an aimed fan; one that dies
+-- close to the ship does not, so courage pays. on_death belongs to the kind, and the distance is
+-- asked with a query.
+enemy.def("avenger", { sprite = "wisp", hit = { box = { 16, 16 } }, hp = 4, score = 100,
+                       spark = "glint", bank = 1,
+  on_death = function(e)
+    if #query.near { what = "player", x = e.x, y = e.y, radius = 80 } > 0 then return end
+    pattern.fan { kind = "rice", bank = 1, x = e.x, y = e.y, n = 5, spread = 50, aim = true,
+                  speed = 2 }
+  end })
+local swoop = path.def { { x = -12, y = 40 }, { x = 120, y = 150, over = 90, ease = "out" },
+                         { x = 252, y = 30, over = 90, ease = "in" } }
+
+local function run()
+  for k = 0, forever do
+    stage.wave { kind = "avenger", n = 7, every = 12, path = swoop, mirror = k % 2 == 1 }
+    wait(110)
+  end
+end
+
+return { run = run, ship = "gun", alone = true }

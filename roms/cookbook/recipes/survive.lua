@@ -1,0 +1,15 @@
+-- survive.lua - A survival phase: the boss cannot be hurt and the clock is the enemy; rings come
+-- faster the less time is left. boss.def has all of it: survive, time, bonus, the spell's name.
+local function rings(e)
+  for k = 0, forever do
+    pattern.ring { from = e, kind = "petal", bank = 1 + k % 2 * 5, n = 24, dir = 7.5 * k * k,
+                   speed = 1.6 }
+    wait(math.max(8, 40 - k))
+  end
+end
+
+boss.def("keeper", { title = "Keeper of the Hill", kind = "queen", x = 120, y = 90, phases = {
+  { id = "outlive", spell = "Last Sign: Outlive It", survive = true, time = 12 * 60, bonus = 30000,
+    run = rings } } })
+
+return { run = function() boss.fight("keeper") end, alone = true, hud = true }

@@ -1,0 +1,23 @@
+-- trail_options.lua - A tail of options: four that follow the ship's own way, frames apart, and
+-- stand when it stands. They fire to the side they fly on, so the player draws the pattern of the
+-- shots.
+option.def("tail", { sprite = "bead", bank = 4, run = function(o)
+  while true do
+    if pad.down("fire", o.by) then
+      shot.fire { kind = "dart", from = o, dir = 255 + 10 * (o.index - 1), speed = 8, bank = 4 }
+    end
+    wait(7)
+  end
+end })
+
+player.def("comet_ship", { sprite = "ship", hit = { circle = 2 },
+  options = { kind = "tail", style = "trail", apart = 9, levels = { { n = 4 } } } })
+
+local function run(e)
+  for k = 0, forever do
+    e:move { x = 120 + 70 * angle.sin(90 * k), y = 80, over = 60, ease = "both" }
+    wait(60)
+  end
+end
+
+return { run = run, ship = "comet_ship" }

@@ -1,0 +1,15 @@
+-- trails.lua - Trails: comets leave stars behind them, which hang for a moment and then fall away
+-- to both sides. emit in a loop fires from where the comet is; turn spreads what it leaves.
+local left = motion.def { { wait = 40 }, { turn = -90 }, { speed = 1.4, over = 20 } }
+local right = motion.def { { wait = 40 }, { turn = 90 }, { speed = 1.4, over = 20 } }
+local comet = motion.def { { loop = forever,
+  { emit = { kind = "star", bank = 3, speed = 0.05, motion = left } }, { wait = 7 },
+  { emit = { kind = "star", bank = 2, speed = 0.05, motion = right } }, { wait = 7 } } }
+
+return function(e)
+  for k = 0, forever do
+    pattern.fan { from = e, kind = "big", bank = 1, n = 4, spread = 120,
+                  dir = 90 + 10 * (k % 3 - 1), speed = 2.2, motion = comet }
+    wait(110)
+  end
+end

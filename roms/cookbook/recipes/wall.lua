@@ -1,0 +1,12 @@
+-- wall.lua - A moving gap: a wall of rows right across, each without four of its bullets, and the
+-- hole goes to and fro by one place a row. skip counts from the right end, for a line that flies
+-- down.
+return function()
+  for k = 0, forever do
+    local at = math.abs(k % 28 - 14) + 3
+    pattern.line { x = 120, y = -8, kind = "orb", bank = 5 + (k // 14) % 2, n = 20, width = 228,
+                   dir = 90, speed = 1.6,
+                   skip = { at - 1, at + 2 } }
+    wait(14)
+  end
+end

@@ -1,0 +1,15 @@
+-- whips.lua - Whips: two stacks that bend, from the left and from the right, aimed at the player
+-- from both sides. The slow bullets of a whip stand for its handle and the fast ones for its tip,
+-- so it cracks as it comes.
+return function(e)
+  for k = 0, forever do
+    local side = k % 2 == 0 and 1 or -1
+    for i = 0, 2 do
+      pattern.whip { from = e, dx = -40 * side, kind = "rice", bank = 2 + k % 2 * 3, n = 18,
+                     speed = 0.9, speed_to = 3.2,
+                     dir = (12 * i - 60) * side, bend = 80 * side, aim = true }
+      wait(8)
+    end
+    wait(46)
+  end
+end
