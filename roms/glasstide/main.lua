@@ -33,4 +33,11 @@ on.stage(function(_, state) sea.speed(state == "start" and 1.6 or 0.6) end)
 on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
-boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract" }
+boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",
+  difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
+                   hard = "Every wave is higher." },
+  ships = { heron = { text = "Quick and narrow: darts ahead." },
+            petrel = { text = "Slow and wide: a fan of fangs." } },
+  ending = require "ending",
+  staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
+            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }

@@ -13,6 +13,10 @@ for path in glob.glob("scripts/**/*.lua", recursive=True):
     for text in re.findall(r'"([^"\n]*[A-Z]{2}[^"\n]*)"', open(path).read()):
         if not re.search("[a-z]", re.sub("%[0-9]*[ds]", "", text)) and text != "HI ":  # the hud's, in every language
             shown[text] = 30
+for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
+    code = re.sub("--.*", "", open(path).read())
+    for text in re.findall(r'"([A-Z][^"]*)"', code if not path.endswith("rom.lua") else ""):
+        shown[text] = 80  # sentences and names: they are broken into rows
 for path in glob.glob("roms/glasstide/stages/*.lua"):
     for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
         shown[text] = 28
