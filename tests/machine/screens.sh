@@ -84,7 +84,7 @@ way() {
     press "shown: name" Return
     if [ "$1" = 2 ]; then press "shown: scores" z z Return j j 2; else press "shown: scores" z z Return; fi
     press "shown: title" z
-    press "shown: scores" Return Down ${two:+Down} z
+    press "shown: scores" Return Down Down z
     press "shown: title" Up Right z
     press "shown: history" Down z
     press "shown: title" Left Down z
