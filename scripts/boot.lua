@@ -47,25 +47,17 @@ local function watch_pause(_, players, items)
   end
 end
 
--- What a practice start gives player p's ship in place of what its kind says.
-local function fit_out(p, with)
-  local ship = player.get(p)
-  if with.lives > 0 then ship.lives = with.lives - 1 end
-  for _, r in ipairs(with.registers) do sys.fit(p, r.name, r.value) end
-end
-
--- Empties field and screen and brings the players in. with: what a practice start gives the ships, or nil;
--- continues: how often each may go on, or nil. Returns the scope that owns all tasks of this game.
-local function enter(ships, with, continues)
+-- Empties field and screen and brings the players in. practised: it is a try of practice; continues: how often each may
+-- go on, or nil. Returns the scope that owns all tasks of this game.
+local function enter(ships, practised, continues)
   sys.wipe()
   over, left = false, nil
   for p, kind in ipairs(ships) do sys.join(p, kind) end
   local game = sys.scope()
   sys.start(game)
-  if with then fit_out(1, with) end
   hud.start(game, #ships)
   if continues then sys.read("boot/continue")(game, #ships, continues, stand, screens.continue) end
-  task.own(game, watch_pause, #ships, with and PRACTISED or PLAYED)
+  task.own(game, watch_pause, #ships, practised and PRACTISED or PLAYED)
   return game
 end
 
@@ -121,7 +113,7 @@ end
 local function play(a, run)
   local ships = run.ships
   sys.mode = run.mode -- game.mode
-  local game = enter(ships, nil, a.continues)
+  local game = enter(ships, false, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
   records().begin(run)
   play_stages(game, run)
@@ -146,7 +138,7 @@ end
 -- A practice start: no title, first ship, the same piece again and again.
 local function practise(a, start)
   while true do
-    local game = enter({ a.players[1] }, a.with)
+    local game = enter({ a.players[1] }, true)
     finished(start(game))
     leave(game, 1)
   end

@@ -20,7 +20,6 @@ enum { AIM_X, AIM_Y, AIM_SHOTS };
 enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
 enum { ARG_LIST = 0 };
-enum { FIT_PLAYER, FIT_NAME, FIT_VALUE };
 enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
@@ -51,9 +50,6 @@ static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL 
                                          { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
                                          { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
 
-static const struct api_param sys_fit[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
-                                            { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                            { "value", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL } };
 static const struct api_param sys_value[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
                                               { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                               { "run", A_BOOL, OPT, 0, 0, NULL, NULL } };
@@ -253,28 +249,31 @@ static int sys_join(lua_State *L, struct board *b, struct api_value *v)
     return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
 }
 
-/* A game begins: what is of a run is new. */
+/* A register of the ship of player 1, or else of the run, as a practice start asks. */
+static void fit_register(lua_State *L, struct board *b, const char *name, int32_t value)
+{
+    int reg = api_player_register(L, b, 0, name);
+
+    if (reg >= 0)
+        board_set_register(b, 0, (uint32_t)reg, value);
+    else if ((reg = api_run_register(L, name)) >= 0)
+        board_set_run_register(b, (uint32_t)reg, value);
+}
+
+/* A game begins: what is of a run is new. What a practice start asks for comes after the handlers of on.start. */
 static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 {
+    const struct practice *practice = &b->start.practice;
+
     registers_start(&b->registers, b->registers.first, b->registers.count, 0);
     b->core.since = b->core.clock;
     memset(b->core.continues, 0, sizeof b->core.continues);
     memset(b->core.continued, 0, sizeof b->core.continued);
     events_start(L, v[ARG_SCOPE].i);
-    return 0;
-}
-
-/* The ship's register of that name, else the run's. */
-static int sys_fit_run(lua_State *L, struct board *b, struct api_value *v)
-{
-    const uint32_t p = (uint32_t)v[FIT_PLAYER].i - 1;
-    const char *name = lua_tostring(L, v[FIT_NAME].at);
-    int reg = api_player_register(L, b, p, name); /* of a dead handle none */
-
-    if (reg >= 0)
-        board_set_register(b, p, (uint32_t)reg, v[FIT_VALUE].i);
-    else if ((reg = api_run_register(L, name)) >= 0)
-        board_set_run_register(b, (uint32_t)reg, v[FIT_VALUE].i);
+    if (practice->lives > 0)
+        b->player.lives[0] = practice->lives - 1;
+    for (int i = 0; i < practice->registers; i++)
+        fit_register(L, b, practice->reg[i].name, practice->reg[i].value);
     return 0;
 }
 
@@ -723,9 +722,8 @@ static const struct api_entry entries[] = {
     { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
       "what the screens tell of a kind of player: picture, speed, lives, needs, registers, then those of the run" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
-    { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL, "a game begins, in that scope" },
-    { "sys.fit", sys_fit_run, PARAMS(sys_fit), 3, API_SYS | API_CHANGES, NULL,
-      "sets a register of player i's ship, or else of the run" },
+    { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL,
+      "a game begins, in that scope; a practice start sets lives and registers" },
     { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
       "declares the run's registers" },
     { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", "a register of the run, continues or frames" },
