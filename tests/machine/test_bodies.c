@@ -594,6 +594,42 @@ static void test_refused(void **state)
         "enemy.def: parts: parts of parts go 8 deep at most");
 }
 
+/* ---- formations ---- */
+
+/* Where the n of a wave are after some frames of a path that goes down. */
+static void forms(const char *wave, const char *places)
+{
+    char script[1200];
+    struct rig_game g;
+
+    snprintf(script, sizeof script,
+             "enemy.def('foe', { sprite = 'dot', hit = { circle = 2 } })\n"
+             "local down = path.def { { x = 100, y = 50 }, { x = 100, y = 150, over = 100 } }\n"
+             "task.go(function() stage.wave { kind = 'foe', path = down, every = 0, %s } wait(10)\n"
+             "local t = {} enemy.each(nil, function(e) t[#t + 1] = ('%%.2f %%.2f'):format(e.x, e.y) end)\n"
+             "print(table.concat(t, ', ')) end)",
+             wave);
+    rig_script(&g, NULL, script);
+    assert_string_equal(rig_said(&g, 20, false), places);
+    rig_game_free(&g);
+}
+
+static void test_formations(void **state)
+{
+    (void)state;
+    forms("n = 5, formation = 'v', gap = 10", "100.00 60.00, 90.00 50.00, 110.00 50.00, 80.00 40.00, 120.00 40.00\n");
+    forms("n = 3, formation = 'line', gap = 10", "90.00 60.00, 100.00 60.00, 110.00 60.00\n");
+    forms("n = 2, formation = 'column'", "100.00 60.00, 100.00 36.00\n");
+    forms("n = 4, formation = 'circle', gap = 10", "100.00 67.07, 92.93 60.00, 100.00 52.93, 107.07 60.00\n");
+    forms("n = 1, formation = 'circle'", "100.00 60.00\n");
+    forms("n = 2, formation = { { 1, 2 }, { 3, 4.5 } }, dx = 5, dy = 1", "101.00 62.00, 108.00 65.50\n");
+    forms("n = 1, formation = { { 20, 2 } }, mirror = true", "120.00 62.00\n");
+    forms("n = 1, formation = 'vee'",
+          "stage.wave: formation \"vee\" is not declared (there is circle, column, line, v)");
+    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 places, one for each of n, got 1");
+    forms("n = 1, formation = { 1 }", "stage.wave: formation: entry 1: expected { x, y }");
+}
+
 /* ---- hit-stop ---- */
 
 static void test_stop(void **state)
@@ -644,8 +680,8 @@ int main(void)
         cmocka_unit_test(test_spawned_along),  cmocka_unit_test(test_places_by_hand),
         cmocka_unit_test(test_damage_by_hand), cmocka_unit_test(test_bursts),
         cmocka_unit_test(test_leads),          cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_refused),        cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_presses),
+        cmocka_unit_test(test_refused),        cmocka_unit_test(test_formations),
+        cmocka_unit_test(test_stop),           cmocka_unit_test(test_presses),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
