@@ -131,9 +131,9 @@ static struct layout layout_of(const struct manifest *m)
     return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as many as
- * it can go through, an enemy may touch, die and leave, an item is taken once and may give lives, a laser may graze or hit both players, or
- * shoot. */
+/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as
+ * many as it can go through, an enemy may touch, die and leave, an item is taken once and may give lives, a laser may
+ * graze or hit both players, or shoot. */
 static uint64_t event_room(const struct manifest *m)
 {
     return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +

@@ -33,7 +33,7 @@ player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed =
     end
   end })
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
-shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true })
+shot.def("brush", { sprite = "dot", hit = { circle = 3 }, cancels = true, pierce = 2, every = 9 })
 spark.def("pop", { sprite = "dot", life = 20, gravity = 0.07, drag = 0.03 })
 spark.def("fade", { sprite = "dot", life = 21, banks = { 3, 1, 4 } })
 item.def("bit", { sprite = "dot", radius = 2.5, gives = { score = { 3, 777 }, power = -1 } })
@@ -64,6 +64,8 @@ enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 17
         speed = 1.7 }
     end
   end })
+enemy.def("pod", { sprite = "dot", hit = { circle = 4 }, hp = 9,
+  parts = { { kind = "wisp", dx = 7, share = 0.5, tag = "arm" } } })
 enemy.def("king", { sprite = "dot", hit = { circles = { { -1, 0, 3 }, { 1, 0.5, 3 } } }, score = 9000,
   spark = "pop", blocks = true })
 talk.def("she", { name = "She", faces = { calm = "dart" }, side = "right" })
@@ -118,6 +120,7 @@ stage.def("one", function()
   stage.mark("king")
   boss.fight("king")
   stage.wave { kind = "wisp", n = 3, every = 6, path = loop, mirror = true }
+  stage.wave { kind = "wisp", n = 5, every = 0, path = loop, formation = "circle", gap = 7.5 }
   stage.clear(200)
 end)
 
@@ -214,6 +217,16 @@ task.go(function()
         p:remove()
         screen.dim { share = before }
       end)
+    end
+    if i % 70 == 20 then
+      local e = enemy.spawn { kind = "pod", x = 30, y = 20, rate = 0.75 }
+      local more = enemy.spawn { kind = "wisp", follow = e, dx = 5, dy = 9.5, share = 1 / 3 }
+      e:wander { w = 30, h = 9, every = 12, over = 9, ease = "in" }
+      enemy.spawn { kind = "wisp", from = e }:orbit { around = e, radius_to = 9, spin = 7.5, dir = i, over = 40 }
+      more:move { dx = -5, dy = 3, over = 30 }
+      for _, part in ipairs(e:parts("arm")) do part.dx, part.rate = part.dx + more.share, 0.5 end
+      fold(#e:parts() .. more.follow.kind)
+      if i == 90 then board.stop(3) end
     end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
     text.put { col = 0, row = 7, text = text.lang("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }

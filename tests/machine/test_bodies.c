@@ -594,6 +594,42 @@ static void test_refused(void **state)
         "enemy.def: parts: parts of parts go 8 deep at most");
 }
 
+/* ---- formations ---- */
+
+/* Where the n of a wave are after some frames of a path that goes down. */
+static void forms(const char *wave, const char *places)
+{
+    char script[1200];
+    struct rig_game g;
+
+    snprintf(script, sizeof script,
+             "enemy.def('foe', { sprite = 'dot', hit = { circle = 2 } })\n"
+             "local down = path.def { { x = 100, y = 50 }, { x = 100, y = 150, over = 100 } }\n"
+             "task.go(function() stage.wave { kind = 'foe', path = down, every = 0, %s } wait(10)\n"
+             "local t = {} enemy.each(nil, function(e) t[#t + 1] = ('%%.2f %%.2f'):format(e.x, e.y) end)\n"
+             "print(table.concat(t, ', ')) end)",
+             wave);
+    rig_script(&g, NULL, script);
+    assert_string_equal(rig_said(&g, 20, false), places);
+    rig_game_free(&g);
+}
+
+static void test_formations(void **state)
+{
+    (void)state;
+    forms("n = 5, formation = 'v', gap = 10", "100.00 60.00, 90.00 50.00, 110.00 50.00, 80.00 40.00, 120.00 40.00\n");
+    forms("n = 3, formation = 'line', gap = 10", "90.00 60.00, 100.00 60.00, 110.00 60.00\n");
+    forms("n = 2, formation = 'column'", "100.00 60.00, 100.00 36.00\n");
+    forms("n = 4, formation = 'circle', gap = 10", "100.00 67.07, 92.93 60.00, 100.00 52.93, 107.07 60.00\n");
+    forms("n = 1, formation = 'circle'", "100.00 60.00\n");
+    forms("n = 2, formation = { { 1, 2 }, { 3, 4.5 } }, dx = 5, dy = 1", "101.00 62.00, 108.00 65.50\n");
+    forms("n = 1, formation = { { 20, 2 } }, mirror = true", "120.00 62.00\n");
+    forms("n = 1, formation = 'vee'",
+          "stage.wave: formation \"vee\" is not declared (there is circle, column, line, v)");
+    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 places, one for each of n, got 1");
+    forms("n = 1, formation = { 1 }", "stage.wave: formation: entry 1: expected { x, y }");
+}
+
 /* ---- hit-stop ---- */
 
 static void test_stop(void **state)
@@ -609,11 +645,12 @@ static void test_stop(void **state)
     refuses(true, "board.stop(3)", "board.stop: nothing moves yet while scripts load");
 }
 
-/* Fire goes down and up within the stop, bomb goes down in it and stays. */
+/* Special goes down just before the stop; fire goes down and up within it, bomb goes down in it and stays. */
 static void test_presses(void **state)
 {
     static struct rig_game g;
-    const uint16_t none[PADS] = { 0 }, fire[PADS] = { PAD_FIRE }, bomb[PADS] = { PAD_BOMB };
+    const uint16_t none[PADS] = { 0 }, fire[PADS] = { PAD_FIRE }, bomb[PADS] = { PAD_BOMB },
+                   special[PADS] = { PAD_SPECIAL };
     char said[256] = "";
     struct rig r;
 
@@ -621,16 +658,17 @@ static void test_presses(void **state)
     rig_script(&g, NULL,
                "task.go(function() wait(2) board.stop(6) wait(1) for i = 1, 4 do\n"
                "  print(pad.pressed('fire'), pad.take('fire', 0), pad.released('fire'), pad.pressed('bomb'), "
-               "pad.down('bomb'))\n"
+               "pad.down('bomb'), pad.pressed('special'))\n"
                "  wait(1) end end)");
     rig_power(&r, &g, NULL);
     for (int f = 0; f < 14; f++) {
-        const struct board_out *out = board_tick(r.b, f == 5 ? fire : f >= 7 ? bomb : none);
+        const struct board_out *out = board_tick(r.b, f == 2 ? special : f == 5 ? fire : f >= 7 ? bomb : none);
         strncat(said, out->log, out->log_size);
     }
-    assert_string_equal(
-        said, "true\ttrue\ttrue\ttrue\ttrue\n"
-              "false\tfalse\tfalse\tfalse\ttrue\nfalse\tfalse\tfalse\tfalse\ttrue\nfalse\tfalse\tfalse\tfalse\ttrue\n");
+    assert_string_equal(said, "true\ttrue\ttrue\ttrue\ttrue\tfalse\n"
+                              "false\tfalse\tfalse\tfalse\ttrue\tfalse\n"
+                              "false\tfalse\tfalse\tfalse\ttrue\tfalse\n"
+                              "false\tfalse\tfalse\tfalse\ttrue\tfalse\n");
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -642,8 +680,8 @@ int main(void)
         cmocka_unit_test(test_spawned_along),  cmocka_unit_test(test_places_by_hand),
         cmocka_unit_test(test_damage_by_hand), cmocka_unit_test(test_bursts),
         cmocka_unit_test(test_leads),          cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_refused),        cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_presses),
+        cmocka_unit_test(test_refused),        cmocka_unit_test(test_formations),
+        cmocka_unit_test(test_stop),           cmocka_unit_test(test_presses),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
