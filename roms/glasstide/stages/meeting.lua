@@ -5,7 +5,7 @@ talk.def("petrel", { name = "Sen", faces = { calm = "sen", cross = "sen_cross" }
 talk.def("queen", { name = "The Queen", side = "right",
                     faces = { calm = "queen_face", cross = "queen_cross" } })
 
-local function line(who, text, face) say(who, text, { face = face, limit = 200 }) end
+local function line(who, text, face) say(who, text, { face = face, limit = 150 }) end
 
 return function()
   local one, two = player.get(1).kind, player.get(2).kind
