@@ -135,7 +135,7 @@ main.lua:8: no words for "World" in lang/de.txt
 TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
 finds 'words without a glyph' tongues <<'TEXT'
-lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more of this text: a box is shown
+lang/de.txt:2: no font of the game has a glyph for "ü", U+00FC, nor for 1 more of this text: a box is shown
 lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
 lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
 main.lua:2: no words for "World" in lang/de.txt
