@@ -3,6 +3,7 @@
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
 local ROWS = 3   -- of words, two cells apart
+local TALL = 14  -- cells a portrait takes above the first row
 local HELD = 20  -- frames special is held before it skips
 local AWAY = 40  -- px a portrait comes from
 local BLINK = 24 -- frames the mark is seen, and is not
@@ -197,8 +198,9 @@ return function(look, may_skip)
     for _, row in ipairs(l.title) do l.w = math.max(l.w, sys.cells(row)) end
     local above = #l.title > 0 and #l.title + 1 or 0
     l.col = left + (cols - l.w) // 2
-    l.top = math.max(1, (field.y + field.h // 2) // 8 - (above + l.h) // 2 - 2)
     l.rows = above + l.h
+    local middle = (field.y + field.h // 2) // 8 - l.rows // 2
+    l.top = math.max(field.y // 8 + 5, math.min(middle, first - TALL - l.rows)) -- over the heads, if there is room
     for _, item in ipairs(l.items) do item.row = item.row + l.top + above end
     return l
   end

@@ -20,6 +20,8 @@ for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
 for path in glob.glob("roms/glasstide/stages/*.lua"):
     for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
         shown[text] = 28
+    for text in re.findall(r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', open(path).read()):
+        shown[text] = 3 * 26  # a page of a talk
 rom = open("roms/glasstide/rom.lua", encoding="utf-8").read()
 for name in re.findall(r'"(\w+)"', re.search(r"difficulties = {([^}]*)}", rom)[1]):
     shown[name.upper()] = 26

@@ -350,6 +350,7 @@ static void test_modules(void **state)
     assert_string_equal(modules_of("unlock.has('x')"), "prelude unlock");
     assert_string_equal(modules_of("path.def {}"), "path prelude");
     assert_string_equal(modules_of("stage.def('one', print)"), "boss hud path prelude stage");
+    assert_string_equal(modules_of("say(nil, 'a')"), "boss hud path prelude say stage talk");
     assert_string_equal(modules_of("return _ENV['pat' .. 'tern']"), every);
     assert_string_equal(modules_of("return _G"), every);
     assert_string_equal(modules_of("return load('x')"), every);
