@@ -35,8 +35,8 @@ bullet.meet("hard", "b0", { clear = "second",
   on_meet = function(a, b) if a.age % 5 == 0 then b:remove() end end })
 
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
-shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false })
-shot.def("wiper", { sprite = "steps", hit = { circle = 2 }, cancels = true, order = 2 })
+shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false, pierce = forever, every = 4 })
+shot.def("wiper", { sprite = "steps", hit = { circle = 2 }, cancels = true, order = 2, pierce = 3 })
 shot.def("flash", { sprite = "letter", hit = "none" })
 
 value.def("heat", { start = 1.5 })

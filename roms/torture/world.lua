@@ -21,6 +21,10 @@ enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 10
 enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief })
 enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
 enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief })
+enemy.def("limb", { sprite = "steps", hit = { circle = 4 }, hp = 5, score = 3, spark = "ping", blocks = true, blink = 3, rate = 0.75,
+  drops = { husk = 1 }, parts = { { kind = "shade", dy = 6, share = 0.3 } } })
+enemy.def("crab", { sprite = "letter", hit = { box = { 16, 10 } }, hp = 30, parts = {
+  { kind = "limb", dx = -14, dy = 3, share = 0.5, tag = "left" }, { kind = "limb", dx = 14, dy = 3, share = 1 / 3, hp = 3, rate = 1.5 } } })
 
 boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, warning = 20, portrait = "box", phases = {
   { talk = function(e) board.note(e.safe) wait(9) end },
@@ -82,6 +86,7 @@ local function bullets()
       board.note(b.kind .. b.bank .. (b.tag or "none"))
       if n % 7 == 0 then b.x, b.y = b.x + 1, b.y - 1 end
       if n % 5 == 0 then b.dir = 80 end
+      if n % 10 == 6 then b.frozen = 4 end
       b.heat = b.heat + b.goal / 4
       if n % 11 == 0 then b.vx, b.vy = 0.5, 0.75 end
     end
@@ -257,6 +262,36 @@ local function crowd()
     if n % 13 == 9 then enemy.group("stray"):remove() end
     enemy.each("stray", function(e) e:shift(1, 1) end)
     wait(10)
+  end
+end
+
+-- Bodies, what goes round them, wanderers, and hit-stops.
+local function bodies()
+  for n = 0, forever do
+    local e = enemy.spawn { kind = "crab", x = 60 + n * 31 % 100, y = 50, rate = n % 3 / 2 + 0.25 }
+    local more = enemy.spawn { kind = "limb", follow = e, dx = 3, dy = -12, share = 0.125 }
+    e:wander { w = 60, h = 20, every = 9, over = 7, ease = n % 2 == 0 and "in" or "both" }
+    local moon = enemy.spawn { kind = "globe", from = e, tag = "moon" }
+    moon:orbit { around = n % 3 == 0 and more or e, radius = 20, radius_to = 30, spin = 5, dir = 30 * n, over = 90 }
+    wait(5)
+    if n % 4 == 1 then enemy.group("moon"):orbit { x = 100, y = 80, spin = -3 } end
+    if n % 4 == 2 then enemy.group("moon"):wander { x = 90, y = 60, w = 90, h = 50, every = 5, over = 5 } end
+    if n % 8 == 3 then
+      local all = enemy.group("left")
+      all.rate, all.share, all.dx, all.dy = 0.5, 0.25, -20, 9
+    end
+    for _, part in ipairs(e:parts(n % 5 == 4 and "left" or nil)) do
+      board.note(part.x + part.dx * 3 + part.dy * 5 + part.share * 7 + part.rate + part.hp + (part.follow == e and 1 or 0))
+      part.dx, part.rate = part.dx + 1, part.rate + 0.0625
+      if n % 3 == 1 then part:hurt(2, 1) end
+      if n % 3 == 2 then part:move { dx = 0, dy = 20, over = 6 } part.share = 0.75 end
+    end
+    if more.alive then more.dy = more.dy - 1 end
+    wait(13)
+    if n % 9 == 4 then board.stop(n % 5 + 1) end
+    if n % 3 == 0 then e:kill(1) elseif e.alive and n % 3 == 1 then e.y = -60 else e:remove() end
+    moon:remove()
+    wait(3)
   end
 end
 
@@ -509,7 +544,7 @@ local function items()
   end
 end
 
-local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, pictures, numbers, tasks, figures, scenery }
+local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures, scenery }
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end

@@ -196,8 +196,12 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     return board_handle(b, H_TASK, i);
 }
 
+/* A dead owner's scope is dead: its slot and generation may be the very ones that the new scope gets, and then it would
+ * own itself. */
 int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
 {
+    if (!tasks_owner_alive(b, owner))
+        return board_handle(b, H_TASK, NO_SLOT);
     return board_handle(b, H_TASK, take(b, owner, scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
 }
 

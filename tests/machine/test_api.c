@@ -1139,7 +1139,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = m.bg = 1;
+    m.frozen = m.meet = m.bg = m.bodies = m.pierce = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;

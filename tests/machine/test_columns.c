@@ -390,7 +390,7 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = 1;
+    m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = m.bodies = m.pierce = 1;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
     rig_script(&g, &m, scene);
@@ -429,7 +429,7 @@ static void test_groups(void **state)
     m.curve_points = 4096;
     all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
-    all.hp = all.around = all.frozen = all.meet = all.bg = 1;
+    all.hp = all.around = all.frozen = all.meet = all.bg = all.bodies = all.pierce = 1;
     all.items = 64;
     rig_script(&few, &m, without_items);
     rig_script(&many, &all, scene);

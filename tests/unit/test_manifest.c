@@ -490,7 +490,7 @@ static void test_unpack_old(void **state)
 {
     struct result *r = read_good(
         "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true, "
-        "lasers = 64, curve_points = 4096 } }");
+        "lasers = 64, curve_points = 4096, bodies = true, pierce = true } }");
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
@@ -499,6 +499,12 @@ static void test_unpack_old(void **state)
     assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.around && r->m.frozen);
     manifest_pack(&r->m, bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_memory_equal(&m, &r->m, sizeof m);
+    bytes[0] = 3;
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_true(manifest_unpack(bytes, 5232, &m, err, sizeof err));
+    assert_true(r->m.bodies == 1 && r->m.pierce == 1);
+    r->m.bodies = r->m.pierce = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
@@ -579,13 +585,14 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5231 bytes long, expected 5232");
+    assert_string_equal(err, "5239 bytes long, expected 5240");
     for (int format = 0; format < 6; format++) {
         bytes[0] = (uint8_t)format;
-        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 3);
+        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 4);
+        assert_int_equal(manifest_unpack(bytes, 5232, &m, err, sizeof err), format == 3);
         assert_int_equal(manifest_unpack(bytes, 5204, &m, err, sizeof err), format == 2);
         assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
-        if (format > 3)
+        if (format > 4)
             assert_string_equal(err, "its format is not known");
     }
     free(r);
@@ -609,7 +616,7 @@ static void test_format_1(void **state)
     assert_int_equal(m.nvram_kib, 32);
     m.nvram_kib = 3;
     manifest_pack(&m, again);
-    bytes[0] = 3;
+    bytes[0] = 4;
     assert_memory_equal(bytes, again, sizeof bytes);
     free(r);
 }
