@@ -84,6 +84,12 @@ static const struct story stories[] = {
       "say(e.hp) e.hp = 0 end }, phase { id = 'c', hp = 100, run = function(e) e:hurt(8) say(e.hp) e.hp = 0 end } } }) "
       "alone()",
       99, "92 84 a true true true 63 c true true" },
+    { "a boss that wanders goes home",
+      "one(phase { time = 15, rest = 9, run = function(e) e:wander { w = 80, h = 40, every = 3, over = 3 } end }, phase { "
+      "id = 'o', time = 15, rest = 9, run = function(e) e:orbit { x = 90, y = 90, radius = 20, spin = 3 } end }, phase { "
+      "id = 'c', time = 2, run = function(e) say(e.x, e.y) end }) alone()\n"
+      "task.go(function() wait(85) say(boss.status().team[1].x) end)",
+      199, "a false false 50.0 o false false 50.0 40.0 c false false false 171" },
     { "talks",
       "local function talk(s) return { talk = function(e) say(s, e.alive, e.safe == forever) wait(3) end } end\n"
       "one(talk 'first', talk 'second', phase { run = down(2) }, talk 'between', phase { id = 'c', run = "
