@@ -33,6 +33,17 @@ bool text_has(const struct font *font, uint32_t code)
     return glyph_of(font, code) != NULL;
 }
 
+bool text_closes(uint32_t code)
+{
+    static const uint32_t signs[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
+                                      0xff0e, 0xff1f, 0x2026, '!',    '?',    ',',    '.',    ')' };
+
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if (signs[i] == code)
+            return true;
+    return false;
+}
+
 void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank)
 {
     if (text_blank(code))

@@ -25,6 +25,9 @@ void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
 /* Has the code a glyph that draws a pixel? */
 bool text_has(const struct font *font, uint32_t code);
 
+/* Is it a sign that never begins a row, for it closes what is before it? */
+bool text_closes(uint32_t code);
+
 /* Does it stand for room between words? */
 static inline bool text_blank(uint32_t code)
 {

@@ -128,7 +128,7 @@ local function game(a, ships)
 end
 
 -- The choices before a game, as few as there are; sets the difficulty. Returns each player's ship, or nil for back.
-local function choose(a)
+local function ask(a)
   local count, ships, names = 1, {}, sys.difficulties()
   if sys.players() > 1 then count = menu.players() end
   if not count then return nil end
@@ -148,7 +148,7 @@ local function front(a)
   local first = board.difficulty()
   while true do
     if menu.title(ATTRACT) then
-      local ships = choose(a)
+      local ships = ask(a)
       if ships then game(a, ships) end
       board.difficulty(first)
     else

@@ -185,6 +185,11 @@ static void think(struct bot *bot)
         bot->until = 0;
         return;
     }
+    if (player_withheld(&b->player, 0)) { /* it is talked; start would pause that */
+        bot->pads[0] = press(frame) & PAD_FIRE;
+        bot->until = 0;
+        return;
+    }
     bool busy = b->enemies.s.live || b->bullets.s.live;
     if (bot->deaths > 0 && b->bullets.s.live > 30) { /* it goes to meet them */
         bot->pads[0] = PAD_FIRE | (frame % 8 < 4 ? PAD_UP : 0);

@@ -16,6 +16,9 @@ python3 tools/pictures.py 2 docs/images/items.png "$at"/items/*.png
 python3 tools/pictures.py 2 docs/images/backgrounds.png "$at"/scenes/*.png
 "$curtain" render examples/sandbox --stage lasers --invincible --frames 75,150,330 -o "$at/lasers"
 python3 tools/pictures.py 1 docs/images/lasers.png "$at"/lasers/*.png
+"$curtain" render roms/glasstide --stage one:queen --frames 160,520 -o "$at/talk"
+"$curtain" render roms/glasstide --stage one:queen --frames 960 --lang ja -o "$at/talk"
+python3 tools/pictures.py 1 docs/images/talk.png "$at"/talk/*.png
 
 # Looking inside: a port that a script plays, and three of the pictures it is shown. Keys are USB HID usages.
 ${CC:-cc} -O1 -o "$at/player" tests/machine/port_keys.c $(find build/release/src -name '*.o') build/release/fb/*.o \

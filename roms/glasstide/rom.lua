@@ -23,6 +23,9 @@ return {
     enemies = { file = "art/enemies.png", bank = 10 },
     guard   = { file = "art/guard.png",   bank = 12 },
     queen   = { file = "art/queen.png",   bank = 12 },
+    iri     = { file = "art/iri.png",     bank = 8 },
+    sen     = { file = "art/sen.png",     bank = 10 },
+    queen_face = { file = "art/queen_face.png", bank = 12 },
     finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
     logo    = { file = "art/logo.png",    bank = 15 },
@@ -74,6 +77,14 @@ return {
                  origin = { 40, 30 } },
     queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
                  origin = { 48, 44 } },
+
+    -- who talks
+    iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
+    iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
+    sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
+    sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
+    queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
     -- sparks, and what a craft wears
     glint   = { sheet = "sparks", x = 0,   y = 0,  w = 12, h = 12, frames = 4, every = 4 },

@@ -390,13 +390,14 @@ local function pictures()
   local put, lines = {}, {}
   for n = 0, forever do
     put[n % 26] = sprite.put { sprite = "steps", x = 8 * (n % 26), y = 100 + n % 30, bank = n % 3, screen = n % 5 == 0,
-      layer = n % 3 == 0 and "back" or n % 3 == 1 and "middle" or nil, flip_x = n % 2 == 0 }
+      layer = n % 3 == 0 and "back" or n % 3 == 1 and "middle" or n % 9 == 2 and "over" or nil, flip_x = n % 2 == 0 }
     local s = put[(n + 5) % 26]
     if s and s.alive then
       s.x, s.y, s.bank = s.x + 1, s.y - 1, (s.bank + 1) % 16
       s.flip_x, s.flip_y, s.hidden = not s.flip_x, s.flip_x, s.hidden == (n % 4 == 0)
       s.sprite = s.sprite == "steps" and "box" or "steps"
       board.note(s.flip_y)
+      s.layer = s.layer == "over" and "front" or "over"
       if n % 3 == 0 then s:remove() end
     end
     spark.burst { kind = n % 4 == 0 and "long" or "ping", x = 112, y = 112, n = 5, dir = n, spread = 90, speed = 3 }
@@ -426,6 +427,12 @@ local function pictures()
       spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }
       spark.burst { kind = "ping", from = e, n = 4, to_x = 9, to_y = 9 }
     end
+    if n % 45 == 0 then
+      local p = sprite.plate { x = n % 200, y = n % 90, w = 8 + n % 300, h = 8, bank = n % 16, front = n % 2 == 0,
+        hidden = n % 11 == 0 }
+      if p.alive then p.h, p.w, p.hidden = p.h + n % 60, p.w + 1, false end
+    end
+    if n % 50 == 5 then board.note(screen.dim { share = n % 7 / 7, over = n % 30 }) end
     if n % 40 == 0 then screen.shake { size = n % 65, over = 20, dir = n % 80 == 0 and n or nil } end
     if n % 50 == 0 then screen.flash { to = n * 999, over = 9, share = 0.7 } end
     if n % 70 == 0 then screen.letterbox { h = n % 30, over = 15 } end
@@ -434,6 +441,21 @@ local function pictures()
     if n % 50 == 25 then palette.cycle { first = 32, last = 47, every = n % 100 == 25 and 3 or 0 } end
     if n % 40 == 39 then palette.load "main" end
     wait(3)
+  end
+end
+
+local function talks()
+  for n = 0, forever do
+    wait(70)
+    talk.run(function()
+      say(n % 2 == 0 and "one" or "two", "écrit " .. ("word "):rep(n % 40), { letter = n % 3, limit = 20 + n % 30 })
+      say("two", "b", { face = n % 3 == 0 and "other" or nil, side = n % 5 == 0 and "left" or nil, limit = 30 })
+      say(nil, "c\nd", { limit = 9 })
+      board.note(choose({ "a", "b", "c" }, { title = n % 2 == 0 and "t" or nil, chosen = 1 + n % 3, limit = 40,
+        p = n % 4 == 0 and 2 or nil, back = n % 3 == 0 and 1 or nil }))
+      wait(5)
+    end, { hold = n % 3 == 0 and "all" or n % 3 == 1 and "none" or nil, clear = n % 5 == 4, clock = n % 7 ~= 6,
+           skip = n % 4 > 0 })
   end
 end
 
@@ -544,15 +566,21 @@ local function items()
   end
 end
 
-local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures, scenery }
+local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures,
+  scenery }
+
+talk.def("one", { name = "One", faces = { calm = "letter" } })
+talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box", other = "steps" } })
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end
+  local talking = task.go(talks)
   stage.at(60)
   stage.wave { kind = "drone", n = 5, every = 12, path = swoop, mirror = true, dx = 4, dy = 6,
     run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
   stage.at(212)
   board.note(stage.skipping())
+  task.stop(talking) -- the boss has talks of its own, and there is one at a time
   stage.mark "boss"
   boss.fight "twin"
   stage.clear(120)
@@ -560,6 +588,7 @@ end)
 
 stage.def("second", function()
   for _, f in ipairs(corners) do task.go(f) end
+  task.go(talks)
   task.go(function() boss.fight("pair", { clock = true }) end)
   stage.wave { kind = "wall", n = 30, every = 3, path = across }
   stage.at(120)

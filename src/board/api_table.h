@@ -134,6 +134,9 @@ extern const struct api_thing *const api_things[HANDLES];
 extern const struct api_module *const api_modules[];
 extern const int api_module_count;
 
+/* The words of a sprite's `layer`, by LAYER_. */
+extern const char *const api_layers[];
+
 /* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 

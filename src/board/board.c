@@ -427,7 +427,8 @@ void board_move(struct board *b)
 {
     struct motion_world w = board_world(b, false), ws = board_world(b, true);
     struct enemies_world we = { b, orbited, board_chance, 0 };
-    const uint16_t held[PADS] = { b->input.held[0], b->input.held[1] };
+    const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld(b, 0)),
+                                  (uint16_t)(b->input.held[1] & ~board_withheld(b, 1)) };
     struct bullets_query query[PADS];
     const bool solid = hit_solid_possible(b);
 

@@ -167,6 +167,12 @@ static inline enum press_side board_presses(const struct board *b)
     return b->core.frozen > 0 ? PRESS_PAUSE : PRESS_GAME;
 }
 
+/* The buttons of player p that scripts and ships do not see now (PAD_ bits). What freezes the board sees all. */
+static inline unsigned board_withheld(const struct board *b, uint32_t p)
+{
+    return b->core.frozen ? 0 : player_withheld(&b->player, p);
+}
+
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 

@@ -40,6 +40,13 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
+/* A dark plate with a light rim and round corners, in the shades of a bank. */
+void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank);
+
+/* Darkens what is drawn so far, by giving its colours entries of their own: `over` are those (256) that must stay as
+ * they are, because what is drawn afterwards has them. */
+void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool over[256], fx share);
+
 /* Lines of text; a cell whose font is one of rom.lua's `fonts`. */
 void video_lines(struct draw_target *c);
 void video_cell(struct draw_target *c, uint32_t i);

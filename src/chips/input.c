@@ -84,8 +84,9 @@ bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum 
     return true;
 }
 
-void input_forget(struct input *in, uint32_t p, enum press_side side)
+void input_forget(struct input *in, uint32_t p, enum press_side side, unsigned buttons)
 {
     for (uint32_t i = 0; i < PAD_BUTTONS; i++)
-        *presses(in, p, i, side) = 0;
+        if (buttons >> i & 1u)
+            *presses(in, p, i, side) = 0;
 }

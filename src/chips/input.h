@@ -39,7 +39,7 @@ void input_done(struct input *in);
 /* Takes the oldest press of a button that is at most n frames old (0 to PRESS_KEPT; 0: of this very frame). */
 bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side);
 
-/* Drops all presses of player p. */
-void input_forget(struct input *in, uint32_t p, enum press_side side);
+/* Drops all presses of those buttons (PAD_ bits) of player p. */
+void input_forget(struct input *in, uint32_t p, enum press_side side, unsigned buttons);
 
 #endif

@@ -51,7 +51,7 @@ void player_place(struct player *p, uint32_t i, fx x, fx y)
 
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y)
 {
-    p->in[i] = 1;
+    p->in[i] = PLAYER_IN;
     p->kind[i] = kind;
     player_place(p, i, x, y);
     p->lives[i] = kinds->lives[kind] - 1;
@@ -79,6 +79,12 @@ bool player_register_full(const struct player *p, const struct player_kinds *kin
     const int32_t most = most_of(p, kinds, i, reg);
 
     return most && p->regs[i * PLAYER_REGISTERS + reg] == most;
+}
+
+unsigned player_withheld(const struct player *p, uint32_t i)
+{
+    return (p->in[i] & PLAYER_NO_FIRE ? PAD_FIRE | PAD_BOMB | PAD_SPECIAL : 0u) |
+           (p->in[i] & PLAYER_STANDS ? PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FOCUS : 0u);
 }
 
 bool player_retired(const struct player *p, uint32_t i)

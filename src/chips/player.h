@@ -11,6 +11,10 @@
 #include "slots.h"
 
 enum {
+    PLAYER_IN = 1 << 0,      /* in the game */
+    PLAYER_NO_FIRE = 1 << 1, /* the game does not see that it presses fire, bomb or special */
+    PLAYER_STANDS = 1 << 2,  /* nor where it steers */
+
     PLAYER_REGISTERS = 16,
     MOST_LIVES = 99,
     PICTURE_ROW = -1, /* as the radius of a row of the kinds: the picture of a kind below it */
@@ -45,7 +49,7 @@ struct player_kinds {
 
 struct player {
     struct slots s;
-    uint8_t *in;   /* 1: in the game */
+    uint8_t *in;   /* PLAYER_IN and what holds it, 0: not in the game */
     uint32_t *gen; /* counts up to GENERATIONS when it leaves: handles of the game before are dead */
     uint16_t *kind;
     fx *x, *y;
@@ -72,6 +76,9 @@ void player_set_register(struct player *p, const struct player_kinds *kinds, uin
 
 /* Is register reg of player i at its most? False for one that has none. */
 bool player_register_full(const struct player *p, const struct player_kinds *kinds, uint32_t i, uint32_t reg);
+
+/* What the game does not see of its buttons (PAD_ bits). */
+unsigned player_withheld(const struct player *p, uint32_t i);
 
 /* Puts a player somewhere without sweeping through what is between. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);

@@ -116,13 +116,23 @@ mkdir -p tongues/lang
 game tongues <<'LUA'
 local used = { "dot", "dart" }
 print(used, text.lang("Hello"), text.lang("World"))
+talk.def("hello", { name = "Hello" })
+talk.def("world", { name = "World" })
+task.go(function()
+  say("hello", "World")
+  say("world", "Hello")
+  print(choose({ "a" }, { title = "World" }))
+end)
 LUA
 printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
 printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
 finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
 lang/fr.txt:3: "World" stands in line 2 already
 main.lua:2: no words for "World" in lang/de.txt
-2 problems; the game was not run, for it cannot be packed
+main.lua:4: no words for "World" in lang/de.txt
+main.lua:6: no words for "World" in lang/de.txt
+main.lua:8: no words for "World" in lang/de.txt
+5 problems; the game was not run, for it cannot be packed
 TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
 finds 'words without a glyph' tongues <<'TEXT'
@@ -130,7 +140,10 @@ lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more o
 lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
 lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
 main.lua:2: no words for "World" in lang/de.txt
-4 problems
+main.lua:4: no words for "World" in lang/de.txt
+main.lua:6: no words for "World" in lang/de.txt
+main.lua:8: no words for "World" in lang/de.txt
+7 problems
 TEXT
 rm -r tongues
 game faces <<'LUA'

@@ -44,6 +44,7 @@ enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 5, score = 17
   end })
 enemy.def("king", { sprite = "dot", hit = { circles = { { -1, 0, 3 }, { 1, 0.5, 3 } } }, score = 9000,
   spark = "pop", blocks = true })
+talk.def("she", { name = "She", faces = { calm = "dart" }, side = "right" })
 local loop = path.def { { x = -5, y = 10 }, { x = 30, y = 25, over = 33, ease = "out" }, { wait = 7 },
   { x = 75, y = 5, over = 41, ease = "both" } }
 boss.def("king", { title = "King", kind = "king", x = 32, y = 14, phases = {
@@ -171,6 +172,19 @@ task.go(function()
       screen.shake { size = 3, over = 30, dir = i }
       screen.flash { over = 12, share = 0.5 }
       screen.letterbox { h = i % 4, over = 9 }
+    end
+    if i % 200 == 150 then
+      local before = screen.dim { share = 0.3, over = 9 }
+      local p = sprite.plate { x = 4, y = 40.5, w = 50, h = 20, bank = 2 }
+      p.w, mark.layer = p.w + i % 9, "over"
+      task.go(function()
+        talk.run(function()
+          say("she", "Now and then, and now.", { limit = 20 })
+          fold("chosen " .. choose({ "one", "two" }, { limit = 25 }))
+        end, { clock = true, clear = false })
+        p:remove()
+        screen.dim { share = before }
+      end)
     end
     spark.burst { kind = "pop", x = 20, y = 30, n = 3, speed = 1.5 }
     text.put { col = 0, row = 7, text = text.lang("%d %d %d"):format(counts.graze, counts.hit, counts.kill) }

@@ -47,6 +47,7 @@ static const char world[] =
     "1, "
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
+    "  choices = { 'GO', 'STAY' }, faces = { calm = 'dot', cross = 'arrow' },\n"
     "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } "
     "},\n"
@@ -435,7 +436,10 @@ static void push_value(lua_State *L, const struct api_param *p)
             push_table(L, 0);
         else {
             push_string_field(L, "tables");
-            lua_getfield(L, -1, entry && !strcmp(entry->name, "pattern.points") ? "spots" : p->name);
+            lua_getfield(L, -1,
+                         entry && !strcmp(entry->name, "pattern.points") ? "spots"
+                         : entry && !strcmp(entry->name, "choose")       ? "choices"
+                                                                         : p->name);
             lua_remove(L, -2);
         }
         break;

@@ -85,8 +85,10 @@ static const struct story stories[] = {
       "alone()",
       99, "92 84 a true true true 63 c true true" },
     { "a boss that wanders goes home",
-      "one(phase { time = 15, rest = 9, run = function(e) e:wander { w = 80, h = 40, every = 3, over = 3 } end }, phase { "
-      "id = 'o', time = 15, rest = 9, run = function(e) e:orbit { x = 90, y = 90, radius = 20, spin = 3 } end }, phase { "
+      "one(phase { time = 15, rest = 9, run = function(e) e:wander { w = 80, h = 40, every = 3, over = 3 } end }, "
+      "phase { "
+      "id = 'o', time = 15, rest = 9, run = function(e) e:orbit { x = 90, y = 90, radius = 20, spin = 3 } end }, phase "
+      "{ "
       "id = 'c', time = 2, run = function(e) say(e.x, e.y) end }) alone()\n"
       "task.go(function() wait(85) say(boss.status().team[1].x) end)",
       199, "a false false 50.0 o false false 50.0 40.0 c false false false 171" },
@@ -252,6 +254,24 @@ static void test_history(void **state)
     close_it();
 }
 
+/* In a talk nobody fires, and a stage's clock that goes on in the fight does so in its talks. */
+static void test_talk(void **state)
+{
+    (void)state;
+    open_with("one({ talk = function() wait(20) end }, phase { run = down(9) })\n"
+              "stage.def('s', function() task.go(function() boss.fight('b', { clock = true }) end) stage.at(75) "
+              "say('at', board.frame()) wait(99) end) stage.play('s', string.sys.scope())",
+              NULL);
+    rig_run(&r, 59);
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    rig_run(&r, 10);
+    assert_int_not_equal(player_withheld(&r.b->player, 0), 0);
+    rig_run(&r, 15);
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_string_equal(rig_told(&r), "at 75");
+    close_it();
+}
+
 /* A phase alone, of a cast with a warning and talks: none of these, again and again. */
 static void test_practice(void **state)
 {
@@ -335,8 +355,8 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),  cmocka_unit_test(test_casts),  cmocka_unit_test(test_history),
-        cmocka_unit_test(test_practice), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_stories),  cmocka_unit_test(test_casts), cmocka_unit_test(test_history),
+        cmocka_unit_test(test_practice), cmocka_unit_test(test_talk),  cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

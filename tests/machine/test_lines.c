@@ -210,11 +210,12 @@ static void test_box(void **state)
 {
     (void)state;
     draw("text.line { x = 20, y = 30, text = 'A AA', font = 'tiny', box = true, bank = 3, letter = 99 }", 1);
-    assert_true(pixel(16, 26) == 56 && pixel(37, 26) == 56 && pixel(16, 39) == 56 && pixel(37, 39) == 56);
-    assert_true(pixel(17, 27) == 49 && pixel(15, 26) == 0 && pixel(38, 30) == 0 && pixel(20, 40) == 0);
+    assert_true(pixel(14, 32) == 49 && pixel(15, 32) == 58 && pixel(16, 32) == 49 && pixel(38, 32) == 58);
+    assert_true(pixel(26, 24) == 49 && pixel(26, 25) == 58 && pixel(26, 40) == 58 && pixel(26, 41) == 49);
+    assert_true(pixel(14, 24) == 0 && pixel(13, 32) == 0 && pixel(40, 32) == 0 && pixel(26, 42) == 0);
     end();
     draw("text.line { x = 20, y = 30, text = 'A AA', font = 'tiny', box = true, width = 50 }", 1);
-    assert_true(pixel(16, 26) == 8 && pixel(73, 26) == 8 && pixel(74, 26) == 0);
+    assert_true(pixel(15, 32) == 10 && pixel(74, 32) == 10 && pixel(76, 32) == 0);
     end();
 }
 

@@ -75,7 +75,7 @@ static void test_model(void **state)
         }
         if (rng_below(&rng, 40) == 0) {
             uint32_t p = (uint32_t)rng_below(&rng, PADS);
-            input_forget(in, p, side);
+            input_forget(in, p, side, PAD_ALL);
             model_forget(p, side);
         }
     }

@@ -78,15 +78,18 @@ static void test_boxes(void **state)
 static void test_hud(void **state)
 {
     (void)state;
-    power(NULL,
-          "hud.centre(0, '\xc3\xa9t\xc3\xa9')\n"
-          "hud.put(28, 1, '\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9')\n"
-          "local l = hud.wrap('\xc3\xa9t\xc3\xa9 \xc3\xa9t\xc3\xa9 et', 7)\n"
-          "assert(#l == 2 and l[1] == '\xc3\xa9t\xc3\xa9 \xc3\xa9t\xc3\xa9' and l[2] == 'et')\n"
-          "l = hud.wrap('\xe5\xbc\xbe\xe5\xb9\x95\xe5\xbc\xbe\xe5\xb9\x95\xe5\xbc\xbe a', 2)\n"
-          "assert(#l == 4 and l[2] == '\xe5\xbc\xbe\xe5\xb9\x95' and l[3] == '\xe5\xbc\xbe' and l[4] == 'a')\n"
-          "assert(#hud.wrap('abc def', 7) == 1 and #hud.wrap('abc defg', 7) == 2)\n",
-          0);
+    power(
+        NULL,
+        "hud.centre(0, '\xc3\xa9t\xc3\xa9')\n"
+        "hud.put(28, 1, '\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9')\n"
+        "local l = hud.wrap('\xc3\xa9t\xc3\xa9 \xc3\xa9t\xc3\xa9 et', 7)\n"
+        "assert(#l == 2 and l[1] == '\xc3\xa9t\xc3\xa9 \xc3\xa9t\xc3\xa9' and l[2] == 'et')\n"
+        "l = hud.wrap('\xe5\xbc\xbe\xe5\xb9\x95\xe5\xbc\xbe\xe5\xb9\x95\xe5\xbc\xbe a', 2)\n"
+        "assert(#l == 4 and l[2] == '\xe5\xbc\xbe\xe5\xb9\x95' and l[3] == '\xe5\xbc\xbe' and l[4] == 'a')\n"
+        "l = hud.wrap('\xe5\xbc\xbe\xe5\xb9\x95\xe5\xbc\xbe\xe3\x80\x82\xe5\xb9\x95', 3)\n" /* no row begins with a stop */
+        "assert(utf8.len(l[1]) == 2 and utf8.len(l[2]) == 3)\n"
+        "assert(#hud.wrap('abc def', 7) == 1 and #hud.wrap('abc defg', 7) == 2)\n",
+        0);
     row_is(0, 13, "\xe9t\xe9");
     row_is(1, 28, "\xe9\xe9");
     end();

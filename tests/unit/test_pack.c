@@ -325,7 +325,7 @@ static const char *modules_of(const char *text)
     return got;
 }
 
-static const char every[] = "bg boot boss figure hud menu path pattern prelude stage sweep trail";
+static const char every[] = "bg boot boss choose figure hud menu path pattern prelude say stage sweep talk trail";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
 static void test_modules(void **state)
@@ -346,6 +346,7 @@ static void test_modules(void **state)
     assert_string_equal(modules_of("spark.burst {} spark.trail {}"), "prelude trail");
     assert_string_equal(modules_of("path.def {}"), "path prelude");
     assert_string_equal(modules_of("stage.def('one', print)"), "boss hud path prelude stage");
+    assert_string_equal(modules_of("say(nil, 'a')"), "boss hud path prelude say stage talk");
     assert_string_equal(modules_of("return _ENV['pat' .. 'tern']"), every);
     assert_string_equal(modules_of("return _G"), every);
     assert_string_equal(modules_of("return load('x')"), every);

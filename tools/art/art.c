@@ -26,6 +26,7 @@ static const struct picture GAME[] = {
     { "heron", art_heron },     { "petrel", art_petrel }, { "enemies", art_enemies },
     { "guard", art_guard },     { "queen", art_queen },   { "blasts", art_blasts },
     { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
+    { "iri", art_iri },         { "sen", art_sen },       { "queen_face", art_queen_face },
     { "seabed", art_seabed },   { "finds", art_finds },   { "font", art_font },
     { "kana", art_kana },       { NULL, NULL },
 };

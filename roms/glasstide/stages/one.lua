@@ -1,6 +1,7 @@
 -- stages/one.lua - the dive: the shallows, the guard, the deep, the queen.
 local habits = require "stages/habits"
 local queen = require "stages/queen"
+local meeting = require "stages/meeting"
 local sea = require "sea"
 require "stages/guard"
 
@@ -93,6 +94,7 @@ stage.def("one", function()
   stage.mark("queen")
   sea.speed(0.5)
   wait(60)
+  meeting()
   queen.fight()
   wait(150)
 end)

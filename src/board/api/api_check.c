@@ -269,9 +269,9 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
     api_error(L, entry, "map \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
+const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                         *const layers[] = { "back", "middle", "front" }, *const depths[] = { "back", "front" },
-                         *const aligns[] = { "left", "center", "right" },
+                         *const depths[] = { "back", "front" }, *const aligns[] = { "left", "center", "right" },
                          *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
@@ -287,7 +287,7 @@ static const struct word_list {
     int n;
 } WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
               [A_EASE] = { eases, 4 },
-              [A_LAYER] = { layers, LAYERS },
+              [A_LAYER] = { api_layers, LAYERS },
               [A_DEPTH] = { depths, 2 },
               [A_ALIGN] = { aligns, 3 },
               [A_FIRE] = { fire_words, FIRES },

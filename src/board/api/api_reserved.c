@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music unlock test" },
+    { "", '.', "option bomb game sound music unlock test" },
     { "board", '.', "ask" },
     { "on", '.', "start bomb continue" },
     { "player", ':', "bomb state" },

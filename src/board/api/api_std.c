@@ -139,6 +139,28 @@ static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NU
 static const struct api_param boot_run[] = { { "stages", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "demo", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param talk_def[] = { { "who", A_STR, REQ, 1, 31, NULL, NULL },
+                                             { "name", A_STR, REQ, 0, 63, NULL, NULL },
+                                             { "faces", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "side", A_STR, OPT, 0, 0, NULL, "left" },
+                                             { "bank", A_INT, OPT, 0, 15, NULL, "0" } };
+static const struct api_param talk_face[] = { { "face", A_SPRITE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                             { "hold", A_STR, OPT, 0, 0, NULL, "fire" },
+                                             { "clear", A_BOOL, OPT, 0, 0, NULL, "true" },
+                                             { "skip", A_BOOL, OPT, 0, 0, NULL, "true" },
+                                             { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
+static const struct api_param say[] = {
+    { "who", A_STR, OPT, 0, 0, NULL, NULL },         { "text", A_STR, REQ, 0, 4096, NULL, NULL },
+    { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_STR, OPT, 0, 0, NULL, NULL },
+    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT
+};
+static const struct api_param choose[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                           { "title", A_STR, OPT, 0, 0, NULL, NULL },
+                                           { "chosen", A_INT, OPT, 1, 99, NULL, "1" },
+                                           { "p", A_PAD, OPT, 0, 0, NULL, NULL },
+                                           LIMIT,
+                                           { "back", A_INT, OPT, 1, 99, NULL, NULL } };
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \
@@ -223,6 +245,16 @@ static const struct api_entry entries[] = {
         "declares a background: a task that sets up layers and plane, which are all off when it begins"),
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
+    LUA("talk.def", talk_def, 1, API_LOAD, NULL,
+        "declares who talks: the name that is shown, and faces = { calm = SPRITE, .. }; a face stands on the box"),
+    LUA("talk.def face", talk_face, 1, API_SYS, NULL, "one face of talk.def"),
+    LUA("talk.run", talk_run, 1, 0, NULL,
+        "calls f(), in which say and choose share one box: the stage's clock stands, players do not fire; special held "
+        "skips all of it, and a stage on its way to a mark does not call f"),
+    LUA("say", say, 2, API_GLOBAL, NULL,
+        "who, or nobody (nil), says it; returns when a player presses fire, which first shows all letters at once"),
+    LUA("choose", choose, 1, API_GLOBAL, "number",
+        "shows a list, returns the number chosen with up, down and fire; `chosen` where the talk is skipped"),
     LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };

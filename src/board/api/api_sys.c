@@ -3,13 +3,14 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "api_parts.h"
 #include "../events_run.h"
 #include "../lasers_run.h"
 
 /* Parameters by place; ARG_: the only one of its entry. */
-enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0 };
+enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
 enum { FAIL_ENTRY, FAIL_MESSAGE };
 enum { NEAR_WORD, NEAR_LIST };
 enum { JOIN_PLAYER, JOIN_KIND };
@@ -240,7 +241,7 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
     for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
-        input_forget(&b->input, p, PRESS_PAUSE); /* of the screen before */
+        input_forget(&b->input, p, PRESS_PAUSE, PAD_ALL); /* of the screen before */
     return 0;
 }
 
@@ -258,15 +259,70 @@ static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static const struct api_param on_only[] = { { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+enum { SKIP_ON, SKIP_TASK };
+static const struct api_param skip[] = { { "on", A_BOOL, REQ, 0, 0, NULL, NULL },
+                                         { "task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
 
 static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.skip", "only a task can skip");
-    uint8_t *flags = &b->tasks.flags[b->tasks.current];
-    *flags = (uint8_t)(v[ARG_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    uint32_t i = v[SKIP_TASK].given ? handle_slot(v[SKIP_TASK].i) : (uint32_t)b->tasks.current;
+    uint8_t *flags = &b->tasks.flags[i];
+    if (v[SKIP_TASK].given && !board_alive(b, v[SKIP_TASK].i))
+        return 0;
+    *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    if (v[SKIP_TASK].given)
+        b->tasks.wait[i] = 0;
     return 0;
+}
+
+/* Which buttons the game does not see: 0 none, 1 those that fire, 2 all that the ship has. Presses from before, or of
+ * the time it did not see them, are nobody's. */
+static const struct api_param hold_players[] = { { "how", A_INT, REQ, 0, 2, NULL, NULL } };
+
+static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const uint8_t held[] = { 0, PLAYER_NO_FIRE, PLAYER_NO_FIRE | PLAYER_STANDS };
+    struct player *p = &b->player;
+
+    (void)L;
+    for (uint32_t i = 0; i < PADS; i++) {
+        unsigned was = player_withheld(p, i);
+        if (p->in[i])
+            p->in[i] = PLAYER_IN | held[v[ARG_HOW].i];
+        input_forget(&b->input, i, PRESS_GAME, was | player_withheld(p, i));
+    }
+    return 0;
+}
+
+enum { PAD_HOW, PAD_BUTTON, PAD_PLAYER };
+static const struct api_param sys_pad[] = { { "how", A_STR, REQ, 0, 0, NULL, NULL },
+                                            { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
+                                            { "p", A_PAD, REQ, 0, 0, NULL, NULL } };
+
+static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *how = lua_tostring(L, v[PAD_HOW].at);
+    const uint16_t *pads = !strcmp(how, "down")      ? b->input.held
+                           : !strcmp(how, "pressed") ? b->input.pressed
+                                                     : b->input.repeated;
+
+    lua_pushboolean(L, v[PAD_PLAYER].i && pads[v[PAD_PLAYER].i - 1] >> v[PAD_BUTTON].i & 1);
+    return 1;
+}
+
+static const struct api_param sys_size[] = { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL } };
+
+static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct sprite *s = &b->pictures[v[ARG_NAME].i];
+
+    lua_pushinteger(L, s->w);
+    lua_pushinteger(L, s->h);
+    lua_pushinteger(L, s->ox);
+    lua_pushinteger(L, s->oy);
+    return 4;
 }
 
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
@@ -388,6 +444,18 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
     lua_pushlstring(L, word, n);
 }
 
+/* Bytes of what fits into a row of a word of n bytes; a sign that closes does not begin the next. */
+static size_t piece_of(const char *word, size_t n, size_t width)
+{
+    size_t bytes;
+
+    utf8_count(word, n, width, &bytes);
+    const char *next = word + bytes;
+    if (width > 1 && bytes < n && text_closes(utf8_next(&next, word + n)))
+        utf8_count(word, n, width - 1, &bytes);
+    return bytes;
+}
+
 static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
@@ -409,7 +477,7 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
         while (s + word < end && (s[word] == '\0' || strchr(blanks, s[word]) == NULL))
             word++;
         for (; word > 0; s += bytes, word -= bytes) {
-            utf8_count(s, word, width, &bytes);
+            bytes = piece_of(s, word, width);
             wrap_word(L, list, s, bytes, width);
         }
     }
@@ -453,8 +521,13 @@ static const struct api_entry entries[] = {
     { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
     { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
       "a scope that takes what is spawned and put in it along" },
-    { "sys.skip", sys_skip, PARAMS(on_only), 1, API_SYS | API_CHANGES, NULL,
-      "from now on this task waits for nothing" },
+    { "sys.skip", sys_skip, PARAMS(skip), 2, API_SYS | API_CHANGES, NULL,
+      "from now on this task, or that one, waits for nothing" },
+    { "sys.hold_players", sys_hold_players, PARAMS(hold_players), 1, API_SYS | API_CHANGES, NULL,
+      "what the game sees of the buttons: 0 all, 1 none that fires, 2 none of the ship's" },
+    { "sys.pad", sys_pad_run, PARAMS(sys_pad), 3, API_SYS, "boolean",
+      "a button as it is, whatever the game sees of it" },
+    { "sys.size", sys_size_run, PARAMS(sys_size), 1, API_SYS, "w, h, x, y", "a sprite's size and origin, px" },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
     { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", "the task that has its turn" },

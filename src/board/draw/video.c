@@ -2,7 +2,7 @@
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
  *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
- *     sparks, front sprites, the background's layers in front, bars, text, lines of text
+ *     sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -217,6 +217,40 @@ static void fill_edges(struct draw_target *c)
     mirror(corner + (dy > 0 ? ny - 1 : h - ny) * fb->pitch, ny, dy > 0 ? -fb->pitch : fb->pitch, w, 1);
 }
 
+static void draw_plates(struct draw_target *c, int layer)
+{
+    const struct sprites *s = &c->b->sprites;
+
+    fb_clip_all(c->fb);
+    EACH_LIVE (i, &s->s)
+        if (s->layer[i] == layer && !(s->flags[i] & SPRITE_HIDDEN))
+            video_plate(c, fx_floor(s->x[i]), fx_floor(s->y[i]), s->sprite[i], (int)s->born[i], s->bank[i]);
+    video_clip_field(c);
+}
+
+/* What no dim darkens. */
+static void draw_over(struct draw_target *c)
+{
+    draw_plates(c, LAYER_PLATE);
+    draw_sprites(c, LAYER_OVER);
+    draw_plates(c, LAYER_PLATE_FRONT);
+    draw_text(c);
+    if (c->b->lines.s.live)
+        video_lines(c);
+}
+
+/* The colours that draw_over draws with, of a picture that is drawn anew afterwards. */
+static void find_over(struct draw_target c, bool over[COLOURS])
+{
+    memset(over, 0, COLOURS * sizeof *over);
+    fb_fill(c.fb, 0);
+    video_clip_field(&c);
+    draw_over(&c);
+    for (int y = 0; y < c.fb->h; y++)
+        for (int x = 0; x < c.fb->w; x++)
+            over[c.fb->pix[y * c.fb->pitch + x]] = true;
+}
+
 /* Over the field, under the text. */
 static void draw_bars(struct draw_target *c)
 {
@@ -235,59 +269,75 @@ static void draw_flash(const struct board *b, uint32_t rgb[256])
         rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
 }
 
-/* All that is under the bullets. */
-static struct draw_target draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch,
-                                      int overdraw)
+/* Where the picture of this frame is drawn, and whether it is shaken. */
+static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
     struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
-    const bool covered = video_bg_covers(b);
     int dx, dy;
 
-    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    *shaken = dx || dy;
     c.x += dx;
     c.y += dy;
-    if (dx || dy)
+    if (*shaken)
         c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
-    fb_clip_all(fb);
-    if (covered)
-        clear_sides(&c);
-    else
-        fb_fill(fb, 0);
-    video_clip_field(&c);
-    video_bg(&c, false);
-    draw_sprites(&c, LAYER_BACK);
-    if ((dx || dy) && !covered)
-        fill_edges(&c);
-    draw_items(&c);
-    draw_enemies(&c);
-    video_bullets(&c, &b->shots, &b->shot_kinds);
-    video_lasers(&c, true);
-    draw_sprites(&c, LAYER_MIDDLE);
-    draw_players(&c);
     return c;
+}
+
+/* All that is under the bullets. */
+static void draw_behind(struct draw_target *c, bool shaken)
+{
+    const struct board *b = c->b;
+    const bool covered = video_bg_covers(b);
+
+    fb_clip_all(c->fb);
+    if (covered)
+        clear_sides(c);
+    else
+        fb_fill(c->fb, 0);
+    video_clip_field(c);
+    video_bg(c, false);
+    draw_sprites(c, LAYER_BACK);
+    if (shaken && !covered)
+        fill_edges(c);
+    draw_items(c);
+    draw_enemies(c);
+    video_bullets(c, &b->shots, &b->shot_kinds);
+    video_lasers(c, true);
+    draw_sprites(c, LAYER_MIDDLE);
+    draw_players(c);
 }
 
 void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
-    draw_behind(b, fb, rgb, scratch, VIDEO_OVERDRAW);
+    bool shaken;
+    struct draw_target c = target(b, fb, scratch, VIDEO_OVERDRAW, &shaken);
+
+    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    draw_behind(&c, shaken);
 }
 
 struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
 {
-    struct draw_target c = draw_behind(b, fb, rgb, scratch, overdraw);
+    const fx dim = screen_dim(&b->screen, b->core.frame);
+    bool shaken, over[COLOURS];
+    struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
 
+    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_flash(b, rgb);
+    if (dim)
+        find_over(c, over);
+    draw_behind(&c, shaken);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     video_lasers(&c, false);
     draw_sparks(&c);
     draw_sprites(&c, LAYER_FRONT);
     video_bg(&c, true);
     draw_bars(&c);
-    draw_text(&c);
-    if (b->lines.s.live)
-        video_lines(&c);
+    if (dim)
+        video_dim(&c, rgb, over, dim);
+    draw_over(&c);
     return c;
 }
 

@@ -9,7 +9,7 @@
 #include "../../../fb/text.h"
 #include "../video.h"
 
-enum { MARGIN = 4, CELL_GAP = 1, UNSPACED = 0x2e80 };
+enum { MARGIN = 6, CELL_GAP = 1, UNSPACED = 0x2e80 };
 
 struct page {
     const struct cart *cart;
@@ -72,18 +72,6 @@ static int advance(const struct page *p, uint32_t code)
     return text_blank(code) ? side / (code == 0x3000 ? 1 : 3) : side / 2 + 1;
 }
 
-/* Signs that never begin a row. */
-static bool closes(uint32_t code)
-{
-    static const uint32_t signs[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
-                                      0xff0e, 0xff1f, 0x2026, '!',    '?',    ',',    '.',    ')' };
-
-    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-        if (signs[i] == code)
-            return true;
-    return false;
-}
-
 /* Signs that never end one. */
 static bool opens(uint32_t code)
 {
@@ -105,7 +93,7 @@ static struct row row_at(const struct page *p, uint32_t first)
         if (code == ' ') {
             fit = (struct row){ first, row.end, k + 1, row.px };
             may_break = true;
-        } else if (k > first && code >= UNSPACED && !closes(code) && !opens(p->code[k - 1])) {
+        } else if (k > first && code >= UNSPACED && !text_closes(code) && !opens(p->code[k - 1])) {
             fit = (struct row){ first, k, k, row.px };
             may_break = true;
         }
@@ -152,13 +140,11 @@ static int aligned(int align, int px)
 static void draw_box(struct draw_target *c, const struct page *p, const struct lines *l, uint32_t i, int x, int y)
 {
     int widest, rows = measure(p, &widest);
-    const uint8_t bank = (uint8_t)(l->bank[i] * 16);
 
     if (p->width)
         widest = p->width;
     x -= aligned(l->align[i], widest) + MARGIN;
-    fb_rect(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 1));
-    fb_frame(c->fb, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, (uint8_t)(bank + 8));
+    video_plate(c, x, y - MARGIN, widest + 2 * MARGIN, rows * p->height + 2 * MARGIN, l->bank[i]);
 }
 
 static struct page page_of(const struct draw_target *c, int font)

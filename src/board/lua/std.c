@@ -24,6 +24,9 @@ static const struct {
     { "bg", " bg ", " def show ", "bg" },
     { "hud", " hud ", NULL, NULL },
     { "menu", " menu ", NULL, NULL },
+    { "talk", " talk ", NULL, NULL },
+    { "say", " say ", NULL, NULL },
+    { "choose", " choose ", NULL, NULL },
     { "boot", " boot ", NULL, NULL },
 };
 

@@ -74,13 +74,18 @@ static bool is_for_log(const struct symbols *f, int line)
     return false;
 }
 
-/* Is it a title of a boss, or the name of a spell? */
+/* Is it a title of a boss, or the name of a spell; or the name of who talks, or the title of a choice? */
 static bool is_asked(const struct symbols *f, const struct symbol_key *k)
 {
     const struct symbol_table *table = &f->tables[k->table];
 
-    return is(table->space, "boss") && is(table->name, "def") && k->value != NULL && k->value[0] != '\0' &&
-           (is(k->name, "title") || is(k->name, "spell"));
+    if (k->value == NULL || k->value[0] == '\0')
+        return false;
+    if (is(table->space, "boss") && is(table->name, "def"))
+        return is(k->name, "title") || is(k->name, "spell");
+    if (is(table->space, "talk") && is(table->name, "def"))
+        return is(k->name, "name");
+    return table->space == NULL && is(table->name, "choose") && is(k->name, "title");
 }
 
 static struct place cells(const struct check *c, uint32_t from)
@@ -162,14 +167,23 @@ static void judge_words(struct check *c, const struct tongues *t, const char *pa
         diagnostics_add(&c->found, path, line, "no words for \"%.80s\" in %s", text, lacking);
 }
 
-/* The titles of bosses, the names of their spells, and what text.lang is asked for in so many words. */
+/* What a call shows in the language of the run: text.lang, say; or NULL. */
+static const char *asked_by(const struct symbol_call *call)
+{
+    if (is(call->space, "text") && is(call->name, "lang"))
+        return call->arg[0];
+    return call->space == NULL && is(call->name, "say") ? call->arg[1] : NULL;
+}
+
+/* The titles of bosses, the names of their spells and of those who talk, and what is said and asked for in so many
+ * words. */
 static void judge_asked(struct check *c, const struct tongues *t, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
     for (int i = 0; i < f->n_calls; i++)
-        if (is(f->calls[i].space, "text") && is(f->calls[i].name, "lang") && f->calls[i].arg[0] != NULL)
-            judge_words(c, t, s->path, f->calls[i].line, f->calls[i].arg[0]);
+        if (asked_by(&f->calls[i]) != NULL)
+            judge_words(c, t, s->path, f->calls[i].line, asked_by(&f->calls[i]));
     for (int i = 0; i < f->n_keys; i++) {
         const struct symbol_key *k = &f->keys[i];
         if (is_asked(f, k))

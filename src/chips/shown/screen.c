@@ -9,7 +9,8 @@ static const struct column columns[] = {
     REGISTER(screen, shake_dir),   REGISTER(screen, shake_aimed), REGISTER(screen, flash),
     REGISTER(screen, flash_share), REGISTER(screen, flash_over),  REGISTER(screen, flash_at),
     REGISTER(screen, bars_from),   REGISTER(screen, bars),        REGISTER(screen, bars_over),
-    REGISTER(screen, bars_at),
+    REGISTER(screen, bars_at),     REGISTER(screen, dim_from),    REGISTER(screen, dim),
+    REGISTER(screen, dim_over),    REGISTER(screen, dim_at),
 };
 
 const struct chip screen_chip = { "screen", columns, sizeof columns / sizeof *columns, true, false };
@@ -67,11 +68,26 @@ fx screen_flash(const struct screen *s, uint32_t clock)
     return left(s->flash_share, s->flash_over, s->flash_at, clock);
 }
 
+/* After `age` of n frames on the way from one to the other. */
+static int32_t between(int32_t from, int32_t to, uint32_t age, uint32_t n)
+{
+    return age >= n ? to : from + (int32_t)((int64_t)(to - from) * age / n);
+}
+
 int screen_bars(const struct screen *s, uint32_t clock)
 {
-    uint32_t age = clock - s->bars_at;
+    return between(s->bars_from, s->bars, clock - s->bars_at, s->bars_over);
+}
 
-    if (age >= s->bars_over)
-        return s->bars;
-    return s->bars_from + (int)((int64_t)(s->bars - s->bars_from) * age / s->bars_over);
+void screen_dim_to(struct screen *s, uint32_t frame, fx share, uint32_t n)
+{
+    s->dim_from = screen_dim(s, frame);
+    s->dim = share;
+    s->dim_over = n;
+    s->dim_at = frame;
+}
+
+fx screen_dim(const struct screen *s, uint32_t frame)
+{
+    return between(s->dim_from, s->dim, frame - s->dim_at, s->dim_over);
 }

@@ -1,9 +1,10 @@
 /*
- * screen.h - what moves or colours the picture as a whole: a shake of the field, a flash, bars. Nothing here reaches a
- * place or a hit.
+ * screen.h - what moves or colours the picture as a whole: a shake of the field, a flash, bars, a dimmed picture.
+ * Nothing here reaches a place or a hit.
  * floor: chips
  *
- * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down.
+ * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down. A dim
+ * goes by the frames since power-on, which go on while a pause menu stands over it.
  */
 #ifndef CHIPS_SCREEN_H
 #define CHIPS_SCREEN_H
@@ -24,6 +25,8 @@ struct screen {
     uint32_t flash_over, flash_at;
     int32_t bars_from, bars; /* px: from, to */
     uint32_t bars_over, bars_at;
+    fx dim_from, dim; /* share of black, 0 to 1: from, to */
+    uint32_t dim_over, dim_at;
 };
 
 extern const struct chip screen_chip;
@@ -44,5 +47,10 @@ fx screen_flash(const struct screen *s, uint32_t clock);
 
 /* The height of each bar, px. After k of n frames it is from + (to - from) * k / n, cut off towards 0. */
 int screen_bars(const struct screen *s, uint32_t clock);
+
+/* Dims to that share of black from now on over n frames, from what it is now; and the share, by the same rule as the
+ * bars' height. frame: since power-on. */
+void screen_dim_to(struct screen *s, uint32_t frame, fx share, uint32_t n);
+fx screen_dim(const struct screen *s, uint32_t frame);
 
 #endif

@@ -12,7 +12,10 @@ enum {
     LAYER_BACK,   /* under everything */
     LAYER_MIDDLE, /* over enemies and shots, under players and bullets */
     LAYER_FRONT,  /* over everything but the text */
+    LAYER_OVER,   /* over a dimmed picture and the plates on it, under the text */
     LAYERS,
+    LAYER_PLATE = LAYERS, /* a plate, which has no picture: under the layer over */
+    LAYER_PLATE_FRONT,    /* over that */
 
     SPRITE_FLIP_X = 1 << 0, /* as BLIT_FLIP_X */
     SPRITE_FLIP_Y = 1 << 1,
@@ -30,11 +33,11 @@ enum {
 struct sprites {
     struct slots s;
     fx *x, *y;
-    uint16_t *sprite;
+    uint16_t *sprite; /* of a plate: its width, px */
     uint8_t *bank;
     uint8_t *layer;
     uint8_t *flags;
-    uint32_t *born;     /* clock */
+    uint32_t *born;     /* clock; of a plate: its height, px */
     int64_t *owner;     /* it goes when that one ends, 0: none; the board gives it a meaning */
     uint32_t following; /* 0: none follows anything */
 };

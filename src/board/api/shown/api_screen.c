@@ -39,6 +39,8 @@ static const struct api_param put[] = {
     { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },  { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
 };
 
+#define OVER_BLEND "nothing blends in the layer over, for its colours are not those of the dimmed picture"
+
 /* Two ways to say where. */
 static void check_put(lua_State *L, const struct api_value *v)
 {
@@ -50,6 +52,8 @@ static void check_put(lua_State *L, const struct api_value *v)
         api_error(L, "sprite.put", "dx, dy: only with follow");
     if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
         api_error(L, "sprite.put", "follow: a sprite on the screen follows nothing in the field");
+    if (v[PUT_BLEND].given && v[PUT_LAYER].i == LAYER_OVER)
+        api_error(L, "sprite.put", "blend: " OVER_BLEND);
 }
 
 /* Sprite i follows what is given. A player outlives the scene that the sprite belongs to; of others, it is the only
@@ -98,7 +102,44 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, PROPS };
+enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT, PLATE_STAY };
+
+static const struct api_param plate[] = {
+    { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
+    { "w", A_INT, REQ, 8, FB_MAX, "px", NULL },    { "h", A_INT, REQ, 8, FB_MAX, "px", NULL },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },      { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "front", A_BOOL, OPT, 0, 0, NULL, "false" }, { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+};
+
+static bool is_plate(const struct sprites *s, uint32_t i)
+{
+    return s->layer[i] >= LAYER_PLATE;
+}
+
+static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+    int64_t owner;
+    bool comes = tasks_owner_of_new(b, v[PLATE_STAY].i, &owner);
+    int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
+
+    if (i == NO_SLOT && comes)
+        board_full(b, &s->s);
+    else if (i != NO_SLOT) {
+        s->sprite[i] = (uint16_t)v[PLATE_W].i;
+        s->x[i] = v[PLATE_X].f;
+        s->y[i] = v[PLATE_Y].f;
+        s->bank[i] = (uint8_t)v[PLATE_BANK].i;
+        s->layer[i] = v[PLATE_FRONT].i ? LAYER_PLATE_FRONT : LAYER_PLATE;
+        s->flags[i] = (uint8_t)(SPRITE_SCREEN | (v[PLATE_HIDDEN].i ? SPRITE_HIDDEN : 0));
+        s->born[i] = (uint32_t)v[PLATE_H].i;
+        s->owner[i] = owner;
+    }
+    lua_pushinteger(L, board_handle(b, H_SPRITE, i));
+    return 1;
+}
+
+enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
@@ -109,7 +150,7 @@ static const struct api_prop props[PROPS] = {
       "where it stands, px; not written of one that follows" },
     { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
       PROP_WRITE,
-      "name of its picture; a write starts it at frame one" },
+      "name of its picture; a write starts it at frame one; nil of a plate" },
     { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
     { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
     { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
@@ -117,6 +158,9 @@ static const struct api_prop props[PROPS] = {
     { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
     { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
     { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
+    { { "w", A_INT, REQ, 8, FB_MAX, "px", NULL }, PROP_WRITE, "width of a plate; of others nil" },
+    { { "h", A_INT, REQ, 8, FB_MAX, "px", NULL }, PROP_WRITE, "height of a plate; of others nil" },
+    { { "layer", A_LAYER, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "where it is drawn; nil of a plate" },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -142,7 +186,23 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
             lua_pushnil(L);
         break;
     case P_SPRITE:
-        lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
+        if (is_plate(s, i))
+            lua_pushnil(L);
+        else
+            lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
+        break;
+    case P_W:
+    case P_H:
+        if (is_plate(s, i))
+            lua_pushinteger(L, p == P_W ? s->sprite[i] : (lua_Integer)s->born[i]);
+        else
+            lua_pushnil(L);
+        break;
+    case P_LAYER:
+        if (is_plate(s, i))
+            lua_pushnil(L);
+        else
+            lua_pushstring(L, api_layers[s->layer[i]]);
         break;
     case P_BANK:
         lua_pushinteger(L, s->bank[i]);
@@ -158,16 +218,41 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+/* Raises where sprite i has no such property. */
+static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
-    struct sprites *s = &b->sprites;
+    const bool plate_is = is_plate(s, i);
 
     if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
         api_error(L, "sprite",
                   s->flags[i] & SPRITE_FOLLOW ? "%s: it follows a thing: write dx, dy"
                                               : "%s: it follows nothing: write x, y",
                   props[p].value.name);
+    if (!plate_is && (p == P_W || p == P_H))
+        api_error(L, "sprite", "%s: only a plate's is written; a picture has the size that rom.lua says",
+                  props[p].value.name);
+    if (plate_is && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
+        api_error(L, "sprite", "%s: a plate has no picture", props[p].value.name);
+    if ((p == P_BLEND && v->i && s->layer[i] == LAYER_OVER) ||
+        (p == P_LAYER && v->i == LAYER_OVER && s->flags[i] & SPRITE_BLEND))
+        api_error(L, "sprite", "%s: " OVER_BLEND, props[p].value.name);
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct sprites *s = &b->sprites;
+
+    check_set(L, s, i, p, v);
     switch (p) {
+    case P_W:
+        s->sprite[i] = (uint16_t)v->i;
+        break;
+    case P_H:
+        s->born[i] = (uint32_t)v->i;
+        break;
+    case P_LAYER:
+        s->layer[i] = (uint8_t)v->i;
+        break;
     case P_X:
     case P_DX:
         s->x[i] = v->f;
@@ -470,6 +555,13 @@ static const struct api_param bars[] = {
     { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20" },
 };
 
+enum { DIM_SHARE, DIM_OVER };
+
+static const struct api_param dim[] = {
+    { "share", A_FX, OPT, 0, 1, NULL, "0.5" },
+    { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0" },
+};
+
 static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
 {
     struct screen *s = &b->screen;
@@ -502,11 +594,21 @@ static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static int screen_dim_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushnumber(L, fx_to_double(b->screen.dim));
+    screen_dim_to(&b->screen, b->core.frame, v[DIM_SHARE].f, (uint32_t)v[DIM_OVER].i);
+    return 1;
+}
+
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
       "places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with stay "
       "the boss's phase it came from does not take it "
       "along" },
+    { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
+      "places a dark plate with a light rim on the screen, in the shades 1 and 10 of a bank: over the dimmed picture, "
+      "under text; under sprites of the layer over too, unless front" },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
@@ -532,5 +634,8 @@ static const struct api_entry entries[] = {
       "gives every colour that share of `to` (0xRRGGBB), less and less over so many frames" },
     { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
       "bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away" },
+    { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
+      "darkens the picture by that share, but not plates, sprites of the layer over and text; share = 0 takes it away; "
+      "its frames pass in a pause too; returns the share asked for before, to be put back" },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

@@ -360,7 +360,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     if (player_retired(&b->player, i))
         return vm_fault(L, FAULT_SCRIPT, "player %d has been in %d games: the board has to be powered anew", (int)i + 1,
                         GENERATIONS - 1);
-    b->player.in[i] = 1;
+    b->player.in[i] = PLAYER_IN;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
         events_player_start(b, p, &x, &y);
         if (b->player.in[p] && p != i)
@@ -370,7 +370,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     api_items_check(L, b);
     b->core.extended[i] = 0;
     b->core.over = 0;
-    input_forget(&b->input, i, PRESS_GAME); /* earlier presses are not for its ship */
+    input_forget(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not for its ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
@@ -518,38 +518,41 @@ static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, 
                                          { "n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL },
                                          { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 
-static int read_pad(lua_State *L, const uint16_t *pads, const struct api_value *v)
+static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
 {
-    lua_pushboolean(L, v[BUTTON_PLAYER].i && pads[v[BUTTON_PLAYER].i - 1] >> v[BUTTON_NAME].i & 1);
+    uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
+
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && (pads[p] & ~board_withheld(b, p)) >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
 static int pad_down(lua_State *L, struct board *b, struct api_value *v)
 {
-    return read_pad(L, b->input.held, v);
+    return read_pad(L, b, b->input.held, v);
 }
 
 static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
 {
-    return read_pad(L, b->input.pressed, v);
+    return read_pad(L, b, b->input.pressed, v);
 }
 
 static int pad_take(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, v[TAKE_PLAYER].i &&
-                           input_take(&b->input, (uint32_t)v[TAKE_PLAYER].i - 1, (uint32_t)v[TAKE_BUTTON].i,
-                                      (uint32_t)v[TAKE_AGE].i, board_presses(b)));
+    uint32_t p = (uint32_t)v[TAKE_PLAYER].i - 1, k = (uint32_t)v[TAKE_BUTTON].i;
+
+    lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_withheld(b, p) >> k & 1) &&
+                           input_take(&b->input, p, k, (uint32_t)v[TAKE_AGE].i, board_presses(b)));
     return 1;
 }
 
 static int pad_released(lua_State *L, struct board *b, struct api_value *v)
 {
-    return read_pad(L, b->input.released, v);
+    return read_pad(L, b, b->input.released, v);
 }
 
 static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 {
-    return read_pad(L, b->input.repeated, v);
+    return read_pad(L, b, b->input.repeated, v);
 }
 
 /* ---- score ---- */

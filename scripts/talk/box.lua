@@ -1,0 +1,280 @@
+-- talk/box.lua - what a talk looks like: a plate at the foot of the field with the words on it, a plate with a name, two
+-- portraits that stand on it, a list to choose from. Returns a function that makes one.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local ROWS = 3   -- of words, two cells apart
+local TALL = 14  -- cells a portrait takes above the first row
+local HELD = 20  -- frames special is held before it skips
+local AWAY = 40  -- px a portrait comes from
+local BLINK = 24 -- frames the mark is seen, and is not
+local field = rom.field
+
+-- Cells: the middle of the field, at most 40 wide.
+local field_col = (field.x + 7) // 8
+local field_cols = (field.x + field.w) // 8 - field_col
+local cols = math.max(8, math.min(field_cols - 4, 40))
+local left = field_col + (field_cols - cols) // 2
+local last = (field.y + field.h) // 8 - 3
+local first = last - 2 * (ROWS - 1)
+local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 10 }
+local ARROW = hud.glyph(140, ">")
+
+-- Rows of at most `width` cells; a newline begins a row.
+local function rows_of(words, width)
+  local rows = {}
+  for line in (words .. "\n"):gmatch("(.-)\n") do
+    for _, row in ipairs(hud.wrap(line, width)) do rows[#rows + 1] = row end
+  end
+  return rows
+end
+
+local function pressed(how, button, p)
+  if p then return sys.pad(how, button, p) end
+  return sys.pad(how, button, 1) or sys.pad(how, button, 2)
+end
+
+return function(look, may_skip)
+  local t = {}
+  local sides, parts = {}, {} -- "left", "right" -> sprite, talker, x, y, where it stands; plates by what they are
+  local mark -- the mark blinks
+  local lines = {} -- what stands in a font
+  local dimmed = screen.dim { share = look.dim, over = 12 }
+
+  -- A plate outlives the scene it is made in: what was written on it is cleared with it.
+  local function put_plate(key, x, y, w, h)
+    local p = parts[key]
+    if p then
+      p.x, p.y, p.w, p.h, p.hidden = x, y, w, h, false
+    else
+      parts[key] = sprite.plate { x = x, y = y, w = w, h = h, bank = look.bank, front = true, stay = true }
+    end
+  end
+
+  local function write(col, row, words, bank)
+    text.put { col = col, row = row, text = words, bank = bank }
+  end
+
+  local function wipe_words()
+    for _, line in ipairs(lines) do line:remove() end
+    lines, mark = {}, nil
+    text.clear { col = left, row = first, w = cols, h = 2 * ROWS }
+  end
+
+  -- ---- portraits ----
+
+  -- Where the portrait of a side stands: on the plate, forward while it speaks.
+  local function aim(side, speaks)
+    local s = sides[side]
+    local w, h, x, y = sys.size(s.sprite.sprite)
+    local forward = speaks and 8 or 0
+    s.x = side == "left" and plate.x + 2 + forward + x or plate.x + plate.w - 2 - forward - (w - x)
+    s.y = plate.y + 4 - (h - y) + (speaks and 0 or 5)
+    s.sprite.layer = speaks and "over" or "front" -- the dim darkens what is in front
+  end
+
+  local function enter(talker, side)
+    local s = sides[side]
+    if s and s.talker == talker then return s end
+    if s then s.sprite:remove() end
+    s = { talker = talker, sprite = sprite.put { sprite = talker.faces[talker.face], x = 0, y = 0, bank = talker.bank,
+                                                 screen = true, flip_x = side == "right", stay = true } }
+    if not s.sprite.alive then return nil end
+    sides[side] = s
+    aim(side, true)
+    s.sprite.x, s.sprite.y = s.x + (side == "left" and -AWAY or AWAY), s.y
+    return s
+  end
+
+  -- The one who talks comes, with that face; who stands on the other side steps back.
+  local function show(talker, a)
+    local side = talker and (a.side or talker.side)
+    if talker and talker.faces then
+      talker.face = a.face or talker.face
+      local other = side == "left" and "right" or "left"
+      if sides[other] and sides[other].talker == talker then
+        sides[other].sprite:remove()
+        sides[other] = nil
+      end
+      local s = enter(talker, side)
+      if s then s.sprite.sprite = talker.faces[talker.face] end
+    end
+    for key, s in pairs(sides) do aim(key, s.talker == talker) end
+  end
+
+  local function step()
+    for _, s in pairs(sides) do
+      local p = s.sprite
+      if p.alive then p.x, p.y = p.x + (s.x - p.x) * 0.25, p.y + (s.y - p.y) * 0.25 end
+    end
+  end
+
+  -- ---- words ----
+
+  local function show_name(talker, side)
+    if parts.name then parts.name.hidden = true end
+    text.clear { col = left, row = first - 3, w = cols, h = 1 }
+    if not talker then return end
+    local name = text.lang(talker.name)
+    local n = math.min(sys.cells(name), cols - 2)
+    local col = side == "right" and left + cols - 1 - n or left + 1
+    put_plate("name", 8 * col - 9, 8 * first - 29, 8 * n + 18, 23)
+    write(col, first - 3, name, hud.banks.bright)
+  end
+
+  -- Waits so many frames, or until fire is pressed: true.
+  local function answered(n)
+    for _ = 1, n do
+      wait(1)
+      if sys.skipping() or pressed("pressed", "fire") then return true end
+    end
+    return false
+  end
+
+  -- A letter every so many frames; fire shows what is left at once.
+  local function come(rows, letter)
+    local hurry = letter == 0
+    for i, row in ipairs(rows) do
+      local y, x = first + 2 * (i - 1), left
+      for _, code in utf8.codes(hurry and "" or row) do
+        write(x, y, utf8.char(code), hud.banks.plain)
+        x = x + 1
+        hurry = hurry or code ~= 32 and answered(letter)
+        if hurry then break end
+      end
+      if hurry then write(left, y, row, hud.banks.plain) end
+    end
+  end
+
+  local function come_in_font(words, letter)
+    local put = { x = 8 * left, y = 8 * first - 2, text = words, width = 8 * cols, font = look.font, screen = true,
+                  bank = hud.banks.plain, letter = letter, stay = true }
+    local line = text.line(put)
+    lines[1] = line
+    while line.alive and not line.done do
+      if answered(1) then
+        line:remove()
+        put.letter = 0
+        lines[1] = text.line(put)
+      end
+    end
+  end
+
+  local function page(a, rows, words)
+    wipe_words()
+    if look.font then come_in_font(words, a.letter) else come(rows, a.letter) end
+    if sys.skipping() then return end
+    mark = 0
+    local left_over = a.limit or forever
+    while left_over > 0 and not answered(1) do left_over = left_over - 1 end
+    mark = nil
+  end
+
+  function t.say(talker, words, a)
+    put_plate("words", plate.x, plate.y, plate.w, plate.h)
+    show(talker, a)
+    show_name(talker, talker and (a.side or talker.side))
+    if look.font then return page(a, nil, words) end
+    local rows = rows_of(words, cols)
+    for from = 1, #rows, ROWS do
+      if not sys.skipping() then page(a, { table.unpack(rows, from, from + ROWS - 1) }) end
+    end
+  end
+
+  -- ---- a list ----
+
+  local function stepped(button, p) return pressed("repeated", button, p) end
+
+  -- Where the list stands: columns and rows of the cells; of each item its rows of text and the first one's row.
+  local function lay_out(items, title)
+    local l = { items = {}, w = 0, h = 0 }
+    for i, item in ipairs(items) do
+      local rows = rows_of(item, cols - 2)
+      l.items[i] = { rows = rows, row = l.h }
+      l.h = l.h + #rows + 1
+      for _, row in ipairs(rows) do l.w = math.max(l.w, sys.cells(row)) end
+    end
+    l.h, l.w = l.h - 1, l.w + 2
+    l.title = title and rows_of(title, cols) or {}
+    for _, row in ipairs(l.title) do l.w = math.max(l.w, sys.cells(row)) end
+    local above = #l.title > 0 and #l.title + 1 or 0
+    l.col = left + (cols - l.w) // 2
+    l.rows = above + l.h
+    local middle = (field.y + field.h // 2) // 8 - l.rows // 2
+    l.top = math.max(field.y // 8 + 5, math.min(middle, first - TALL - l.rows)) -- over the heads, if there is room
+    for _, item in ipairs(l.items) do item.row = item.row + l.top + above end
+    return l
+  end
+
+  local function draw_list(l, chosen)
+    for i, row in ipairs(l.title) do write(l.col + (l.w - sys.cells(row)) // 2, l.top + i - 1, row, hud.banks.bright) end
+    for i, item in ipairs(l.items) do
+      local bank = i == chosen and hud.banks.bright or hud.banks.plain
+      write(l.col, item.row, i == chosen and ARROW or " ", bank)
+      for k, row in ipairs(item.rows) do write(l.col + 2, item.row + k - 1, row, bank) end
+    end
+  end
+
+  local function ask(l, a, n)
+    local chosen, over = a.chosen, a.limit or forever
+    while over > 0 do
+      draw_list(l, chosen)
+      wait(1)
+      over = over - 1
+      if sys.skipping() then return a.chosen end
+      if pressed("pressed", "fire", a.p) then return chosen end
+      if a.back and pressed("pressed", "bomb", a.p) then return a.back end
+      local by = (stepped("down", a.p) and 1 or 0) - (stepped("up", a.p) and 1 or 0)
+      chosen = (chosen - 1 + by) % n + 1
+    end
+    return chosen
+  end
+
+  function t.choose(items, a)
+    local l = lay_out(items, a.title)
+    put_plate("list", 8 * l.col - 11, 8 * l.top - 9, 8 * l.w + 22, 8 * l.rows + 18)
+    sys.hold_players(2) -- up and down are the list's
+    local answer = ask(l, a, #items)
+    sys.hold_players(t.hold)
+    text.clear { col = l.col, row = l.top, w = l.w, h = l.rows }
+    parts.list.hidden = true
+    return answer
+  end
+
+  -- ---- its task ----
+
+  local function blink()
+    if not mark then return end
+    if mark % BLINK == 0 then write(left + cols - 1, last + 1, mark // BLINK % 2 == 0 and ARROW or " ", hud.banks.bright) end
+    mark = mark + 1
+  end
+
+  local watch = task.go(function()
+    local held = 0
+    while true do
+      step()
+      blink()
+      held = pressed("down", "special") and held + 1 or 0
+      if may_skip and held == HELD then
+        t.skipped = true
+        sys.skip(true, t.task)
+      end
+      wait(1)
+    end
+  end)
+
+  -- Takes it all away; where the screen was wiped there is nothing, and what stands there now is another's. last_one:
+  -- the dim is this talk's.
+  function t.close(last_one)
+    task.stop(watch)
+    local there = not parts.words or parts.words.alive
+    if parts.words and there then
+      wipe_words()
+      show_name()
+    end
+    for _, p in pairs(parts) do p:remove() end
+    for _, s in pairs(sides) do s.sprite:remove() end
+    if last_one and there then screen.dim { share = dimmed, over = 12 } end
+  end
+
+  return t
+end

@@ -1,0 +1,592 @@
+/*
+ * test_talk.c - dialogue: letters, pages, choices, who answers; what players cannot meanwhile; skips, stops, snapshots.
+ */
+#include "../../src/board/std.h"
+#include "rig.h"
+
+enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, LAST_ROW = 37, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
+
+static struct rig_game g;
+static struct rig r;
+
+#define START "local told, taken, seen = '', 0, { '', '' }\nfunction string.told() return told end\n"
+
+/* Two ships that tell what they see of their pads; `lines` runs in a task. */
+static const char ships[] =
+    "player.def('p', { sprite = 'dot', hit = { circle = 2 }, speed = 2, run = function(p)\n"
+    "  while true do\n"
+    "    seen[p.index] = (pad.down('fire', p) and 'f' or '') .. (pad.pressed('bomb', p) and 'b' or '') ..\n"
+    "      (pad.down('left', p) and 'l' or '')\n"
+    "    if pad.take('fire', 60, p) then taken = taken + 1 end\n"
+    "    wait(1)\n"
+    "  end\n"
+    "end })\n"
+    "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "talk.def('iri', { name = 'IRI', faces = { calm = 'dot', cross = 'arrow' } })\n"
+    "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right', bank = 3 })\n"
+    "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "boss.def('b', { title = '', kind = 'e', x = 100, y = 60, phases = {\n"
+    "  { id = 'p', hp = 9, time = 40, run = function() say('sen', 'MINE', { letter = 0 }) end } } })\n"
+    "talk.def('voice', { name = 'VOICE' })\n"
+    "for i = 1, string.sys.players() do string.sys.join(i, 'p') end\n";
+
+static void open_with(const struct manifest *m, const char *lines)
+{
+    static char text[8192];
+
+    snprintf(text, sizeof text,
+             START "%s"
+                   "task.go(function()\n%s\ntold = told .. 'end'\nend)",
+             ships, lines);
+    rig_with_sys(&g, m, text);
+    rig_power(&r, &g, NULL);
+}
+
+static struct manifest two_players(void)
+{
+    struct manifest m = rig_manifest();
+
+    m.players = 2;
+    m.sprites = 32;
+    return m;
+}
+
+static void open_it(const char *lines)
+{
+    const struct manifest m = two_players();
+
+    open_with(&m, lines);
+}
+
+static void close_it(void)
+{
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void hold(int frames, uint16_t one, uint16_t two)
+{
+    const uint16_t pads[PADS] = { one, two };
+
+    while (frames-- > 0)
+        rig_tick(&r, pads);
+}
+
+/* A press: a frame down, a frame up. */
+static void press(uint16_t one, uint16_t two)
+{
+    hold(1, one, two);
+    hold(1, 0, 0);
+}
+
+/* What stands in so many cells of a row, blanks at its end left out. */
+static const char *cells(uint32_t row, uint32_t col, uint32_t n)
+{
+    static char text[64];
+    const struct fix *f = &r.b->fix;
+    uint32_t end = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        uint8_t code = f->code[row * f->cols + col + i];
+        text[i] = (char)(code ? code : ' ');
+        end = code > 32 ? i + 1 : end;
+    }
+    text[end] = 0;
+    return text;
+}
+
+static const char *words(int row)
+{
+    return cells((uint32_t)(BOX_ROW + 2 * row), BOX_COL, BOX_COLS);
+}
+
+static bool empty_screen(void)
+{
+    for (uint32_t i = 0; i < r.b->fix.s.live; i++)
+        if (r.b->fix.code[i] > 32)
+            return false;
+    return r.b->sprites.s.live == 0 && r.b->screen.dim == 0;
+}
+
+static void told(const char *want)
+{
+    assert_string_equal(rig_told(&r), want);
+}
+
+/* A letter every second frame, blanks for nothing; the first in the frame in which it is said. */
+static void test_letters(void **state)
+{
+    (void)state;
+    open_it("say(nil, 'AB CD')");
+    rig_run(&r, 1);
+    assert_string_equal(words(0), "A");
+    rig_run(&r, 1);
+    assert_string_equal(words(0), "A");
+    rig_run(&r, 1);
+    assert_string_equal(words(0), "AB");
+    rig_run(&r, 2);
+    assert_string_equal(words(0), "AB C");
+    press(PAD_FIRE, 0); /* shows the rest */
+    assert_string_equal(words(0), "AB CD");
+    told("");
+    rig_run(&r, 300); /* and waits for ever */
+    told("");
+    press(PAD_FIRE, 0);
+    told("end");
+    assert_true(empty_screen());
+    close_it();
+    open_it("say(nil, 'ABCDE', { letter = 0, limit = 5 })");
+    rig_run(&r, 1);
+    assert_string_equal(words(0), "ABCDE");
+    rig_run(&r, 4);
+    told("");
+    rig_run(&r, 1);
+    told("end");
+    close_it();
+}
+
+/* Three rows a page; fire turns it. What was held before is no press. */
+static void test_pages(void **state)
+{
+    (void)state;
+    open_it("say(nil, 'ONE\\nTWO\\nTHREE\\nFOUR AND THIS GOES ON UNTIL IT DOES NOT FIT', { letter = 0 })");
+    hold(9, PAD_FIRE, PAD_FIRE);
+    assert_string_equal(words(0), "ONE");
+    assert_string_equal(words(2), "THREE");
+    hold(1, 0, 0);
+    press(0, PAD_FIRE); /* any player's */
+    assert_string_equal(words(0), "FOUR AND THIS GOES ON");
+    assert_string_equal(words(1), "UNTIL IT DOES NOT FIT");
+    assert_string_equal(words(2), "");
+    told("");
+    press(PAD_FIRE, 0);
+    told("end");
+    close_it();
+}
+
+/* The mark blinks while it waits, and not while letters come. */
+static void test_mark(void **state)
+{
+    bool on = false, off = false;
+
+    (void)state;
+    open_it("say(nil, 'AB', { letter = 20 })");
+    rig_run(&r, 21);
+    assert_string_equal(cells(LAST_ROW + 1, BOX_COL, BOX_COLS), "");
+    for (int i = 0; i < 99; i++) {
+        rig_run(&r, 1);
+        bool seen = *cells(LAST_ROW + 1, BOX_COL + BOX_COLS - 1, 1);
+        on |= seen;
+        off |= on && !seen;
+    }
+    assert_true(on && off);
+    close_it();
+}
+
+#define FACE_AT(i) r.b->pictures + r.b->sprites.sprite[i]
+
+/* The sprite in that layer on that half of the field, or -1; and how many sprites, plates too, are seen. */
+static int standing(int layer, bool right, int *seen)
+{
+    int at = -1;
+
+    *seen = 0;
+    EACH_LIVE (i, &r.b->sprites.s) {
+        *seen += !(r.b->sprites.flags[i] & SPRITE_HIDDEN);
+        if (r.b->sprites.layer[i] == layer && (fx_floor(r.b->sprites.x[i]) > 120) == right)
+            at = (int)i;
+    }
+    return at;
+}
+
+/* Who speaks is in front, the other dimmed; who has no face has a name; nobody has none. */
+static void test_faces(void **state)
+{
+    int seen;
+
+    (void)state;
+    open_it("talk.run(function()\n"
+            "say('iri', 'A') say('sen', 'B') say('iri', 'C', { face = 'cross' }) say('voice', 'D') say(nil, 'E')\n"
+            "say('iri', 'F', { side = 'right' }) end)");
+    rig_run(&r, 40);
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI");
+    int iri = standing(LAYER_OVER, false, &seen);
+    assert_true(iri >= 0 && seen == 3);
+    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+    assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 4, 4), "SEN");
+    int sen = standing(LAYER_OVER, true, &seen);
+    assert_true(sen >= 0 && seen == 4);
+    assert_int_equal(r.b->sprites.bank[sen], 3);
+    assert_true(r.b->sprites.flags[sen] & SPRITE_FLIP_X);
+    assert_int_equal(standing(LAYER_FRONT, false, &seen), iri);
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+    assert_int_equal(standing(LAYER_OVER, false, &seen), iri);
+    assert_int_equal(r.b->sprites.sprite[iri], 0); /* arrow comes before dot */
+    assert_int_equal(standing(LAYER_FRONT, true, &seen), sen);
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " VOICE");
+    assert_int_equal(standing(LAYER_OVER, false, &seen), -1);
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), "");
+    assert_int_equal(standing(LAYER_OVER, true, &seen), -1);
+    assert_int_equal(seen, 3); /* no name's plate */
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+    assert_true(standing(LAYER_OVER, true, &seen) >= 0 && standing(LAYER_FRONT, false, &seen) < 0);
+    assert_int_equal(seen, 3); /* she went round, and the other is gone */
+    press(PAD_FIRE, 0);
+    assert_true(empty_screen());
+    close_it();
+}
+
+/* What ship 2 sees of fire and left, both held, in a talk that holds like this. */
+static void sees(const char *how, const char *want)
+{
+    static char lines[256];
+
+    snprintf(lines, sizeof lines, "talk.run(function() wait(20) told = seen[2] .. '.' end%s)", how);
+    open_it(lines);
+    const fx x = r.b->player.x[1];
+    hold(19, 0, PAD_FIRE | PAD_LEFT);
+    assert_true((r.b->player.x[1] < x) == (strchr(want, 'l') != NULL));
+    hold(3, 0, PAD_FIRE | PAD_LEFT);
+    told(want);
+    close_it();
+}
+
+/* What the ships see of fire and left, by hold. */
+static void test_hold(void **state)
+{
+    (void)state;
+    sees("", "l.end");
+    sees(", { hold = 'fire' }", "l.end");
+    sees(", { hold = 'all' }", ".end");
+    sees(", { hold = 'none' }", "fl.end");
+}
+
+/* A press of the time that ships do not see is nobody's afterwards. */
+static void test_presses(void **state)
+{
+    (void)state;
+    open_it("say(nil, 'A', { letter = 0 }) told = tostring(taken) wait(9) told = told .. taken");
+    hold(1, 0, 0);
+    press(PAD_FIRE, 0);
+    rig_run(&r, 12);
+    told("00end");
+    close_it();
+}
+
+/* Special held for a third of a second: no say, wait or choose takes time, but the talk goes through. */
+static void test_skip(void **state)
+{
+    (void)state;
+    open_it(
+        "talk.run(function() say(nil, 'A') wait(600) told = told .. choose({ 'X', 'Y' }, { chosen = 2 })\n"
+        "say('iri', 'B') told = told .. 'all ' end) local f = board.frame() wait(3) told = told .. board.frame() - f");
+    hold(10, 0, PAD_SPECIAL);
+    hold(5, 0, 0);
+    told("");
+    hold(19, 0, PAD_SPECIAL);
+    told("");
+    hold(2, 0, PAD_SPECIAL);
+    told("2all ");
+    rig_run(&r, 3);
+    told("2all 3end");
+    assert_true(empty_screen());
+    close_it();
+    open_it("talk.run(function() wait(600) end)"); /* in a wait, too */
+    hold(25, PAD_SPECIAL, 0);
+    told("end");
+    close_it();
+    open_it("talk.run(function() say(nil, 'A') end, { skip = false })");
+    hold(99, PAD_SPECIAL, PAD_SPECIAL);
+    told("");
+    close_it();
+}
+
+static void test_choose(void **state)
+{
+    (void)state;
+    open_it("told = choose({ 'ONE', 'TWO', 'THREE' }, { title = 'WHICH?' }) .. ''");
+    fx y = r.b->player.y[0];
+    rig_run(&r, 1);
+    press(PAD_DOWN, 0);
+    press(0, PAD_DOWN);
+    press(PAD_DOWN, 0); /* round */
+    press(PAD_UP, 0);
+    press(PAD_BOMB, 0); /* nothing */
+    told("");
+    assert_int_equal(r.b->player.y[0], y); /* the ships stand */
+    press(PAD_FIRE, 0);
+    told("3end");
+    assert_true(empty_screen());
+    close_it();
+    open_it("told = choose({ 'ONE', 'TWO' }, { p = 2, chosen = 2, back = 1 }) .. ''");
+    rig_run(&r, 1);
+    press(PAD_UP | PAD_FIRE, 0); /* not asked */
+    press(PAD_BOMB, 0);
+    told("");
+    press(0, PAD_BOMB);
+    told("1end");
+    close_it();
+    open_it("told = choose({ 'ONE', 'TWO' }, { limit = 9 }) .. ''");
+    rig_run(&r, 2);
+    press(PAD_DOWN, 0);
+    rig_run(&r, 9);
+    told("2end");
+    close_it();
+}
+
+/* In a talk the words stay behind the list; afterwards ships see what they saw. */
+static void test_choose_in_talk(void **state)
+{
+    (void)state;
+    open_it("talk.run(function() say('iri', 'A', { letter = 0 }) told = choose({ 'X', 'Y' }) .. ''\n"
+            "say(nil, 'B', { letter = 0 }) end)");
+    rig_run(&r, 1);
+    press(PAD_FIRE, 0);
+    assert_string_equal(words(0), "A");
+    hold(3, PAD_LEFT, 0);
+    assert_int_equal(player_withheld(&r.b->player, 0) & PAD_LEFT, PAD_LEFT);
+    press(PAD_FIRE, 0);
+    told("1");
+    assert_string_equal(words(0), "B");
+    assert_int_equal(player_withheld(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
+    press(PAD_FIRE, 0);
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    close_it();
+}
+
+/* A stage's clock stands unless clock; bullets go unless clear is false. */
+static void test_stage(void **state)
+{
+    static const char lines[] = "stage.def('s', function()\n"
+                                "  bullet.fire { kind = 'b', x = 100, y = 100, speed = 0 }\n"
+                                "  talk.run(function() wait(30) end%s)\n"
+                                "  told = told .. bullet.group().count .. ' '\n"
+                                "  stage.at(40) told = told .. board.frame()\n"
+                                "end)\n"
+                                "task.go(function() stage.play('s', string.sys.scope()) end)";
+    static const char *const how[] = { "", ", { clock = true, clear = false }" }, *const want[] = { "0 70", "1 40" };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        static char text[4096];
+        snprintf(text, sizeof text, START "%s", ships);
+        size_t n = strlen(text);
+        snprintf(text + n, sizeof text - n, lines, how[i]);
+        rig_with_sys(&g, NULL, text);
+        rig_power(&r, &g, NULL);
+        rig_run(&r, 75);
+        told(want[i]);
+        close_it();
+    }
+}
+
+/* A stage on its way to a mark: f is not called, a line said takes no time, a choice is what it would begin with. */
+static void test_practice(void **state)
+{
+    (void)state;
+    static char text[4096];
+    snprintf(text, sizeof text,
+             START "%s"
+                   "stage.def('s', function()\n"
+                   "  talk.run(function() told = told .. 'called ' end)\n"
+                   "  say('iri', 'A') told = told .. choose({ 'A', 'B' }, { chosen = 2 })\n"
+                   "  stage.mark('m') told = told .. ' at ' .. board.frame()\n"
+                   "  say('iri', 'A')\n"
+                   "end)\n"
+                   "task.go(function() stage.play('s', string.sys.scope(), 'm') end)",
+             ships);
+    rig_with_sys(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 9);
+    told("2 at 0");
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI");
+    close_it();
+}
+
+/* The task is stopped: all of it goes. After a wipe, what stands in its place is another's. */
+static void test_stop(void **state)
+{
+    (void)state;
+    open_it("local t = task.go(function() talk.run(function() say('iri', 'A') end, { hold = 'all' }) end)\n"
+            "wait(20) task.stop(t)");
+    rig_run(&r, 15);
+    assert_false(empty_screen());
+    rig_run(&r, 10);
+    assert_true(empty_screen());
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    close_it();
+    open_it("local t = task.go(function() say('iri', 'A') end)\n"
+            "wait(20) task.stop(t) string.sys.wipe() text.put { col = 2, row = 33, text = 'SCORES' }");
+    rig_run(&r, 25);
+    assert_string_equal(words(0), "SCORES");
+    assert_int_equal(r.b->screen.dim, 0);
+    close_it();
+    /* Another begins before the one that was stopped is closed. */
+    open_it("local t = task.go(function() say('iri', 'OLD') end)\n"
+            "wait(20) task.stop(t) say('sen', 'NEW', { letter = 0 })");
+    rig_run(&r, 25);
+    assert_int_equal(player_withheld(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
+    press(PAD_FIRE, 0);
+    told("end");
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    close_it();
+}
+
+/* What freezes the board sees all buttons, and its presses are not the talk's. */
+static void test_pause(void **state)
+{
+    (void)state;
+    open_it("task.go(function() wait(10)\n"
+            "  local s = string.sys.scope()\n"
+            "  task.own(s, function()\n"
+            "    while not pad.take('fire', 0, 1) do wait(1) end told = told .. 'paused ' string.sys.freeze() "
+            "task.stop(s)\n"
+            "  end)\n"
+            "  string.sys.freeze(s)\n"
+            "end)\n"
+            "say(nil, 'A', { letter = 0 })");
+    rig_run(&r, 30);
+    press(PAD_FIRE, 0);
+    told("paused ");
+    rig_run(&r, 30);
+    told("paused ");
+    press(PAD_FIRE, 0);
+    told("paused end");
+    close_it();
+}
+
+/* A copy made in the middle, put back into RAM full of rubbish, goes on as the run does: letters, faces, lists. */
+static void test_snapshots(void **state)
+{
+    struct rng rng;
+    uint64_t hash[MAX_PARTS], again[MAX_PARTS];
+    uint16_t pads[40][PADS];
+
+    (void)state;
+    rng_seed(&rng, 3);
+    open_it("for i = 1, 50 do\n"
+            "talk.run(function() say('iri', 'HOW ARE YOU?') say('sen', 'FINE. AND YOU, AND ALL OF YOURS?')\n"
+            "local n = choose({ 'SO SO', 'ILL', 'WELL' }, { title = 'SAY' }) say('iri', 'N' .. n) end) end");
+    for (int round = 0; round < 60; round++) {
+        for (int f = 0; f < 40; f++)
+            for (int p = 0; p < PADS; p++)
+                pads[f][p] = (uint16_t)(rng_next(&rng) & rng_next(&rng) & (PAD_FIRE | PAD_UP | PAD_DOWN | PAD_LEFT));
+        rig_spoil(&r);
+        rig_save(&r);
+        for (int twice = 0; twice < 2; twice++) {
+            for (int f = 0; f < 40; f++)
+                rig_tick(&r, pads[f]);
+            board_hashes(r.b, twice ? again : hash);
+            if (!twice)
+                rig_restore(&r);
+        }
+        assert_memory_equal(hash, again, sizeof *hash * (size_t)board_parts(r.b));
+    }
+    close_it();
+}
+
+/* In a boss's phase: the boss and its clock go on, and the phase's end takes the talk away. */
+static void test_boss(void **state)
+{
+    (void)state;
+    open_it("boss.fight 'b'");
+    rig_run(&r, 75);
+    assert_string_equal(words(0), "MINE");
+    rig_run(&r, 40);
+    assert_true(empty_screen());
+    assert_int_equal(player_withheld(&r.b->player, 1), 0);
+    rig_run(&r, 80);
+    told("end");
+    close_it();
+}
+
+/* No module of the library but these brings dialogue into a game's ROM. */
+static void test_packed(void **state)
+{
+    uint64_t dialogue = 0;
+    int others = 0;
+
+    (void)state;
+    for (int i = 0; i < STD_MODULES; i++)
+        if (!strcmp(std_module(i), "talk") || !strcmp(std_module(i), "say") || !strcmp(std_module(i), "choose"))
+            dialogue |= (uint64_t)1 << i;
+    for (int i = 0; i < STD_MODULES; i++)
+        for (int k = 0; k < std_script_count; k++) {
+            if (strcmp(std_scripts[k].name, std_module(i)) || dialogue >> i & 1)
+                continue;
+            others++;
+            if (std_needed(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
+                fail_msg("%s names a word of dialogue", std_module(i));
+        }
+    assert_int_equal(others, STD_MODULES - 3);
+}
+
+static void says(const char *lines, const char *want)
+{
+    static char text[2048];
+    const struct manifest m = two_players();
+
+    snprintf(text, sizeof text,
+             "talk.def('iri', { name = 'I', faces = { calm = 'dot' } })\ntask.go(function() %s\nend)", lines);
+    rig_script(&g, &m, text);
+    assert_string_equal(rig_said(&g, 3, true), want);
+    rig_game_free(&g);
+}
+
+static void says_at_load(const char *line, const char *want)
+{
+    rig_script(&g, NULL, line);
+    assert_string_equal(rig_said(&g, 1, true), want);
+    rig_game_free(&g);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    says("say('irl', 'A')", "main.lua:2: say: talker \"irl\" is not declared (did you mean \"iri\"?)");
+    says("say('iri', 'A', { face = 'calmer' })",
+         "main.lua:2: say: \"iri\": face \"calmer\" is not declared (did you mean \"calm\"?)");
+    says("say('iri')", "main.lua:2: say: text: expected a string, got nil");
+    says("say('iri', 'A', { leter = 3 })", "main.lua:2: say: unknown argument \"leter\" (did you mean \"letter\"?)");
+    says("say('iri', 'A', { side = 'center' })", "main.lua:2: say: side: expected left or right, got \"center\"");
+    says("choose({})", "main.lua:2: choose: list: expected at least one text");
+    says("choose { 'A', title = 'T' }",
+         "main.lua:2: choose: list: expected texts, got \"title\": settings stand in a second table");
+    says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a text, got a number");
+    says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
+    says("talk.run(function() end, { hold = 'al' })",
+         "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
+    says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
+    says("talk.run(function() talk.run(print) end)",
+         "main.lua:2: talk.run: a talk is running, and it can have one box");
+    says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
+    says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
+                 "main.lua:1: talk.def face: sprite \"dto\" is not in rom.lua (did you mean \"dot\"?)");
+    says_at_load("talk.def('a', { name = 'A' }) talk.def('a', { name = 'A' })",
+                 "main.lua:1: talk.def: \"a\" is declared twice");
+    says_at_load("talk.def('a', { name = 'A', faces = { 'dot' } })",
+                 "main.lua:1: talk.def: faces: expected names, as in { calm = SPRITE }");
+    says_at_load("say(nil, 'A')", "main.lua:1: talk.run: only a task can talk; start one with task.go");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_letters), cmocka_unit_test(test_pages),     cmocka_unit_test(test_mark),
+        cmocka_unit_test(test_faces),   cmocka_unit_test(test_hold),      cmocka_unit_test(test_presses),
+        cmocka_unit_test(test_skip),    cmocka_unit_test(test_choose),    cmocka_unit_test(test_choose_in_talk),
+        cmocka_unit_test(test_stage),   cmocka_unit_test(test_practice),  cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_pause),   cmocka_unit_test(test_snapshots), cmocka_unit_test(test_boss),
+        cmocka_unit_test(test_packed),  cmocka_unit_test(test_errors),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
