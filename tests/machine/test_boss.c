@@ -1,7 +1,7 @@
 /*
- * test_boss.c - bosses: what a phase is worth, and what loses it; last phases; the safe and the armoured part; casts with
- * one bar or one each; talks; the history of spells; what boss.def refuses. Every case is a script that writes a log;
- * with RAM spoilt after every frame it writes the same.
+ * test_boss.c - bosses: what a phase is worth, and what loses it; last phases; the safe and the armoured part; casts
+ * with one bar or one each; talks; the history of spells; what boss.def refuses. Every case is a script that writes a
+ * log; with RAM spoilt after every frame it writes the same.
  */
 #include "rig.h"
 
