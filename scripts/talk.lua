@@ -132,4 +132,6 @@ function sys.choose(list, args)
   return shown and answer or a.chosen
 end
 
+sys.talk = talk.run -- for boss/talk.lua
+
 return talk

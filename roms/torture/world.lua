@@ -576,11 +576,13 @@ talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box"
 
 stage.def("first", function()
   for _, f in ipairs(corners) do task.go(f) end
+  local talking = task.go(talks)
   stage.at(60)
   stage.wave { kind = "drone", n = 5, every = 12, path = swoop, mirror = true, dx = 4, dy = 6,
     run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
   stage.at(212)
   board.note(stage.skipping())
+  task.stop(talking) -- the boss has talks of its own, and there is one at a time
   stage.mark "boss"
   boss.fight "twin"
   stage.clear(120)
@@ -588,6 +590,7 @@ end)
 
 stage.def("second", function()
   for _, f in ipairs(corners) do task.go(f) end
+  task.go(talks)
   task.go(function() boss.fight("pair", { clock = true }) end)
   stage.wave { kind = "wall", n = 30, every = 3, path = across }
   stage.at(120)

@@ -8,7 +8,7 @@ return function(list, team)
   for _, f in ipairs(list) do
     local run = rawget(sys, "talk") -- talk.run, of a game that has it
     local function told() f(table.unpack(team)) end
-    wait_for(task.own(scene, function() if run then run(told) else told() end end))
+    wait_for(task.own(scene, function() if run then run(told, { clock = true }) else told() end end))
   end
   task.stop(scene)
 end

@@ -1,7 +1,7 @@
 /*
- * test_boss.c - bosses: what a phase is worth, and what loses it; last phases; the safe and the armoured part; casts with
- * one bar or one each; talks; the history of spells; what boss.def refuses. Every case is a script that writes a log;
- * with RAM spoilt after every frame it writes the same.
+ * test_boss.c - bosses: what a phase is worth, and what loses it; last phases; the safe and the armoured part; casts
+ * with one bar or one each; talks; the history of spells; what boss.def refuses. Every case is a script that writes a
+ * log; with RAM spoilt after every frame it writes the same.
  */
 #include "rig.h"
 
@@ -72,15 +72,26 @@ static const struct story stories[] = {
       "time = 20 }) alone()",
       99, "10 10 10 10 10 10 9 8 a false false" },
     { "the armoured part",
-      "one(phase { hp = 100, safe = 2, armour = 3, run = function(e) for i = 1, 7 do e:hurt(8) say(e.hp) wait(1) end e.hp "
+      "one(phase { hp = 100, safe = 2, armour = 3, run = function(e) for i = 1, 7 do e:hurt(8) say(e.hp) wait(1) end "
+      "e.hp "
       "= 0 end }, phase { id = 'c', hp = 100, run = function(e) e:hurt(8) say(e.hp, e.rate) e.hp = 0 end }) alone()",
       99, "100 100 98 96 94 86 78 92 1.0 a true true true 70 c true true" },
     { "and its end when the phase is over in it",
-      "enemy.def('soft', { sprite = 'dot', hit = { circle = 3 }, rate = 2, touch = false }) boss.def('b', { title = 'B', "
-      "kind = 'soft', x = 50, y = 40, phases = { phase { hp = 100, armour = 30, rate = 0.5, run = function(e) e:hurt(8) "
+      "enemy.def('soft', { sprite = 'dot', hit = { circle = 3 }, rate = 2, touch = false }) boss.def('b', { title = "
+      "'B', "
+      "kind = 'soft', x = 50, y = 40, phases = { phase { hp = 100, armour = 30, rate = 0.5, run = function(e) "
+      "e:hurt(8) "
       "say(e.hp) e.hp = 0 end }, phase { id = 'c', hp = 100, run = function(e) e:hurt(8) say(e.hp) e.hp = 0 end } } }) "
       "alone()",
       99, "92 84 a true true true 63 c true true" },
+    { "a boss that wanders goes home",
+      "one(phase { time = 15, rest = 9, run = function(e) e:wander { w = 80, h = 40, every = 3, over = 3 } end }, "
+      "phase { "
+      "id = 'o', time = 15, rest = 9, run = function(e) e:orbit { x = 90, y = 90, radius = 20, spin = 3 } end }, phase "
+      "{ "
+      "id = 'c', time = 2, run = function(e) say(e.x, e.y) end }) alone()\n"
+      "task.go(function() wait(85) say(boss.status().team[1].x) end)",
+      199, "a false false 50.0 o false false 50.0 40.0 c false false false 171" },
     { "talks",
       "local function talk(s) return { talk = function(e) say(s, e.alive, e.safe == forever) wait(3) end } end\n"
       "one(talk 'first', talk 'second', phase { run = down(2) }, talk 'between', phase { id = 'c', run = "
@@ -243,6 +254,24 @@ static void test_history(void **state)
     close_it();
 }
 
+/* In a talk nobody fires, and a stage's clock that goes on in the fight does so in its talks. */
+static void test_talk(void **state)
+{
+    (void)state;
+    open_with("one({ talk = function() wait(20) end }, phase { run = down(9) })\n"
+              "stage.def('s', function() task.go(function() boss.fight('b', { clock = true }) end) stage.at(75) "
+              "say('at', board.frame()) wait(99) end) stage.play('s', string.sys.scope())",
+              NULL);
+    rig_run(&r, 59);
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    rig_run(&r, 10);
+    assert_int_not_equal(player_withheld(&r.b->player, 0), 0);
+    rig_run(&r, 15);
+    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_string_equal(rig_told(&r), "at 75");
+    close_it();
+}
+
 /* A phase alone, of a cast with a warning and talks: none of these, again and again. */
 static void test_practice(void **state)
 {
@@ -285,16 +314,19 @@ static void test_errors(void **state)
          "boss.def: phase \"a\": hp: expected a whole number from 1 to 2147483647, got \"x\"");
     says("one(phase { hp = { iris = 3 } })",
          "boss.def: phase \"a\": hp: expected a whole number from 1 to 2147483647, got a table");
-    says("one(phase { armor = 3 })", "boss.def phase: unknown argument \"armor\" (did you mean \"armour\"?)");
-    says("one(phase { safe = 2.5 })", "boss.def phase: safe: expected a whole number from 0 to 65535 frames, got 2.5");
+    says("one(phase { armor = 3 })", "boss.def phase \"a\": unknown argument \"armor\" (did you mean \"armour\"?)");
+    says("one(phase { safe = 2.5 })",
+         "boss.def phase \"a\": safe: expected a whole number from 0 to 65535 frames, got 2.5");
     says("one(phase { armour = 9 })",
-         "boss.def phase: armour: this game has no room for it; rom.lua asks for it: board = { bodies = true }");
+         "boss.def: armour: this game has no room for it; rom.lua asks for it: board = { bodies = true }");
     says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is more than the bonus, 5");
     says("one(phase { spell = 'S', cut_in = true })",
          "boss.def: phase \"a\": cut_in: the boss has no portrait (portrait = a sprite)");
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
     says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\"");
-    says("one(3)", "boss.def phase: expected a table of named arguments, got 3");
+    says("one({ talk = idle }, { hp = 5 })", "boss.def phase \"#2\": id: expected a string, got nil");
+    says("one(phase { music = 'x' })", "boss.def phase \"a\": music is not there yet; the name is kept for it");
+    says("one(3)", "boss.def phase \"#1\": expected a table of named arguments, got 3");
     says("two(phase { hp = { irs = 3 } })",
          "boss.def: phase \"a\": hp: nobody of the cast is \"irs\" (did you mean \"iris\"?)");
     says("two(phase { hp = { iris = 0 } })",
@@ -302,7 +334,7 @@ static void test_errors(void **state)
     says("two(phase { hp = {} })", "boss.def: phase \"a\": hp: expected { NAME = value }, got {}");
     says("two(phase { hp = { 5, 6 } })", "boss.def: phase \"a\": hp: expected { NAME = value }, by names of the cast");
     says("two(phase { run = { opal = 5 } })", "boss.def: phase \"a\": run: opal: expected a function, got 5");
-    says("two(phase { down = 'one' })", "boss.def phase: down: expected all or any, got \"one\"");
+    says("two(phase { down = 'one' })", "boss.def phase \"a\": down: expected all or any, got \"one\"");
     says("boss.def('b', { title = 'B', kind = 'e', x = 5, y = 5, cast = {}, phases = { phase {} } })",
          "boss.def: kind: each of the cast has its own");
     says(
@@ -323,11 +355,8 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),
-        cmocka_unit_test(test_casts),
-        cmocka_unit_test(test_history),
-        cmocka_unit_test(test_practice),
-        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_stories),  cmocka_unit_test(test_casts), cmocka_unit_test(test_history),
+        cmocka_unit_test(test_practice), cmocka_unit_test(test_talk),  cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

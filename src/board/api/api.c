@@ -122,18 +122,13 @@ static int call(lua_State *L)
     return results;
 }
 
-/* sys.check(name, ...): what `call` does for C entries, for those written in Lua. */
-int api_sys_check(lua_State *L)
+int api_checked(lua_State *L, const struct api_entry *e)
 {
-    const struct api_entry *e = api_find(luaL_checkstring(L, 1));
     struct api_value v[MAX_PARAMS];
 
-    if (!e)
-        return vm_fault(L, FAULT_SCRIPT, "sys.check: no entry \"%s\"", lua_tostring(L, 1));
     vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "only while scripts load");
-    lua_remove(L, 1);
     const struct api_entry *fire;
     int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire);
     lua_createtable(L, 0, all);
@@ -160,6 +155,17 @@ int api_sys_check(lua_State *L)
         lua_setfield(L, -2, p->name);
     }
     return 1;
+}
+
+/* sys.check(name, ...): what `call` does for C entries, for those written in Lua. */
+int api_sys_check(lua_State *L)
+{
+    const struct api_entry *e = api_find(luaL_checkstring(L, 1));
+
+    if (!e)
+        return vm_fault(L, FAULT_SCRIPT, "sys.check: no entry \"%s\"", lua_tostring(L, 1));
+    lua_remove(L, 1);
+    return api_checked(L, e);
 }
 
 /* ---- opening ---- */

@@ -35,6 +35,32 @@ static void checked(lua_State *L, const char *entry)
     lua_replace(L, -2);
 }
 
+/* The arguments of a phase; upvalue: its name in errors. */
+static int check_phase(lua_State *L)
+{
+    struct api_entry e = *api_find("boss.def phase");
+
+    e.name = lua_tostring(L, lua_upvalueindex(1));
+    return api_checked(L, &e);
+}
+
+/* In place of the phase on top: what sys.check makes of it; errors say which it is. */
+static void checked_phase(lua_State *L, int number)
+{
+    const int at = lua_gettop(L);
+    const bool named = lua_istable(L, at) && field(L, at, "id") == LUA_TSTRING;
+
+    if (named)
+        lua_pushfstring(L, "boss.def phase \"%s\"", lua_tostring(L, -1));
+    else
+        lua_pushfstring(L, "boss.def phase \"#%d\"", number);
+    lua_pushcclosure(L, check_phase, 1);
+    lua_pushvalue(L, at);
+    lua_call(L, 1, 1);
+    lua_replace(L, at);
+    lua_settop(L, at);
+}
+
 /* Fails unless the field of the table at `at` is such a one. */
 static void check_field(lua_State *L, const char *entry, int at, const struct api_param *p)
 {
@@ -191,14 +217,14 @@ static void read_cut_in(struct reading *r, int at, const char *id)
 }
 
 /* In place of the entry on top: the phase, checked. Talks before it stand in its `talk`. */
-static void read_phase(struct reading *r)
+static void read_phase(struct reading *r, int i)
 {
     static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL },
                                   run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL };
     lua_State *L = r->L;
     const int at = lua_gettop(L);
 
-    checked(L, "boss.def phase");
+    checked_phase(L, i);
     field(L, at, "id");
     const char *id = lua_tostring(L, -1);
     lua_pushvalue(L, -1);
@@ -221,7 +247,7 @@ static void read_phase(struct reading *r)
     }
     read_cut_in(r, at, id);
     if (number(L, at, "armour") > 0)
-        api_body_check(L, "boss.def phase", "armour");
+        api_body_check(L, "boss.def", "armour");
     r->last |= is_true(L, at, "last");
     lua_settop(L, at);
 }
@@ -259,7 +285,7 @@ static void read_phases(struct reading *r)
             lua_pop(L, 1);
             continue;
         }
-        read_phase(r);
+        read_phase(r, (int)i);
         lua_pushvalue(L, talks);
         give_talks(L, talks + 1);
         lua_rawseti(L, list + 1, ++kept);

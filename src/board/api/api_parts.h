@@ -88,6 +88,10 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
  * besides its own, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
+/* Pushes a table of the call's arguments, checked as those of e, with its defaults; returns 1. Errors begin with e's
+ * name, which may say more, in quotes: "boss.def phase \"rain\"". */
+int api_checked(lua_State *L, const struct api_entry *e);
+
 /* sys.check(name, ...): a table of the arguments of the entry of that name, checked, with its defaults. */
 int api_sys_check(lua_State *L);
 

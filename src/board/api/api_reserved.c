@@ -27,10 +27,18 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
+/* An entry's name may be followed by what it is of, in quotes. */
+static bool is_of(const char *row, const char *of)
+{
+    size_t n = strlen(row);
+
+    return !strncmp(row, of, n) && (!of[n] || !strncmp(of + n, " \"", 2));
+}
+
 bool api_reserved(const char *of, char how, const char *name)
 {
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (reserved[i].how == how && !strcmp(reserved[i].of, of))
+        if (reserved[i].how == how && is_of(reserved[i].of, of))
             return has_word(reserved[i].names, name);
     return false;
 }

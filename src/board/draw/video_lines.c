@@ -183,7 +183,8 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
     }
 }
 
-/* The quarter of a character twice as large, drawn with the corners that scale2x finds, so that slants are no stairs. */
+/* The quarter of a character twice as large, drawn with the corners that scale2x finds, so that slants are no
+ * stairs. */
 static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH])
 {
     const int x0 = quarter % 2 * 4, y0 = quarter / 2 * 4;
