@@ -29,6 +29,7 @@ static inline void cover(uint8_t *d, uint64_t s, uint64_t add)
  * mask, no branch, a constant count. */
 static inline void cover_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
 {
+#pragma GCC unroll 1
     for (int k = 0; k < 16; k++) {
         uint8_t mask = (uint8_t)(0 - (s[k] != 0)), colour = (uint8_t)(s[k] + add);
         d[k] = (uint8_t)(d[k] ^ ((d[k] ^ colour) & mask));
@@ -343,6 +344,49 @@ static inline struct job whole_job(const struct fb *fb, const struct image *imag
         .rows = image->h,
         .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
+}
+
+/* Two rows of eight as one of sixteen. */
+static inline void cover_two(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add)
+{
+    uint8_t two[16];
+
+    memcpy(two, d, 8);
+    memcpy(two + 8, d + d_row, 8);
+    cover_pair(two, s, add);
+    memcpy(d, two, 8);
+    memcpy(d + d_row, two + 8, 8);
+}
+
+/* Eight pixels wide, and no more from a row to the next. */
+static void batch_eight(const struct blit_item *items, size_t n, ptrdiff_t d_row, int h)
+{
+    for (size_t i = 0; i < n; i++) {
+        const uint8_t *s = items[i].s;
+        uint8_t *d = items[i].d;
+        const uint8_t add = (uint8_t)(items[i].bank * 16);
+        int y = h;
+        for (; y > 1; y -= 2, s += 16, d += 2 * d_row)
+            cover_two(d, d_row, s, add);
+        if (y > 0)
+            cover(d, words_load(s), WORDS_EACH(add));
+    }
+}
+
+void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch)
+{
+    struct job j = { .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h };
+
+    if (s_pitch == 8) {
+        batch_eight(items, n, d_pitch, h);
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        j.s = items[i].s;
+        j.d = items[i].d;
+        j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
+        paint(&j);
+    }
 }
 
 static void blit_flipped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)

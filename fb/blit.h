@@ -23,8 +23,18 @@ enum {
  * become 0, and is drawn. flags: BLIT_. Any x, y; w or h of 0 draws nothing. */
 void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags);
 
-/* The same, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite would
- * have put there. */
+/* One of many pictures of a size, that blit_sprite would draw without clipping or flipping. */
+struct blit_item {
+    const uint8_t *s; /* the image's first row */
+    uint8_t *d;       /* where its first pixel goes */
+    uint64_t bank;
+};
+
+/* Draws n of them in order: images of that size and pitch, on a surface of that pitch. */
+void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch);
+
+/* As blit_sprite, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite
+ * would have put there. */
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                   const uint8_t table[65536]);
 

@@ -101,22 +101,24 @@ local function quieten()
   enemy.each(nil, function(e) e:remove() end)
 end
 
--- How many stages were cleared.
-local function play_stages(game, stages, players)
-  for i, name in ipairs(stages) do
-    local title = text.lang("STAGE %s"):format(menu.label(name))
+local function records() return sys.read("boot/records") end
+
+local function play_stages(game, run)
+  local i = records().next(run, 0)
+  while i do
+    local title = text.lang("STAGE %s"):format(menu.label(run.stages[i]))
     hud.banner({ title }, 150)
-    if not finished(stage.play(name, game)) then return i - 1 end
+    if not finished(stage.play(run.stages[i], game)) then return end
     quieten()
     hud.banner()
-    show("results", text.lang("%s CLEAR"):format(title), players, stopped)
-    if stopped() then return i end
-    if i < #stages then
+    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records().stage(run, i))
+    if stopped() then return end
+    i = records().next(run, i)
+    if i then
       sys.wipe()
       hud.refresh()
     end
   end
-  return #stages
 end
 
 -- run: what is to be played, mode, stages and ships; gets what became of it.
@@ -125,13 +127,13 @@ local function play(a, run)
   sys.mode = run.mode -- game.mode
   local game = enter(ships, nil, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
-  local cleared = play_stages(game, run.stages, #ships)
+  records().begin(run)
+  play_stages(game, run)
   run.clear = not stopped()
-  sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, cleared)
+  sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
+  local new = left and {} or records().over(run)
   last_words(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
-  run.difficulty, run.ship, run.players, run.scores = board.difficulty(), ships[1], #ships, {}
-  run.continues = sys.run("continues")
-  for p = 1, #ships do run.scores[p] = hud.score(p) end
+  for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
   leave(game, #ships)
   if not left then sys.read("boot/after")(a, show, run) end
 end

@@ -4,21 +4,16 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local hud = {}
 
 hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
-hud.banks = { plain = 0, bright = 0, faint = 0 } -- a game with coloured text sets these in main.lua
+-- A game with coloured text sets these in main.lua. alarm: a boss's last seconds, and its warning.
+hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
 
 -- The font's own picture for a code from 128 on, or else a plain character.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
 
--- How many characters s has; kept for texts of the game, which come again each frame.
-local known = {}
-local function len(s)
-  known[s] = known[s] or sys.cells(s)
-  return known[s]
-end
-
-function hud.put(col, row, s, bank)
+-- size 2: letters of two cells by two.
+function hud.put(col, row, s, bank, size)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true }
+  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size }
 end
 
 -- Breaks s between words into lines of at most `width` characters, and words that are longer; what fits stays as it is.
@@ -44,6 +39,9 @@ local left = PANEL and hud.cols - room + 1 or field_col + 1
 local width = room > 10 and room - 2 or room == 10 and 9 or field_cols - 2
 local TOP = PANEL and 1 or rom.field.y // 8 + 1
 
+-- For the rows of a boss: where rows stand, whether that is a panel, and the columns of the field.
+hud.place = { left = left, width = width, panel = PANEL, col = field_col, cols = field_cols }
+
 local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
 local BANNER_ROW = hud.rows // 3
 local FEW <const> = 6 -- so many icons stand side by side; of more, their number
@@ -56,6 +54,7 @@ local record = 0  -- the best score of the table
 local registers = { {}, {} } -- that each player's ship shows: name, show, max
 local values = {} -- what the rows tell of
 local fresh       -- one of them is another than in the frame before
+local again       -- all is to be written
 
 local function points(n) return ("%09d"):format(n) end
 
@@ -128,36 +127,12 @@ local function play_rows(rows)
   for k = 1, math.max(#registers[1], #registers[2]) do add(rows, register(1, k), "", register(2, k)) end
 end
 
--- Behind the last row of the title, or else below, stands a star for each phase that is left.
-local function boss_rows(rows)
-  local b = boss.status()
-  if not b then return end
-  if PANEL then rows[#rows + 1] = "" end
-  local full, line = b.hp, b.ends and ("%3d"):format(values.ends) or ""
-  rows[#rows + 1] = (full and hud.bar(b.enemy.hp, full, width - 4) or (" "):rep(width - 4)) .. " " .. line
-  for _, s in ipairs(hud.wrap(b.title, width)) do
-    rows[#rows + 1], line = s, s
-    len(s)
-  end
-  local last = GRAZE:rep(math.min(b.left, FEW))
-  local n = width - len(line) - #last
-  if n < 1 then
-    rows[#rows + 1] = (" "):rep(width - #last) .. last
-  elseif last ~= "" then
-    rows[#rows] = line .. (" "):rep(n) .. last
-  end
-  for _, s in ipairs(b.spell and hud.wrap(b.spell, width) or {}) do
-    rows[#rows + 1] = (" "):rep(width - len(s)) .. s
-  end
-end
-
 local function note(what, value)
   if values[what] ~= value then values[what], fresh = value, true end
 end
 
 -- Most frames are as the one before: then no text is made.
 local function draw()
-  local b = boss.status()
   note("best", hud.best())
   for i = 1, players do
     local p = player.get(i)
@@ -166,23 +141,19 @@ local function draw()
     note(i + 4, p.grazes)
     for k, r in ipairs(registers[i]) do note(2 * k + i + 4, value(i, r)) end
   end
-  note("boss", b)
-  if b then
-    note("hp", b.hp and b.enemy.hp)
-    note("ends", b.ends and (b.ends - sys.clock() + 59) // 60)
-  end
   if fresh then
     local rows = {}
     play_rows(rows)
-    boss_rows(rows)
     for i = 1, math.max(#rows, #shown) do
       local s = rows[i] or ""
-      s = s .. (" "):rep(width - (known[s] or #s))
+      s = s .. (" "):rep(width - #s)
       if s ~= (shown[i] or (" "):rep(width)) then hud.put(left, TOP + i - 1, s) end
       shown[i] = s
     end
     fresh = false
   end
+  boss.draw(TOP + #shown + (PANEL and 1 or 0), again)
+  again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
@@ -198,7 +169,7 @@ end
 
 -- Writes all again after something else was written over it.
 function hud.refresh()
-  shown, fresh = {}, true
+  shown, fresh, again = {}, true, true
   if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
 end
 
@@ -206,7 +177,7 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, fresh = {}, true
+  values, fresh, again = {}, true, true
   for i = 1, 2 do
     local list, kind = {}, i <= n and player.get(i).kind
     for _, r in ipairs(kind and sys.ship(kind).registers or {}) do

@@ -23,11 +23,15 @@ end
 -- The stage's clock: frames since its start, without those of boss fights.
 local function clock(s) return (s.fights > 0 and s.stopped or sys.clock()) - s.base end
 
-function stage.def(name, f)
-  local a = sys.check("stage.def", name, f)
+function stage.def(name, f, args)
+  local a = sys.check("stage.def", name, f, args)
   if not sys.loading() then sys.fail("stage.def", "a stage is declared while scripts load, not later") end
   if stages[a.name] then sys.fail("stage.def", ('stage "%s" is declared twice'):format(a.name)) end
   stages[a.name] = a.f
+  if a.needs then
+    sys.stage_needs = rawget(sys, "stage_needs") or {}
+    sys.stage_needs[a.name] = a.needs
+  end
   names[#names + 1] = a.name
 end
 

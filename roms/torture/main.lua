@@ -27,9 +27,19 @@ on.extend(function(p) p.lives = math.min(p.lives, 9) end)
 on.phase(function(e, id, won) board.note(id) board.note(won) if e.alive then e:hurt(1) end end)
 on.stage(function(name, state) board.note(name .. state) end)
 
+score.rule { on = "kill", gain = { power = 1 }, points = 10, times = "power" }
+score.rule { on = "graze", kind = "dot", points = function(p) return p.grazes end, most = { bombs = "power" } }
+score.rule { on = "death", set = { power = 0 } }
+score.rule { name = "cancel", points = 3, times = "bombs" }
+score.tally { { label = "Graze", value = "grazes", points = 7, stage = true },
+  { label = "Power", value = function(p) return (p.power or 0) > 3 end, points = 99 } }
+unlock.def("once", { when = { clear = "first" }, hint = "clear it once" })
+unlock.def("often", { when = function(run) return run.scores[1] % 3 == 0 end })
+
 task.go(function()
   while true do
     wait(1)
+    board.note(unlock.has "once" and "once" or "never")
     board.note(seen)
     if pad.pressed("select", 2) then board.reset() end
   end

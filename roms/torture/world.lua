@@ -405,8 +405,10 @@ local function numbers()
     save.set("count", (save.get("count", 0) + 1) % 1000)
     save.set("text" .. n % 4, rom.text "words.txt" .. n)
     if n % 40 == 0 then
-      score.enter("table" .. n % 3, { name = "N" .. n % 10, score = n * 7 % 100 })
-      board.note(#score.rows "table0")
+      score.enter("table" .. n % 3, { name = "N" .. n % 10, score = n * 7 % 100, stage = n % 14 + 1,
+        ship = n % 80 == 0 and "fast" or nil, clear = n % 120 == 0, continues = n % 16 })
+      board.note(#score.rows "table0" + #score.rows("table0", "fast"))
+      score.count("cancel", n % 7, n % 2 + 1)
     end
     if n % 100 == 50 then board.attract "torture" end
     board.note(rom.has "steps")

@@ -1,7 +1,6 @@
 -- boot/after.lua - all that is after a game that nobody left: ending and staff, then names and scores.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
-local RANKS = 10      -- rows of a table
 local SCORES = 6 * 60 -- frames it stands
 
 local function holds(when, run)
@@ -20,33 +19,29 @@ local function ending(a, show, run)
   show("ending", run)
 end
 
--- The row a score would take in its table, or nil.
-local function rank(name, points)
-  local rows = score.rows(name)
-  if points <= 0 then return nil end
-  for i, r in ipairs(rows) do
-    if points > r.score then return i <= RANKS and i or nil end
+-- The place of a row in the table of all ships, or nil.
+local function place(difficulty, row)
+  for i, r in ipairs(score.rows(difficulty)) do
+    if r.ship == row.ship and r.score == row.score and r.name == row.name then return i end
   end
-  return #rows < RANKS and #rows + 1 or nil
 end
 
--- Everybody whose score is among the best enters a name, then sees it in the table.
-local function enter_names(show, run)
-  local entries = {}
-  for p, points in ipairs(run.scores) do
-    local row = rank(run.difficulty, points)
-    if row then entries[#entries + 1] = { p = p, points = points, rank = row } end
-  end
+-- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
+-- all.
+local function enter_names(a, show, run)
+  local entries = sys.read("boot/records").best(run, #a.players > 1)
   if #entries == 0 then return end
-  local names, row = show("name", entries), nil
+  local names, ship, mark = show("name", entries), entries[1].row.ship, nil
   if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
-    local name = type(names) == "table" and names[i] or nil
-    if not name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
-    local at = score.enter(run.difficulty, { name = name, score = e.points })
-    row = row and at and math.min(row, at) or row or at
+    e.row.name = type(names) == "table" and names[i] or nil
+    if not e.row.name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
+    local at = score.enter(run.difficulty, e.row)
+    mark = mark and at and math.min(mark, at) or mark or at
+    if e.row.ship ~= ship then ship = nil end
   end
-  show("scores", run.difficulty, SCORES, row)
+  if not ship then mark = place(run.difficulty, entries[1].row) end
+  show("scores", run.difficulty, SCORES, mark, ship)
 end
 
 -- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.
@@ -56,5 +51,5 @@ return function(a, show, run)
     sys.wipe()
     if a.staff then show("staff", a.staff) end
   end
-  enter_names(show, run)
+  enter_names(a, show, run)
 end

@@ -11,10 +11,22 @@ local function any_score()
   end
 end
 
+local function any_spell()
+  local found = false
+  boss.each(function(b)
+    for _, phase in ipairs(b.phases) do found = found or phase.spell and sys.history(b.name, phase.id, 0) > 0 end
+  end)
+  return found
+end
+
 -- Where one can go from the title: what the game has, and what has something in it.
-local function places()
+local function places(a)
   local list = { "start" }
   if any_score() then list[2] = "scores" end
+  if any_spell() then list[#list + 1] = "history" end
+  if a.music then list[#list + 1] = "music" end
+  local unlocks = rawget(sys, "unlock")
+  if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
   return list
 end
 
@@ -42,13 +54,13 @@ end
 local function wait_for_players(a, show)
   local what, players
   while what ~= "start" do
-    local list = places()
+    local list = places(a)
     what, players = show("title", ATTRACT, list, what)
     if what == nil then
       attract(a, show)
     elseif what ~= "start" then
       expect_place(what, list)
-      show(what, board.difficulty(), SCORES)
+      show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)
     end
   end
   return players or 1
@@ -58,9 +70,10 @@ end
 local function choose_mode(a, show)
   if not a.modes then return { stages = a.stages } end
   if #a.modes == 1 then return a.modes[1] end
-  local list = {}
+  local list, closed = {}, sys.read("boot/records").closed
   for i, mode in ipairs(a.modes) do
-    list[i] = { name = mode.name, text = mode.text, closed = mode.needs and not unlock.has(mode.needs) }
+    local hint = closed(mode.needs)
+    list[i] = { name = mode.name, text = hint or mode.text, closed = hint ~= nil }
   end
   local name = show("mode", list)
   for _, mode in ipairs(a.modes) do

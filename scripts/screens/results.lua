@@ -39,7 +39,16 @@ local function draw_players(row)
   hud.put(page.col + page.cols - 3 - sys.cells(words[2]), row, words[2], hud.banks.bright)
 end
 
-local function draw_page(title, rows, players, top, gap, age)
+-- What was unlocked, each in a row of its own below the others.
+local function draw_new(row, gap, n, new, age)
+  for i, title in ipairs(new) do
+    local bank, words = page.bank(n + i + 4, age, hud.banks.bright), text.lang("UNLOCKED: %s"):format(title)
+    if sys.cells(words) > page.cols - 6 then words = title end
+    if bank then page.centre(row + (n + i - 1) * gap, words, bank) end
+  end
+end
+
+local function draw_page(title, rows, players, new, top, gap, age)
   local row = page.centre(top + 1, title, hud.banks.bright)
   page.rule(row, age, page.col + 2, page.cols - 4)
   row = row + 2
@@ -48,20 +57,23 @@ local function draw_page(title, rows, players, top, gap, age)
     row = row + 2
   end
   for i, r in ipairs(rows) do draw_row(row + (i - 1) * gap, i, r, players, age) end
+  draw_new(row, gap, #rows, new, age)
 end
 
--- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these.
-return function(title, players, stopped, rows)
-  rows = rows or usual(players)
+-- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these. new:
+-- titles of what was unlocked.
+return function(title, players, stopped, rows, new)
+  rows, new = rows or usual(players), new or {}
   local words = hud.wrap(title, page.cols - 6)
-  local gap = 2 * #rows + 12 <= page.rows and 2 or 1
-  local h = #rows * gap + #words + (players > 1 and 6 or 4)
+  local n = #rows + #new
+  local gap = 2 * n + 12 <= page.rows and 2 or 1
+  local h = n * gap + #words + (players > 1 and 6 or 4)
   local top = page.row + math.max(3, (page.rows - h) // 3)
   local window = page.window(page.col + 1, top, page.cols - 2, h)
   screen.dim { share = 0.3, over = 12 }
   for age = 0, LONGEST do
     page.grow(window, age)
-    draw_page(title, rows, players, top, gap, age) -- each frame, for a pause takes away what it stands on
+    draw_page(title, rows, players, new, top, gap, age) -- each frame, for a pause takes away what it stands on
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end

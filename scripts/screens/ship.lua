@@ -14,9 +14,10 @@ local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
 
 -- What is told of each ship: name, sprite, text, figures as { word, cells } each. A ship whose author gives figures, from
--- 1 to 5, has these; else they are what player.def says, as shares of the most that one of the ships has.
+-- 1 to 5, has these; else they are what player.def says, as shares of the most that one of the ships has. Of one that
+-- needs an unlock nothing is told but the hint.
 local function tell(kinds, about)
-  local ships, speed, focus = {}, 0, 0
+  local ships, speed, focus, closed = {}, 0, 0, sys.read("boot/records").closed
   for i, kind in ipairs(kinds) do
     local s = sys.ship(kind)
     ships[i], speed, focus = s, math.max(speed, s.speed), math.max(focus, s.focus)
@@ -36,6 +37,8 @@ local function tell(kinds, about)
         end
       end
     end
+    s.closed = closed(s.needs)
+    if s.closed then s.name, s.text, s.figures = "? ? ?", s.closed, {} end
   end
   return ships
 end
@@ -96,6 +99,7 @@ end
 local function draw_picture(c, ships, top)
   local x, y = (2 * c.col + c.cols) * 4, (top + (page.low and 4 or 5)) * 8
   if not c.picture then c.picture = sprite.put { sprite = ships[c.at].sprite, x = x, y = y, screen = true, layer = "over" } end
+  c.picture.hidden = ships[c.at].closed ~= nil
   c.off = c.off * 3 // 4
   c.picture.x, c.picture.y = x + c.off, y + (c.ready and 0 or 2 * angle.sin(4 * c.age))
 end
@@ -106,7 +110,7 @@ local function go_on(c, ships)
   if step ~= 0 then
     c.at, c.off, c.age = (c.at - 1 + step) % #ships + 1, step > 0 and SLIDE or -SLIDE, 0
     c.picture.sprite = ships[c.at].sprite
-  elseif page.accepted(c.switches) then
+  elseif page.accepted(c.switches) and not ships[c.at].closed then
     c.ready, c.age = true, 0
   elseif page.pressed("bomb", c.switches) then
     if not c.ready then return false end
@@ -121,7 +125,10 @@ local function choose(columns, ships)
   local room = page.row + page.rows - (page.low and 5 or 7) - top
   measure(ships, columns[1].cols, room)
   top = top + math.max(1, (room - ships.rows) // 3)
-  for _, c in ipairs(columns) do put_plate(c, top, ships.rows) end
+  for _, c in ipairs(columns) do
+    put_plate(c, top, ships.rows)
+    while ships[c.at].closed do c.at = c.at + 1 end
+  end
   for age = 0, math.maxinteger do
     if page.opening(age, 0) then
       page.head("YOUR SHIP?", age)

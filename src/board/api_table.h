@@ -52,6 +52,7 @@ enum api_type {
     A_SHOOT, /* what the step emit fires */
     A_MEET,  /* which of two bullets that meet goes */
     A_EMIT,  /* a pattern of the step emit */
+    A_DOWN,  /* how many bars of a cast must be emptied */
 };
 
 /* What is declared under a name. */

@@ -21,6 +21,9 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
 /* Takes n from enemy i unless it is safe; true when that killed it. */
 bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
 
+/* What an item of that kind is worth to player p where it is. */
+int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind);
+
 /* Handlers of events that only scripts raise, by the number of their name. */
 enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
 

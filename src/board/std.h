@@ -6,8 +6,8 @@
  * cab nobody has their texts: they are lumps "script/@std/NAME.lua".
  *
  * What a module seldom needs stands in pieces of its own, "screens/title": they come into the ROM with their module,
- * are not run when the machine starts, and are read each time sys.read asks for one. They may name what their module names
- * (or the game, where it asked for them), for they bring no module along.
+ * are not run when the machine starts, and are read each time sys.read asks for one. They may name what their module
+ * names (or the game, where it asked for them), for they bring no module along.
  */
 #ifndef BOARD_STD_H
 #define BOARD_STD_H
@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { STD_MODULES = 13 };
+enum { STD_MODULES = 15 };
 
 /* Said of a module's global in a game whose scripts do not name it: in a line typed into the console. */
 #define STD_NOT_HERE "not in this ROM: the library's modules are packed when a script names them"

@@ -3,6 +3,7 @@
  */
 #include "nvram.h"
 #include <assert.h>
+#include <stdio.h>
 #include <string.h>
 #include "../base/bytes.h"
 
@@ -13,7 +14,14 @@ static const struct column columns[] = {
 
 const struct chip nvram_chip = { "nvram", columns, sizeof columns / sizeof *columns, true, false };
 
-enum { MAGIC = 4, HEAD = 3, ROW = 24 };
+enum {
+    MAGIC = 4,
+    HEAD = 3,
+    ROW = 24,
+    ROW_FAR = NV_NAME, /* in a row: how far that score went */
+    ROW_SCORE = 16,
+    KEY_MOST = 2 * NV_KEY + 1 /* of a table: its name and a ship's */
+};
 
 static const char magic[] = "NV02", old_magic[] = "NV01";
 
@@ -66,7 +74,7 @@ static uint8_t *put(struct nvram *nv, uint32_t at, enum nv_type type, const char
     uint8_t *r = nv->bytes + at;
     size_t n = strlen(name), was = at < nv->s.live ? record_size(r) : 0, is = HEAD + n + m;
 
-    assert(n <= NV_KEY && m <= UINT8_MAX);
+    assert(n <= KEY_MOST && m <= UINT8_MAX);
     if (nv->s.live - was + is > nv->s.cap)
         return NULL;
     memmove(r + is, r + was, nv->s.live - at - was);
@@ -80,17 +88,9 @@ static uint8_t *put(struct nvram *nv, uint32_t at, enum nv_type type, const char
 
 /* ---- images ---- */
 
-static bool rows_valid(const uint8_t *rows, size_t size)
-{
-    for (size_t at = 0; at < size; at += ROW)
-        if (rows[at + NV_NAME])
-            return false;
-    return size % ROW == 0 && size >= ROW && size <= NV_ROWS * ROW;
-}
-
 static bool record_valid(const uint8_t *r, size_t left)
 {
-    if (left < HEAD || r[1] > NV_KEY || record_size(r) > left)
+    if (left < HEAD || r[1] > (r[0] == NV_TABLE ? KEY_MOST : NV_KEY) || record_size(r) > left)
         return false;
     switch (r[0]) {
     case NV_INT:
@@ -101,7 +101,7 @@ static bool record_valid(const uint8_t *r, size_t left)
     case NV_BOOL:
         return r[2] == 1 && *value_of(r) <= 1;
     case NV_TABLE:
-        return r[2] % ROW == 0 && rows_valid(value_of(r), r[2]);
+        return r[2] % ROW == 0 && r[2] >= ROW && r[2] <= NV_ROWS * ROW;
     default:
         return false;
     }
@@ -136,8 +136,9 @@ static bool old_valid(const uint8_t *image)
     }
     for (int t = 0; t < OLD_TABLES; t++) {
         const uint8_t *p = image + OLD_FIRST_TABLE + t * OLD_TABLE;
-        if (p[NV_KEY] || !rows_valid(p + OLD_ROWS, NV_ROWS * ROW))
-            return false;
+        for (int row = 0; row < NV_ROWS; row++)
+            if (p[NV_KEY] || p[OLD_ROWS + row * ROW + NV_NAME])
+                return false;
     }
     return true;
 }
@@ -243,35 +244,81 @@ bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v)
 
 /* ---- score tables ---- */
 
-bool nvram_row(const struct nvram *nv, const char *table, int r, char *name, int64_t *score)
+static int64_t score_of(const uint8_t *row)
 {
-    const uint8_t *p = record(nv, true, table);
+    return (int64_t)bytes_get64(row + ROW_SCORE);
+}
 
-    if (!p || r < 0 || r >= p[2] / ROW)
+/* Is the record the table of that name, or of one of its ships? That one's name is `ship` then, or "". */
+static bool is_table(const uint8_t *r, const char *table, char ship[NV_KEY + 1])
+{
+    size_t n = strlen(table), all = r[1];
+    const uint8_t *name = r + HEAD;
+
+    if (r[0] != NV_TABLE || all < n || memcmp(name, table, n) != 0 || (all > n && name[n] != NV_SHIP))
         return false;
-    memcpy(name, value_of(p) + r * ROW, NV_NAME + 1);
-    *score = (int64_t)bytes_get64(value_of(p) + r * ROW + 16);
+    size_t rest = all > n ? all - n - 1 : 0;
+    if (rest > NV_KEY)
+        return false;
+    memcpy(ship, name + all - rest, rest);
+    ship[rest] = 0;
     return true;
 }
 
-int nvram_enter(struct nvram *nv, const char *table, const char *name, int64_t score)
+/* Puts a row below those of n that are better or equal; returns how many there are then. */
+static int sort_in(struct nv_row rows[NV_ROWS], int n, const uint8_t *from, const char *ship)
 {
-    uint32_t at = find(nv, true, table);
+    int at = n;
+
+    while (at > 0 && rows[at - 1].score < score_of(from))
+        at--;
+    if (at == NV_ROWS)
+        return n;
+    n = n < NV_ROWS ? n + 1 : n;
+    memmove(rows + at + 1, rows + at, (size_t)(n - 1 - at) * sizeof *rows);
+    rows[at] = (struct nv_row){ .score = score_of(from), .stage = from[ROW_FAR] & 15, .continues = from[ROW_FAR] >> 4 };
+    memcpy(rows[at].name, from, NV_NAME);
+    memcpy(rows[at].ship, ship, sizeof rows[at].ship);
+    return n;
+}
+
+int nvram_rows(const struct nvram *nv, const char *table, const char *ship, struct nv_row rows[NV_ROWS])
+{
+    char of[NV_KEY + 1];
+    int n = 0;
+
+    for (uint32_t at = MAGIC; at < nv->s.live; at += (uint32_t)record_size(nv->bytes + at)) {
+        const uint8_t *r = nv->bytes + at;
+        if (!is_table(r, table, of) || (ship && strcmp(ship, of) != 0))
+            continue;
+        for (int i = 0; i < r[2] / ROW; i++)
+            n = sort_in(rows, n, value_of(r) + i * ROW, of);
+    }
+    return n;
+}
+
+int nvram_enter(struct nvram *nv, const char *table, const struct nv_row *row)
+{
+    char key[KEY_MOST + 1];
+
+    snprintf(key, sizeof key, row->ship[0] ? "%s%c%s" : "%s", table, NV_SHIP, row->ship);
+    uint32_t at = find(nv, true, key);
     const uint8_t *had = nv->bytes + at;
     int n = at < nv->s.live ? had[2] / ROW : 0, r = 0;
-
     nv->writes++;
-    while (r < n && (int64_t)bytes_get64(value_of(had) + r * ROW + 16) >= score)
+    while (r < n && score_of(value_of(had) + r * ROW) >= row->score)
         r++;
     if (r == NV_ROWS)
         return -1;
     int rows = n < NV_ROWS ? n + 1 : NV_ROWS;
-    uint8_t *to = put(nv, at, NV_TABLE, table, (size_t)rows * ROW);
+    uint8_t *to = put(nv, at, NV_TABLE, key, (size_t)rows * ROW);
     if (!to)
         return -2;
     memmove(to + (r + 1) * ROW, to + r * ROW, (size_t)(rows - 1 - r) * ROW);
-    memset(to + r * ROW, 0, ROW);
-    memcpy(to + r * ROW, name, strlen(name));
-    bytes_put64(to + r * ROW + 16, (uint64_t)score);
+    to += r * ROW;
+    memset(to, 0, ROW);
+    memcpy(to, row->name, strlen(row->name));
+    to[ROW_FAR] = (uint8_t)(row->stage | row->continues << 4);
+    bytes_put64(to + ROW_SCORE, (uint64_t)row->score);
     return r;
 }

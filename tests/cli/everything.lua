@@ -83,6 +83,11 @@ local function library(i)
   for k, v in pairs { z = 1, a = 2, [3] = 3, [-1] = 4 } do fold(k .. "=" .. v) end
 end
 
+score.rule { on = "kill", gain = { power = 1 }, points = 1.7, times = "power" }
+score.rule { on = "graze", points = function(p, b) return b.speed * 10 end }
+score.rule { name = "cancel", points = 3, set = { power = 3 }, most = { power = "grazes" } }
+score.tally { { label = "GRAZE", value = "grazes", points = 7, stage = true } }
+unlock.def("all", { when = { clear = true, score = 5 }, title = "All" })
 stage.def("one", function()
   stage.at(5)
   stage.wave { kind = "wisp", n = 4, every = 9, path = loop, dy = 3.3 }
@@ -129,7 +134,9 @@ task.go(function()
       seen = seen + 1
       fold(board.refused("bullets") .. " " .. tostring(pad.take("bomb", 50)))
       save.set("seen", seen)
-      score.enter("all", { name = "AB" .. seen, score = i * 31 })
+      score.enter("all", { name = "AB" .. seen, score = i * 31, ship = "ship", stage = 2, continues = seen % 3 })
+      score.count("cancel", seen, 1)
+      fold(#score.rows("all", "ship") .. tostring(unlock.has("all")))
     end
     local p = player.nearest(3, 4)
     if p.alive then

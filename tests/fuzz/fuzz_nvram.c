@@ -50,8 +50,8 @@ static void keep_again(struct nvram *nv, const char *key)
 static void use(struct nvram *nv)
 {
     const struct nv_value number = { .type = NV_INT, .bits = 7 };
-    char key[NV_KEY + 1], name[NV_NAME + 1];
-    int64_t score, above = INT64_MAX;
+    struct nv_row mine = { .name = "me", .ship = "crow", .score = 1000, .stage = 3 }, rows[NV_ROWS];
+    char key[NV_KEY + 1];
     uint32_t size;
 
     for (uint32_t at = 4; at < nv->s.live; at += size) {
@@ -65,15 +65,12 @@ static void use(struct nvram *nv)
     bool kept = nvram_set(nv, "one more", &number);
     need(kept || nvram_get(nv, "one more").type != NV_INT || nvram_get(nv, "one more").bits != 7);
     need(!kept || nvram_get(nv, "one more").bits == 7);
-    int row = nvram_enter(nv, "table", "me", 1000);
-    need(row >= -2 && row < NV_ROWS);
-    if (row >= 0)
-        need(nvram_row(nv, "table", row, name, &score) && score == 1000 && !strcmp(name, "me"));
-    for (int r = 0; r < row && nvram_row(nv, "table", r, name, &score); r++) {
-        need(memchr(name, 0, sizeof name) && score >= 1000);
-        above = score < above ? score : above;
+    for (int i = 0; i < 2; i++, mine.ship[0] = 0) {
+        int row = nvram_enter(nv, "table", &mine), n = nvram_rows(nv, "table", mine.ship, rows);
+        need(row >= -2 && row < NV_ROWS && row < (n ? n : 1) && n <= NV_ROWS);
+        for (int r = 1; r < n; r++)
+            need(rows[r - 1].score >= rows[r].score);
     }
-    need(above >= 1000);
 }
 
 /* All of an image of NV01 is there: the first record of each key, the rows of the first table of each name. */
@@ -93,16 +90,20 @@ static void compare_old(const struct nvram *nv, const uint8_t *image)
     }
     for (int t = 0; t < 16; t++) {
         const uint8_t *p = image + 4 + 256 * 96 + t * (32 + 240);
-        char name[NV_NAME + 1];
-        int64_t score;
+        struct nv_row rows[NV_ROWS];
         bool first = p[0] && p[32];
         for (int k = 0; k < t; k++) {
             const uint8_t *q = image + 4 + 256 * 96 + k * (32 + 240);
             first = first && (!q[32] || strcmp((const char *)q, (const char *)p));
         }
+        int n = first ? nvram_rows(nv, (const char *)p, "", rows) : 0;
         for (int r = 0; first && r < NV_ROWS && p[32 + r * 24]; r++) {
-            need(nvram_row(nv, (const char *)p, r, name, &score));
-            need(!memcmp(name, p + 32 + r * 24, sizeof name) && score == (int64_t)bytes_get64(p + 32 + r * 24 + 16));
+            const uint8_t *row = p + 32 + r * 24;
+            int k = 0;
+            while (k < n &&
+                   (rows[k].score != (int64_t)bytes_get64(row + 16) || strcmp(rows[k].name, (const char *)row)))
+                k++;
+            need(k < n);
         }
     }
 }

@@ -61,6 +61,9 @@ rm -rf data
 { keys 40; keys 5 $BACKSPACE; keys 200; } | plays out
 check 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
 rm -rf data
+{ keys 40; keys 1 $DOT; keys 1; keys 1 $P; keys 200; } | plays out
+check 'the same before a step' cmp data/curtain/probe.nv before.nv
+rm -rf data
 
 # ---- step by step, and from moment to moment ----
 

@@ -1047,6 +1047,25 @@ static void test_nvram_saves(void **state)
 }
 
 /* Best first, equals behind those before, ten rows. */
+static int enter(struct nvram *nv, const char *table, const char *name, int64_t score)
+{
+    struct nv_row row = { .score = score };
+
+    snprintf(row.name, sizeof row.name, "%s", name);
+    return nvram_enter(nv, table, &row);
+}
+
+static bool best_row(const struct nvram *nv, const char *table, int r, char name[NV_NAME + 1], int64_t *score)
+{
+    struct nv_row rows[NV_ROWS];
+
+    if (r >= NV_ROWS || r >= nvram_rows(nv, table, NULL, rows))
+        return false;
+    memcpy(name, rows[r].name, NV_NAME + 1);
+    *score = rows[r].score;
+    return true;
+}
+
 static void test_nvram_tables(void **state)
 {
     static const int64_t scores[] = { 50, 70, 50, -3, 900, 70, 60, 10, 20, 30 };
@@ -1063,20 +1082,56 @@ static void test_nvram_tables(void **state)
     assert_true(nvram_set(nv, "t", &v)); /* a key of the same name is another thing */
     for (int i = 0; i < NV_ROWS; i++) {
         snprintf(name, sizeof name, "n%d", i);
-        assert_int_equal(nvram_enter(nv, "t", name, scores[i]), rows[i]);
+        assert_int_equal(enter(nv, "t", name, scores[i]), rows[i]);
         assert_int_equal(nvram_size(&r), 4 + 12 + 4 + 24 * (i + 1));
     }
-    assert_int_equal(nvram_enter(nv, "t", "low", -3), -1);
-    assert_int_equal(nvram_enter(nv, "t", "fifteen letters", 1), 9);
-    assert_true(nvram_row(nv, "t", 9, name, &score));
+    assert_int_equal(enter(nv, "t", "low", -3), -1);
+    assert_int_equal(enter(nv, "t", "fifteen letters", 1), 9);
+    assert_true(best_row(nv, "t", 9, name, &score));
     assert_string_equal(name, "fifteen letters");
     assert_int_equal(score, 1);
-    assert_true(nvram_row(nv, "t", 0, name, &score));
+    assert_true(best_row(nv, "t", 0, name, &score));
     assert_int_equal(score, 900);
     assert_string_equal(name, "n4");
-    assert_false(nvram_row(nv, "t", 10, name, &score));
-    assert_false(nvram_row(nv, "u", 0, name, &score));
+    assert_false(best_row(nv, "t", 10, name, &score));
+    assert_false(best_row(nv, "u", 0, name, &score));
     assert_int_equal(nvram_get(nv, "t").bits, 1);
+    nvram_free(&r, &g);
+}
+
+/* Each ship has ten rows of its own, under its own name; the table shows the best of all. How far a score went is kept
+ * with it, in the bytes that a row had before. */
+static void test_nvram_ships(void **state)
+{
+    struct nv_row row = { .ship = "crow", .stage = 3, .continues = 2 }, rows[NV_ROWS];
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    nvram_power(&r, &g, 1, NULL);
+    struct nvram *nv = &r.b->nvram;
+    assert_int_equal(enter(nv, "t", "alone", 55), 0);
+    for (int i = 0; i < NV_ROWS; i++) {
+        row.score = 10 * i;
+        assert_int_equal(nvram_enter(nv, "t", &row), 0);
+    }
+    assert_int_equal(nvram_size(&r), 4 + 4 + 24 + (3 + 6) + 24 * NV_ROWS);
+    strcpy(row.ship, "heron");
+    row.score = 60, row.stage = NV_CLEARED, row.continues = NV_CONTINUES;
+    assert_int_equal(nvram_enter(nv, "t", &row), 0);
+    assert_int_equal(nvram_rows(nv, "t", "crow", rows), NV_ROWS);
+    assert_true(rows[0].score == 90 && rows[9].score == 0 && rows[0].stage == 3 && rows[0].continues == 2);
+    assert_int_equal(nvram_rows(nv, "t", "heron", rows), 1);
+    assert_true(rows[0].stage == NV_CLEARED && rows[0].continues == NV_CONTINUES);
+    assert_int_equal(nvram_rows(nv, "t", "her", rows), 0);
+    assert_int_equal(nvram_rows(nv, "t", "", rows), 1);
+    assert_int_equal(nvram_rows(nv, "t\ncrow", NULL, rows), NV_ROWS); /* its name in the image */
+    assert_int_equal(nvram_rows(nv, "t", NULL, rows), NV_ROWS);
+    assert_true(rows[3].score == 60 && !strcmp(rows[3].ship, "crow")); /* of equals, who came first */
+    assert_true(rows[4].score == 60 && !strcmp(rows[4].ship, "heron"));
+    assert_true(rows[5].score == 55 && !rows[5].ship[0] && !rows[5].stage && !strcmp(rows[5].name, "alone"));
+    assert_int_equal(rows[9].score, 20);
+    assert_true(nvram_valid(nvram_image(&r, &(size_t){ 0 }), nvram_size(&r)));
     nvram_free(&r, &g);
 }
 
@@ -1098,7 +1153,7 @@ static void test_nvram_full(void **state)
         for (int t = 0; t < tables; t++) {
             snprintf(key, sizeof key, "table %d", t);
             for (int i = 0; i < NV_ROWS; i++)
-                assert_int_equal(nvram_enter(nv, key, "me", 1000 * t + i), 0);
+                assert_int_equal(enter(nv, key, "me", 1000 * t + i), 0);
         }
         do
             v.bits = (uint64_t)n * 7, snprintf(key, sizeof key, "boss/spell %d", n);
@@ -1107,15 +1162,15 @@ static void test_nvram_full(void **state)
         assert_true(n > (sizes[k] - 1) * 1024 / 26 - tables * 252 / 26);
         assert_int_equal(nvram_get(nv, key).type, NV_NONE);
         assert_true(nvram_size(&r) + 3 + strlen(key) + 8 > (size_t)sizes[k] * 1024);
-        assert_int_equal(nvram_enter(nv, "one table more", "me", 1), -2);
-        assert_int_equal(nvram_enter(nv, "table 1", "you", 5000000), 0); /* in place of the last */
+        assert_int_equal(enter(nv, "one table more", "me", 1), -2);
+        assert_int_equal(enter(nv, "table 1", "you", 5000000), 0); /* in place of the last */
         v = (struct nv_value){ .type = NV_TEXT, .length = NV_STRING };
         assert_false(nvram_set(nv, "boss/spell 3", &v)); /* a longer one */
         for (int i = 0; i < n; i++) {
             snprintf(key, sizeof key, "boss/spell %d", i);
             assert_int_equal(nvram_get(nv, key).bits, 7 * i);
         }
-        assert_true(nvram_row(nv, "table 1", 1, name, &score) && score == 1009);
+        assert_true(best_row(nv, "table 1", 1, name, &score) && score == 1009);
         nvram_free(&r, &g);
     }
 }
@@ -1137,7 +1192,7 @@ static void test_nvram_image(void **state)
         snprintf(key, sizeof key, "%d", i);
         assert_true(nvram_set(&r.b->nvram, key, &v));
     }
-    assert_int_equal(nvram_enter(&r.b->nvram, "t", "me", 5), 0);
+    assert_int_equal(enter(&r.b->nvram, "t", "me", 5), 0);
     memcpy(image, nvram_image(&r, &start.nvram_size), nvram_size(&r));
     nvram_free(&r, &g);
     nvram_power(&r, &g, 64, &start);
@@ -1206,7 +1261,7 @@ static void test_nvram_old(void **state)
             snprintf(table, sizeof table, "table %d", t);
             snprintf(want, sizeof want, "row %d", row);
             bool there = t >= 10 || row <= t; /* the script's loop counted from 0 */
-            assert_int_equal(nvram_row(&r.b->nvram, table, row, name, &score), there);
+            assert_int_equal(best_row(&r.b->nvram, table, row, name, &score), there);
             if (there)
                 assert_string_equal(name, want);
             if (there)
@@ -1273,6 +1328,7 @@ int main(void)
         cmocka_unit_test(test_pal),
         cmocka_unit_test(test_nvram_saves),
         cmocka_unit_test(test_nvram_tables),
+        cmocka_unit_test(test_nvram_ships),
         cmocka_unit_test(test_nvram_full),
         cmocka_unit_test(test_nvram_image),
         cmocka_unit_test(test_nvram_old),

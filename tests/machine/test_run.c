@@ -63,16 +63,16 @@ static void test_whole_run(void **state)
     struct game g;
     struct demo d = { 0 };
     struct tally t = { 0 };
-    char err[256], title[64], name[NV_NAME + 1];
+    struct nv_row rows[NV_ROWS];
+    char err[256], title[64];
     unsigned phases = 0, stages = 0;
-    int64_t score;
 
     (void)state;
     assert_true(demo_load(&d, "roms/glasstide/demos/run.demo", err, sizeof err));
     assert_true(d.complete);
     assert_string_equal(d.start.practice.section, "");
     power(&g, &d.start);
-    assert_false(nvram_row(&g.b->nvram, "normal", 0, name, &score));
+    assert_int_equal(nvram_rows(&g.b->nvram, "normal", NULL, rows), 0);
     while (board_frame(g.b) < d.frames) {
         uint16_t pads[PADS];
         demo_pads(&d, board_frame(g.b), pads);
@@ -95,8 +95,8 @@ static void test_whole_run(void **state)
     assert_true(t.kills >= 100);
     assert_true(t.grazes >= 50);
     assert_true(t.deaths >= 1);
-    assert_true(nvram_row(&g.b->nvram, "normal", 0, name, &score)); /* a name was entered */
-    assert_true(score > 0);
+    assert_true(nvram_rows(&g.b->nvram, "normal", NULL, rows) > 0); /* a name was entered */
+    assert_true(rows[0].score > 0);
     demo_free(&d);
     drop(&g);
 }

@@ -187,6 +187,30 @@ static void sprites_of_every_width(void **state)
         }
 }
 
+/* Many in one go, of every size: in order, one over the other. */
+static void batches(void **state)
+{
+    struct bed *b = *state;
+    enum { MANY = 9 };
+
+    for (int k = 0; k < 6000; k++) {
+        struct blit_item items[MANY];
+        const int w = 1 + (int)rng_below(&b->r, k % 4 ? 20 : MAX_SIDE), h = 1 + (int)rng_below(&b->r, 20);
+        const size_t n = (size_t)rng_below(&b->r, MANY + 1);
+        random_image(b, w, h);
+        fb_clip_all(&b->fb);
+        begin(b);
+        for (size_t i = 0; i < n; i++) {
+            int x = (int)rng_below(&b->r, (uint64_t)(W + 2 * FB_GUARD - w + 1)) - FB_GUARD;
+            int y = (int)rng_below(&b->r, (uint64_t)(H + 2 * FB_GUARD - h + 1)) - FB_GUARD;
+            items[i] = (struct blit_item){ b->pix, b->fb.pix + y * b->fb.pitch + x, rng_below(&b->r, 16) };
+            paint(b, x, y, (uint8_t)items[i].bank, 0);
+        }
+        blit_batch(items, n, b->fb.pitch, w, h, b->image.pitch);
+        expect(b);
+    }
+}
+
 /* Every place round the edge of picture and band, for the widths whose last word hangs over. */
 static void sprites_at_every_edge(void **state)
 {
@@ -498,15 +522,11 @@ static void layers_are_sprites(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sprites_of_every_width),
-        cmocka_unit_test(sprites_at_every_edge),
-        cmocka_unit_test(banks_wrap),
-        cmocka_unit_test(nothing_to_draw),
-        cmocka_unit_test(flipped_rows_of_any_length),
-        cmocka_unit_test(blended_sprites),
-        cmocka_unit_test(blended_pairs),
-        cmocka_unit_test(blended_nothing),
-        cmocka_unit_test(stamps_are_sprites),
+        cmocka_unit_test(sprites_of_every_width), cmocka_unit_test(batches),
+        cmocka_unit_test(sprites_at_every_edge),  cmocka_unit_test(banks_wrap),
+        cmocka_unit_test(nothing_to_draw),        cmocka_unit_test(flipped_rows_of_any_length),
+        cmocka_unit_test(blended_sprites),        cmocka_unit_test(blended_pairs),
+        cmocka_unit_test(blended_nothing),        cmocka_unit_test(stamps_are_sprites),
         cmocka_unit_test(layers_are_sprites),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);

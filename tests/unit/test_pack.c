@@ -325,7 +325,7 @@ static const char *modules_of(const char *text)
     return got;
 }
 
-static const char every[] = "bg boot boss figure hud menu path pattern prelude stage sweep trail";
+static const char every[] = "bg boot boss figure game hud menu path pattern prelude scoring stage sweep trail unlock";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
 static void test_modules(void **state)
@@ -344,6 +344,9 @@ static void test_modules(void **state)
     assert_string_equal(modules_of("local l = bg.layer(1), bg.plane()"), "");
     assert_string_equal(modules_of("bg.show(nil)"), "bg prelude");
     assert_string_equal(modules_of("spark.burst {} spark.trail {}"), "prelude trail");
+    assert_string_equal(modules_of("score.add(1, 1) score.rows('t')"), "");
+    assert_string_equal(modules_of("score.rule {}"), "prelude scoring");
+    assert_string_equal(modules_of("unlock.has('x')"), "prelude unlock");
     assert_string_equal(modules_of("path.def {}"), "path prelude");
     assert_string_equal(modules_of("stage.def('one', print)"), "boss hud path prelude stage");
     assert_string_equal(modules_of("return _ENV['pat' .. 'tern']"), every);
@@ -528,7 +531,7 @@ static void test_globals(void **state)
         assert_int_equal(everywhere, std_of(lua_tostring(L, -2)) < 0);
         bound += !everywhere;
     }
-    assert_int_equal(bound, STD_MODULES - 5 + 3); /* but prelude, which binds 3, figure, sweep, bg and trail */
+    assert_int_equal(bound, STD_MODULES - 6 + 3); /* but prelude, which binds 3, figure, sweep, bg, trail, scoring */
     bed_close(&none);
     bed_close(&all);
 }

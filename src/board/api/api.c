@@ -123,7 +123,7 @@ static int call(lua_State *L)
 }
 
 /* sys.check(name, ...): what `call` does for C entries, for those written in Lua. */
-static int sys_check(lua_State *L)
+int api_sys_check(lua_State *L)
 {
     const struct api_entry *e = api_find(luaL_checkstring(L, 1));
     struct api_value v[MAX_PARAMS];
@@ -327,7 +327,7 @@ void api_open(lua_State *L)
         for (int i = 0; i < api_modules[m]->n; i++)
             if (!(api_modules[m]->entries[i].flags & API_LUA))
                 install(L, &api_modules[m]->entries[i]);
-    lua_pushcfunction(L, sys_check);
+    lua_pushcfunction(L, api_sys_check);
     lua_setfield(L, sys, "check");
     api_rom_open(L);
     lua_settop(L, sys);

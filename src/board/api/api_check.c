@@ -275,7 +275,8 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
-                                                                                                    "stack", "line" };
+                                                                                                    "stack", "line" },
+                         *const downs[] = { "all", "any" };
 
 /* By FIRES_. */
 const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
@@ -292,7 +293,8 @@ static const struct word_list {
               [A_FIRE] = { fire_words, FIRES },
               [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
               [A_MEET] = { meets, 4 },
-              [A_EMIT] = { emits, EMIT_PATTERNS } };
+              [A_EMIT] = { emits, EMIT_PATTERNS },
+              [A_DOWN] = { downs, 2 } };
 
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -426,6 +428,7 @@ static check *const CHECKS[] = {
     [A_SHOOT] = check_word,
     [A_MEET] = check_word,
     [A_EMIT] = check_word,
+    [A_DOWN] = check_word,
 };
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)

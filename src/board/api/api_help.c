@@ -44,6 +44,7 @@ static const char *type_words(const struct api_param *p)
         [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",
+        [A_DOWN] = "all or any",
     };
 
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];

@@ -87,6 +87,9 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
  * besides its own, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
+/* sys.check(name, ...): a table of the arguments of the entry of that name, checked, with its defaults. */
+int api_sys_check(lua_State *L);
+
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
@@ -356,6 +359,9 @@ int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
 /* Pushes how a kind of player wants its register i shown, or nil. */
 void api_register_show(lua_State *L, int32_t kind, int i);
+
+/* Pushes the name of the unlock that a kind of player needs, or nil. */
+void api_player_needs(lua_State *L, int32_t kind);
 
 /* Has any kind of player a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);

@@ -11,15 +11,13 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "talk say choose sound music unlock test" },
+    { "", '.', "talk say choose sound music test" },
     { "board", '.', "stop ask" },
-    { "boss", '.', "history" },
     { "enemy", ':', "orbit wander" },
-    { "boss.def", '{', "cast music portrait warning" },
-    { "boss.def phase", '{', "armour bonus_to cut_in down last music safe talk" },
+    { "boss.def", '{', "music" },
+    { "boss.def phase", '{', "music" },
     { "enemy.def", '{', "parts rate" },
     { "enemy.spawn", '{', "follow parts rate" },
-    { "player.def", '{', "needs" },
     { "shot.def", '{', "every pierce" },
 };
 

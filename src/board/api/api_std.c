@@ -82,7 +82,10 @@ static const struct api_param point[] = { { "x", A_NUM, OPT, -WORLD, WORLD, "px"
 static const struct api_param path_run[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                              { "route", A_ROUTE, REQ, 0, 0, NULL, NULL },
                                              { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" } };
-static const struct api_param stage_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param bg_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param stage_def[] = { NAME,
+                                              { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                              { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
 static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
 static const struct api_param wave[] = {
     { "n", A_INT, REQ, 0, 4096, "enemies", NULL },   EVERY,
@@ -95,17 +98,38 @@ static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
 static const struct api_param boss_def[] = { NAME,
                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
-                                             { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                             { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL } };
+                                             { "kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL },
+                                             { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                             { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
+                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                             { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                             { "warning", A_INT, OPT, 0, 65535, "frames", "0" } };
+static const struct api_param boss_cast[] = { NAME,
+                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
+                                              { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
+                                              { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param boss_talk[] = { { "talk", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param boss_fight[] = { NAME, { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
+static const struct api_param boss_history[] = { NAME,
+                                                 { "id", A_STR, REQ, 1, 31, NULL, NULL },
+                                                 { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
+                                                 { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
+                                          { "hp", A_ANY, OPT, 0, 0, NULL, NULL },
                                           { "time", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
-                                          { "run", A_FUNC, REQ, 0, 0, NULL, NULL },
+                                          { "run", A_ANY, OPT, 0, 0, NULL, NULL },
                                           { "spell", A_STR, OPT, 0, 127, NULL, NULL },
                                           { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
+                                          { "bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL },
                                           { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                          { "last", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                          { "safe", A_INT, OPT, 0, 65535, "frames", "0" },
+                                          { "armour", A_INT, OPT, 0, 65535, "frames", "0" },
+                                          { "rate", A_NUM, OPT, 0, 1, NULL, "0.25" },
+                                          { "down", A_DOWN, OPT, 0, 0, NULL, "all" },
+                                          { "cut_in", A_BOOL, OPT, 0, 0, NULL, NULL },
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
                                           { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -114,13 +138,44 @@ static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                             { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
+static const struct api_param rule[] = {
+    { "on", A_STR, OPT, 1, 31, NULL, NULL },    { "name", A_STR, OPT, 1, 31, NULL, NULL },
+    { "kind", A_STR, OPT, 1, 31, NULL, NULL },  { "points", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "times", A_ANY, OPT, 0, 0, NULL, NULL },  { "gain", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "most", A_TABLE, OPT, 0, 0, NULL, NULL }, { "set", A_TABLE, OPT, 0, 0, NULL, NULL }
+};
+static const struct api_param count[] = { NAME,
+                                          { "n", A_INT, REQ, 0, INT32_MAX, NULL, NULL },
+                                          { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param tally[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param tally_line[] = { { "label", A_STR, REQ, 1, 31, NULL, NULL },
+                                               { "value", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "points", A_INT, REQ, 0, 1e12, "points", NULL },
+                                               { "stage", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                               { "last", A_BOOL, OPT, 0, 0, NULL, "false" } };
+#define UNLOCK_NAME                                                                                                    \
+    {                                                                                                                  \
+        "name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */                                   \
+    }
+static const struct api_param unlock_def[] = { UNLOCK_NAME,
+                                               { "when", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "title", A_STR, OPT, 1, 63, NULL, NULL },
+                                               { "hint", A_STR, OPT, 1, 127, NULL, NULL } };
+static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NULL, NULL },
+                                                { "mode", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "ship", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL },
+                                                { "score", A_INT, OPT, 1, 1e12, "points", NULL },
+                                                { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
+static const struct api_param unlock_has[] = { UNLOCK_NAME };
 static const struct api_param boot_run[] = {
-    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL }, { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-    { "demo", A_STR, OPT, 1, 63, NULL, NULL },    { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },  { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },  { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },  { "continues", A_INT, OPT, 1, 99, NULL, NULL },
-    { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
+    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },   { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+    { "demo", A_STR, OPT, 1, 63, NULL, NULL },      { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },    { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },    { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
+    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },    { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "continues", A_INT, OPT, 1, 99, NULL, NULL }, { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
 };
 static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
@@ -169,7 +224,8 @@ static const struct api_entry entries[] = {
         "leaves a spark of that kind where a thing is, one each `every` frames: its after-images, until the task's "
         "owner "
         "or the thing goes"),
-    LUA("stage.def", stage_def, 2, API_LOAD, NULL, "declares a stage: one task, plain code"),
+    LUA("stage.def", stage_def, 2, API_LOAD, NULL,
+        "declares a stage: one task, plain code; needs: an unlock without which boot.run passes it over"),
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),
     LUA("stage.wave", wave, 0, 0, NULL,
@@ -178,16 +234,46 @@ static const struct api_entry entries[] = {
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
       "is the stage being run through, to the mark it starts at?" },
-    LUA("boss.def", boss_def, 1, API_LOAD, NULL, "declares a boss: phases = { { id, hp, time, run, ... }, ... }"),
+    LUA("boss.def", boss_def, 1, API_LOAD, NULL,
+        "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
+        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
+        "it; "
+        "warning: so long a band sweeps before"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
-        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten"),
+        "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
+        "of "
+        "damage; bonus runs down to bonus_to, and a death or a bomb loses it; last: only if all before were beaten, "
+        "and a "
+        "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and "
+        "down "
+        "says whether all bars or any must be emptied"),
+    LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one of the cast of boss.def"),
+    LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a talk among the phases of boss.def: f(e), with the boss safe"),
     LUA("boss.def clear", phase_clear, 0, API_SYS, NULL,
         "what the bullets leave that are there at a phase's end; items if it is beaten"),
-    LUA("boss.fight", name_only, 1, 0, "boolean", "flies in, fights all phases; true if every one was beaten"),
-    LUA("bg.def", stage_def, 2, API_LOAD, NULL,
+    LUA("boss.fight", boss_fight, 1, 0, "boolean",
+        "flies in, fights all phases; true if every one was beaten; clock: the stage's goes on"),
+    LUA("boss.history", boss_history, 2, 0, "tries, captures",
+        "how often that spell was fought and captured, at the difficulty played or that one, with that ship or any"),
+    LUA("bg.def", bg_def, 2, API_LOAD, NULL,
         "declares a background: a task that sets up layers and plane, which are all off when it begins"),
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades to black and to that background, which runs from the middle of the fade on; nil: to none"),
+    LUA("score.rule", rule, 0, API_LOAD, NULL,
+        "what a deed is worth: points, times a multiple; gain, most, set: of registers. on: graze, kill, take, death, "
+        "bomb; name: one that score.count tells"),
+    LUA("score.count", count, 3, 0, NULL, "n deeds of a rule's own name, by player p"),
+    LUA("score.tally", tally, 1, API_LOAD, NULL, "what a stage brings at its end: { label, value, points }, .."),
+    LUA("score.tally line", tally_line, 0, API_SYS, NULL,
+        "value: a property, a register or f(p), a number, or true, or nil for no line; stage: since it began; last: "
+        "after the "
+        "last one alone"),
+    LUA("unlock.def", unlock_def, 1, API_LOAD, NULL,
+        "declares what can be earned; when: conditions, or f(run) at a run's end; kept under \"unlock/NAME\""),
+    LUA("unlock.def when", unlock_when, 0, API_SYS, NULL,
+        "all must hold: clear = true or a stage, at least that difficulty and score, at most so many continues, "
+        "spell = \"boss/id\" captured"),
+    LUA("unlock.has", unlock_has, 1, 0, "boolean", "has it been earned?"),
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
         "frames too"),
@@ -196,11 +282,11 @@ static const struct api_entry entries[] = {
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_item, api_player, api_screen, api_rng,
-    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy, &api_player,
-                                                 &api_screen, &api_rng,    &api_query, &api_save,  &api_board,
-                                                 &api_sys,    &api_std,    &api_item,  &api_line,  &api_bg,
-                                                 &api_laser,  &api_bomb,   &api_option };
+    api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option, api_boss;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value,  &api_enemy, &api_player,
+                                                 &api_screen, &api_rng,    &api_query,  &api_save,  &api_board,
+                                                 &api_sys,    &api_std,    &api_item,   &api_line,  &api_bg,
+                                                 &api_laser,  &api_bomb,   &api_option, &api_boss };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,

@@ -119,6 +119,25 @@ static int sys_read(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+enum { WORTH_THING, WORTH_PLAYER };
+
+static const struct api_param worth[] = { { "thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL },
+                                          { "p", A_PAD, REQ, 0, 0, NULL, NULL } };
+
+/* Of an item that a player takes: it is asked where it was taken. */
+static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t i = handle_slot(v[WORTH_THING].i);
+
+    if (!board_there(b, v[WORTH_THING].i) || !v[WORTH_PLAYER].i)
+        lua_pushinteger(L, 0);
+    else if (handle_kind(v[WORTH_THING].i) == H_ENEMY)
+        lua_pushinteger(L, b->enemy_kinds.score[b->enemies.kind[i]]);
+    else
+        lua_pushinteger(L, events_item_points(b, (uint32_t)v[WORTH_PLAYER].i - 1, b->items.kind[i]));
+    return 1;
+}
+
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[ARG_NAME].at);
@@ -220,6 +239,8 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     push_registers(L, b, kind, b->player_kinds.first[kind]);
     push_registers(L, b, RUN_REGISTERS, b->registers.first);
     lua_setfield(L, -2, "registers");
+    api_player_needs(L, kind);
+    lua_setfield(L, -2, "needs");
     return 1;
 }
 
@@ -608,7 +629,7 @@ static const struct api_entry entries[] = {
       "for the cabinet, in each frame: a menu stands, and who has just come needs to know the keys" },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
     { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
-      "what the screens tell of a kind of player: picture, speed, lives, registers, then those of the run" },
+      "what the screens tell of a kind of player: picture, speed, lives, needs, registers, then those of the run" },
     { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
     { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL, "a game begins, in that scope" },
     { "sys.fit", sys_fit_run, PARAMS(sys_fit), 3, API_SYS | API_CHANGES, NULL,
@@ -647,6 +668,7 @@ static const struct api_entry entries[] = {
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
+    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

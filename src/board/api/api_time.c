@@ -152,7 +152,8 @@ static const struct api_entry entries[] = {
       "f(player): it lost its last life and goes on; its score is as many points as it went on so far" },
     { "on.start", on_start, PARAMS(handler), 1, ON_FLAGS, NULL,
       "f(): a game begins, or a try of practice; what was kept of the last one is set anew here" },
-    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, id, won): a boss's phase is over" },
+    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL,
+      "f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb" },
     { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

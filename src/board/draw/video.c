@@ -167,7 +167,7 @@ static void draw_rims(struct draw_target *c, const struct font *font)
         if (!(f->bank[i] & FIX_RIM) || !fix_code(f, i))
             continue;
         dark = dark < 0 ? extreme(c->b, false) : dark;
-        if (f->page)
+        if (f->page || f->bank[i] & FIX_QUARTERS)
             video_cell_rim(c, i, (uint8_t)dark);
         else
             text_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
@@ -184,7 +184,7 @@ static void draw_text(struct draw_target *c)
     fb_clip_all(c->fb);
     draw_rims(c, &font);
     for (uint32_t i = 0; i < f->s.live; i++)
-        if (f->page && fix_code(f, i))
+        if ((f->page || f->bank[i] & FIX_QUARTERS) && fix_code(f, i))
             video_cell(c, i);
         else if (f->code[i])
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],

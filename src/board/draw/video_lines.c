@@ -194,25 +194,68 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
     }
 }
 
+/* A cell of a character twice as large: the quarter of its picture, drawn with the corners that scale2x finds, so that
+ * slants are no stairs. */
+static void enlarge(const uint8_t from[CART_GLYPH], int quarter, uint8_t out[CART_GLYPH])
+{
+    for (int i = 0; i < CART_GLYPH; i++) {
+        const int X = quarter % 2 * 8 + i % 8, Y = quarter / 2 * 8 + i / 8, x = X / 2, y = Y / 2, at = y * 8 + x;
+        const int up = y > 0 ? from[at - 8] : 0, down = y < 7 ? from[at + 8] : 0;
+        const int left = x > 0 ? from[at - 1] : 0, right = x < 7 ? from[at + 1] : 0;
+        const int beside = X % 2 ? right : left, over = Y % 2 ? down : up;
+        const bool corner = beside == over && up != down && left != right;
+        out[i] = corner ? (uint8_t)over : from[at];
+    }
+}
+
+/* What a cell shows of its character: false: nothing, or a box. */
+static bool cell_glyph(const struct page *p, const struct fix *f, uint32_t i, uint8_t room[CART_GLYPH],
+                       struct face_glyph *g)
+{
+    uint8_t whole[CART_GLYPH] = { 0 };
+
+    if (!find(p, fix_code(f, i), g))
+        return false;
+    if (!(f->bank[i] & FIX_QUARTERS))
+        return true;
+    for (int y = 0; y < FIX_CELL; y++)
+        for (int x = 0; x < FIX_CELL; x++) {
+            const int u = x - g->x, v = y - g->y;
+            if (u >= 0 && v >= 0 && u < g->w && v < g->h)
+                whole[y * FIX_CELL + x] = g->pix[v * g->pitch + u];
+        }
+    enlarge(whole, f->bank[i] / FIX_BIG - 1, room);
+    *g = (struct face_glyph){ room, FIX_CELL, FIX_CELL, FIX_CELL, 0, 0, FIX_CELL };
+    return true;
+}
+
 void video_cell(struct draw_target *c, uint32_t i)
 {
     const struct fix *f = &c->b->fix;
-    struct page p = page_of(c, f->font[i]);
+    const struct page p = page_of(c, f->page ? f->font[i] : 0);
+    const int x = (int)(i % f->cols) * FIX_CELL, y = (int)(i / f->cols) * FIX_CELL, bank = f->bank[i] & FIX_BANK;
+    uint8_t room[CART_GLYPH];
+    struct face_glyph g;
 
-    draw_code(c, &p, fix_code(f, i), (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL,
-              f->bank[i] & FIX_BANK);
+    if (cell_glyph(&p, f, i, room, &g)) {
+        struct image image = { g.pix, g.w, g.h, g.pitch };
+        blit_sprite(c->fb, &image, x + g.x, y + g.y, (uint8_t)bank, 0);
+    } else if (!text_blank(fix_code(f, i))) {
+        text_box(c->fb, x, y, advance(&p, fix_code(f, i)), p.face.data ? p.face.height : TEXT_SIDE, (uint8_t)bank);
+    }
 }
 
 void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 {
     const struct fix *f = &c->b->fix;
-    struct page p = page_of(c, f->font[i]);
+    const struct page p = page_of(c, f->page ? f->font[i] : 0);
     const int x = (int)(i % f->cols) * FIX_CELL, y = (int)(i / f->cols) * FIX_CELL;
+    uint8_t room[CART_GLYPH];
     struct face_glyph g;
 
-    if (!p.face.data && text_has(&p.font, fix_code(f, i))) {
+    if (!p.face.data && !(f->bank[i] & FIX_QUARTERS) && text_has(&p.font, fix_code(f, i))) {
         text_rim(c->fb, &p.font, x, y, fix_code(f, i), rim);
-    } else if (find(&p, fix_code(f, i), &g)) {
+    } else if (cell_glyph(&p, f, i, room, &g)) {
         struct image image = { g.pix, g.w, g.h, g.pitch };
         blit_rim(c->fb, &image, x + g.x, y + g.y, rim);
     }

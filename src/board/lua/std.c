@@ -18,6 +18,8 @@ static const struct {
     { "figure", " pattern ", " whip scatter rose polygon star ellipse points picture ", "pattern" },
     { "sweep", " bullet ", " sweep ", "bullet" },
     { "trail", " spark ", " trail ", "spark" },
+    { "scoring", " score ", " rule count tally ", "score" },
+    { "unlock", " unlock ", NULL, NULL },
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
     { "game", " game ", NULL, NULL },

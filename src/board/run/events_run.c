@@ -433,14 +433,18 @@ static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t k
     }
 }
 
-static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind)
 {
     const fx line = b->player_kinds.line[b->player.kind[p]];
+
+    return items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16));
+}
+
+static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+{
     const bool full = is_full(L, b, p, kind);
 
-    board_score(
-        b, p,
-        items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16)));
+    board_score(b, p, events_item_points(b, p, kind));
     if (full)
         return;
     give_registers(L, b, p, kind);

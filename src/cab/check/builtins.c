@@ -210,7 +210,7 @@ bool builtins_handed(const struct symbol_origin *of)
         { "enemy", "def", "run", 2, 1 },       { "enemy", "def", "on_hit", 2, 1 },
         { "enemy", "def", "on_death", 2, 1 },  { "enemy", "spawn", "run", 1, 1 },
         { "stage", "wave", "run", 1, 1 },      { "enemy", "spawn", "on_death", 1, 1 },
-        { "player", "def", "run", 2, 1 },      { "boss", "def", "run", 2, 1 },
+        { "player", "def", "run", 2, 1 },      { "boss", "def", "run", 2, 8 },
         { "bullet", "each", NULL, 2, 1 },      { "enemy", "each", NULL, 2, 1 },
         { "player", "each", NULL, 1, 1 },      { "on", "graze", NULL, 1, 2 },
         { "on", "hit", NULL, 1, 2 },           { "on", "death", NULL, 1, 1 },
@@ -218,7 +218,7 @@ bool builtins_handed(const struct symbol_origin *of)
         { "on", "extend", NULL, 1, 1 },        { "on", "phase", NULL, 1, 1 },
         { "bullet", "meet", "on_meet", 3, 2 }, { "on", "take", NULL, 1, 2 },
         { "item", "def", "on_take", 2, 2 },    { "item", "each", NULL, 2, 1 },
-        { "laser", "each", NULL, 2, 1 },
+        { "laser", "each", NULL, 2, 1 },       { "boss", "def", "talk", 2, 1 },
     };
 
     for (size_t i = 0; i < COUNT(handed); i++)

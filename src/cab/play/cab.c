@@ -101,7 +101,7 @@ static bool keeps_nvram(void)
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
     return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
-           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED));
+           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
 }
 
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */

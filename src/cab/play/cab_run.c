@@ -70,6 +70,7 @@ void cab_check_recording(bool good)
 
 void cab_mark_assisted(void)
 {
+    cab_save_nvram(); /* what was reached so far; nothing more of this run */
     cab_check_recording(session_mark_assisted(&cab.session));
 }
 

@@ -24,12 +24,23 @@ static void set(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t 
     f->font[cell] = font;
 }
 
+/* A character in four cells, quarters from left to right and down. */
+static void set_big(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank, uint8_t font)
+{
+    for (int q = 0; q < 4; q++)
+        set(f, col + q % 2, row + q / 2, code, (uint8_t)((bank & ~FIX_QUARTERS) | FIX_BIG * (q + 1)), font);
+}
+
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font)
 {
     const char *end = text + n;
 
-    for (int64_t i = 0; text < end && i < FIX_TEXT; i++)
-        set(f, col + i, row, utf8_next(&text, end), bank, font);
+    for (int64_t i = 0; text < end && i < FIX_TEXT; i++) {
+        if (bank & FIX_QUARTERS)
+            set_big(f, col + 2 * i, row, utf8_next(&text, end), bank, font);
+        else
+            set(f, col + i, row, utf8_next(&text, end), bank, font);
+    }
 }
 
 void fix_clear(struct fix *f, int col, int row, int w, int h)

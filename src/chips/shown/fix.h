@@ -14,6 +14,8 @@ enum {
     FIX_WIDE = 1,     /* group of columns */
     FIX_BANK = 15,    /* of `bank`: banks to add */
     FIX_RIM = 1 << 4, /* of `bank`: a dark rim, to be read over anything */
+    FIX_BIG = 1 << 5, /* of `bank`: times the quarter + 1 of a character twice as large that the cell shows */
+    FIX_QUARTERS = 7 << 5,
 };
 
 struct fix {
@@ -27,8 +29,8 @@ struct fix {
 
 extern const struct chip fix_chip;
 
-/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. What falls outside
- * the grid is cut off. */
+/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. With FIX_BIG in its
+ * bank each takes two cells by two. What falls outside the grid is cut off. */
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font);
 
 /* The code point of a cell. */

@@ -369,13 +369,13 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
 
 static const struct api_param text_put[] = {
     { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
     { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "font", A_FACE, OPT, 0, 0, NULL, NULL },
-    { "rim", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "rim", A_BOOL, OPT, 0, 0, NULL, "false" },       { "size", A_INT, OPT, 1, 2, NULL, "1" },
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -400,9 +400,10 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
         return api_error(L, "text.put", "text: expected a finite number");
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
-    int cells = (int)utf8_count(s, n, FIX_TEXT, &n);
+    int cells = (int)utf8_count(s, n, FIX_TEXT, &n) * (int)v[TEXT_SIZE].i;
+    unsigned look = (v[TEXT_RIM].i ? FIX_RIM : 0u) | (v[TEXT_SIZE].i > 1 ? FIX_BIG : 0u);
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)(v[TEXT_BANK].i | (v[TEXT_RIM].i ? FIX_RIM : 0)),
+    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)((unsigned)v[TEXT_BANK].i | look),
             (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
@@ -597,7 +598,8 @@ static const struct api_entry entries[] = {
       "never "
       "seen by the game" },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      "writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the letters" },
+      "writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the letters; "
+      "size 2: letters of two cells by two" },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
       "what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does" },

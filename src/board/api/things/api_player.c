@@ -26,7 +26,8 @@ enum {
     D_BOMB,
     D_BOMB_FOCUS,
     D_DEATHBOMB,
-    D_OPTIONS
+    D_OPTIONS,
+    D_NEEDS
 };
 
 static const struct api_param def[] = {
@@ -49,23 +50,39 @@ static const struct api_param def[] = {
     { "bomb_focus", A_STR, OPT, 1, 31, NULL, NULL },
     { "deathbomb", A_INT, OPT, 0, 600, "frames", "0" },
     { "options", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "needs", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
 
 static const char run_key = 0; /* registry: kind -> run */
 
-static void keep_run(lua_State *L, int32_t kind, int at)
+static const char needs_key = 0; /* registry: kind -> the unlock it needs */
+
+/* Keeps the value at `at` for a kind. Only a game that gives one has the table. */
+static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) != LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &run_key);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, key);
     }
     lua_pushvalue(L, at);
     lua_rawseti(L, -2, kind);
     lua_pop(L, 1);
+}
+
+void api_player_needs(lua_State *L, int32_t kind)
+{
+    int top = lua_gettop(L);
+
+    lua_pushnil(L);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &needs_key) == LUA_TTABLE) {
+        lua_rawgeti(L, -1, kind);
+        lua_replace(L, top + 1);
+    }
+    lua_settop(L, top + 1);
 }
 
 /* The register, + 1, at whose most all items come. */
@@ -132,7 +149,9 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     api_options_read(L, b, i, &v[D_OPTIONS]);
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
-        keep_run(L, i, v[D_RUN].at);
+        keep_of_kind(L, &run_key, i, v[D_RUN].at);
+    if (v[D_NEEDS].given)
+        keep_of_kind(L, &needs_key, i, v[D_NEEDS].at);
     return 0;
 }
 
@@ -368,15 +387,19 @@ enum { ADD_POINTS, ADD_PLAYER };
 static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 
-enum { ARG_TABLE };
+enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param table_only[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL } };
+static const struct api_param rows_of[] = { { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },
+                                            { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL } };
 
-enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE };
+enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = { { "table", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
-                                          { "score", A_INT, REQ, -1e15, 1e15, "points", NULL } };
+static const struct api_param enter[] = {
+    { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },         { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
+    { "score", A_INT, REQ, -1e15, 1e15, "points", NULL },   { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL },
+    { "stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL }, { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0" }
+};
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -386,19 +409,37 @@ static int score_add(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static void push_row(lua_State *L, const struct nv_row *row)
+{
+    lua_createtable(L, 0, 6);
+    lua_pushstring(L, row->name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, row->score);
+    lua_setfield(L, -2, "score");
+    if (row->ship[0]) {
+        lua_pushstring(L, row->ship);
+        lua_setfield(L, -2, "ship");
+    }
+    if (row->stage && row->stage != NV_CLEARED) {
+        lua_pushinteger(L, row->stage);
+        lua_setfield(L, -2, "stage");
+    }
+    lua_pushboolean(L, row->stage == NV_CLEARED);
+    lua_setfield(L, -2, "clear");
+    lua_pushinteger(L, row->continues);
+    lua_setfield(L, -2, "continues");
+}
+
 static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 {
-    char name[NV_NAME + 1];
-    int64_t score;
+    struct nv_row rows[NV_ROWS];
+    const char *ship = v[ROWS_SHIP].given ? lua_tostring(L, v[ROWS_SHIP].at) : NULL;
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    lua_newtable(L);
-    for (int r = 0; nvram_row(&b->nvram, lua_tostring(L, v[ARG_TABLE].at), r, name, &score); r++) {
-        lua_createtable(L, 0, 2);
-        lua_pushstring(L, name);
-        lua_setfield(L, -2, "name");
-        lua_pushinteger(L, score);
-        lua_setfield(L, -2, "score");
+    int n = nvram_rows(&b->nvram, lua_tostring(L, v[ROWS_TABLE].at), ship, rows);
+    lua_createtable(L, n, 0);
+    for (int r = 0; r < n; r++) {
+        push_row(L, &rows[r]);
         lua_rawseti(L, -2, r + 1);
     }
     return 1;
@@ -406,16 +447,24 @@ static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 
 static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 {
-    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    int r =
-        nvram_enter(&b->nvram, lua_tostring(L, v[ENTER_TABLE].at), lua_tostring(L, v[ENTER_NAME].at), v[ENTER_SCORE].i);
+    const char *table = lua_tostring(L, v[ENTER_TABLE].at);
+    struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
+    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
+    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* of no more bytes than there is room for */
+    if (v[ENTER_SHIP].given)
+        strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
+    if (v[ENTER_STAGE].given)
+        row.stage = (uint8_t)v[ENTER_STAGE].i;
+    if (v[ENTER_CLEAR].i)
+        row.stage = NV_CLEARED;
+    int r = nvram_enter(&b->nvram, table, &row);
     if (r == -2)
         return api_error(L, "score.enter", NO_NVRAM, b->cart.m.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
     if (!board_lists(b))
-        board_add_marker(b, MARKER_ROW, lua_tostring(L, v[ENTER_TABLE].at), "", "", r + 1);
+        board_add_marker(b, MARKER_ROW, table, "", "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
 }
@@ -435,9 +484,10 @@ static const struct api_entry entries[] = {
       "pressed, then again every 5 frames once held for 20" },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
       "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
-    { "score.rows", score_rows, PARAMS(table_only), 1, API_CHANGES, "list",
-      "a lasting table's rows, best first: { name=, score= }" },
+    { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
+      "a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the best of "
+      "all" },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      "enters a score into a lasting table; its row, or nil when it is not good enough" },
+      "enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough" },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

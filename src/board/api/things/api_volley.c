@@ -1,8 +1,8 @@
 /*
  * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires what the
  * loops of scripts/pattern.lua fire, to the bit, at a tenth of their time; whatever a loop alone can do (`each`,
- * lasers, arguments that only some of its bullets refuse) is left to that. In the digest a volley is one call: its arguments
- * say all of its bullets.
+ * lasers, arguments that only some of its bullets refuse) is left to that. In the digest a volley is one call: its
+ * arguments say all of its bullets.
  */
 #include <string.h>
 #include "../../../base/hash.h"

@@ -1,0 +1,96 @@
+-- boot/records.lua - what a run leaves behind: the tally of a stage, what it unlocked, its rows in the score tables. It
+-- is kept in nvram, which the cabinet writes for runs alone that were played from their title on, forwards, at full
+-- speed and by nobody else.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local records = {}
+
+local FEW = 14 -- the most stages that a row tells of; nvram.h
+
+local scoring, unlocks = rawget(sys, "scoring"), rawget(sys, "unlock") -- nil where the game names nothing of them
+
+-- Fails unless all is declared that rules, tally, unlocks and `needs` name. a: boot.run's arguments.
+function records.expect(a)
+  if scoring then scoring.expect() end
+  if unlocks then return unlocks.expect(a) end
+  local function refuse(api, needs)
+    if needs then sys.unknown(api, "unlock", needs, {}) end
+  end
+  for _, kind in ipairs(a.players) do refuse("player.def", sys.ship(kind).needs) end
+  for _, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs) end
+  for _, mode in ipairs(a.modes or {}) do refuse("boot.run", mode.needs) end
+end
+
+-- What keeps something closed that needs this unlock: a hint, or ""; nil: it is open.
+function records.closed(needs) return needs and unlocks.closed(needs) end
+
+-- The number of the run's next stage after the i-th that is open now, or nil.
+function records.next(run, i)
+  local needs = rawget(sys, "stage_needs") or {}
+  for k = i + 1, #run.stages do
+    if not records.closed(needs[run.stages[k]]) then return k end
+  end
+end
+
+-- A run begins; run.mode, stages and ships are there. What `when` of unlock.def is asked of it stands in it from now on.
+function records.begin(run)
+  run.difficulty, run.ship, run.players = board.difficulty(), run.ships[1], #run.ships
+  run.continues, run.clear, run.cleared, run.reached, run.scores = 0, false, {}, 0, {}
+end
+
+local function earn(run)
+  run.continues = sys.run("continues")
+  for p = 1, run.players do run.scores[p] = hud.score(p) end
+  return unlocks and unlocks.earn(run) or {}
+end
+
+-- A word for each line of the tallies, and what each player got for it; nil: there is no tally.
+local function tallies(n, last)
+  local rows, row_of = {}, {}
+  for p = 1, n do
+    local lines = scoring and scoring.tally(player.get(p), last)
+    if not lines then return end
+    for _, line in ipairs(lines) do
+      local word = text.lang(line.label)
+      local row = row_of[word] or { n == 1 and line.value and word .. " " .. line.value or word, 0, 0 }
+      if not row_of[word] then rows[#rows + 1] = row end
+      row_of[word], row[p + 1] = row, line.points
+    end
+  end
+  rows[#rows + 1] = { "SCORE", hud.score(1), n > 1 and hud.score(2) or nil }
+  return rows
+end
+
+-- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, and the titles of what it
+-- unlocked, which may be the next stage.
+function records.stage(run, i)
+  run.stage = run.stages[i]
+  run.reached, run.cleared[run.stage] = run.reached + 1, true
+  local new = earn(run)
+  run.stage = nil
+  return tallies(run.players, not records.next(run, i)), new
+end
+
+-- The run is over. Returns the titles of what it unlocked.
+function records.over(run) return earn(run) end
+
+-- The place a score would take in its table, or nil.
+local function rank(difficulty, ship, points)
+  local rows, place = score.rows(difficulty, ship), 1
+  while rows[place] and rows[place].score >= points do place = place + 1 end
+  return points > 0 and place <= 10 and place or nil
+end
+
+-- Those whose scores are among the best, as { p, points, rank, row } each; row: what is entered, but for the name. A game
+-- of one ship has one table a difficulty, another one for each ship.
+function records.best(run, many)
+  local list = {}
+  for p, points in ipairs(run.scores) do
+    local ship = many and run.ships[p] or nil
+    local place, stage = rank(run.difficulty, ship, points), math.min(run.reached + 1, FEW)
+    local row = { score = points, ship = ship, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
+    if place then list[#list + 1] = { p = p, points = points, rank = place, row = row } end
+  end
+  return list
+end
+
+return records

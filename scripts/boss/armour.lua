@@ -1,0 +1,15 @@
+-- boss/armour.lua - the frames of a phase, behind those that are safe, in which less damage is taken.
+return function(team, phase, scene)
+  local usual = {}
+  for i, e in ipairs(team) do usual[i] = e.rate end
+  local function share(n)
+    for i, e in ipairs(team) do
+      if e.alive then e.rate = usual[i] * n end
+    end
+  end
+  task.own(scene, function()
+    local back <close> = setmetatable({}, { __close = function() share(1) end })
+    share(phase.rate)
+    wait(phase.safe + phase.armour)
+  end)
+end

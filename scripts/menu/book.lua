@@ -1,0 +1,83 @@
+-- menu/book.lua - pages that are turned: left and right lead to the next, up and down to another chapter. The score
+-- tables, the history and the list of unlocks are such.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local page = sys.read("menu/page")
+
+local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
+
+local book = {}
+
+-- The first row of what stands on a page, and how many there are down to the foot. chapters: how many.
+function book.room(chapters)
+  local row = page.row + (page.low and 6 or chapters > 1 and 13 or 11)
+  return row, page.row + page.rows - (page.low and 3 or 6) - row
+end
+
+-- Distributes n entries of height(i) rows each over pages; returns the first and the last of each.
+function book.split(n, rows, height)
+  local pages, used = {}, rows + 1
+  for i = 1, n do
+    local h = height(i)
+    if used + h > rows then
+      pages[#pages + 1], used = { i, i }, 0
+    end
+    pages[#pages][2], used = i, used + h
+  end
+  return pages
+end
+
+local function between(before, name, n, behind) return n > 1 and before .. " " .. name .. " " .. behind or name end
+
+-- What stands above a page. In a low one the chapter shares the head's row.
+local function titles(a, c, name, n, age)
+  local chapter = #a.chapters > 1 and between(UP, a.chapters[c], #a.chapters, DOWN)
+  local head, row = text.lang(a.head), nil
+  if page.low and chapter then
+    local both = head .. "  " .. chapter
+    row = page.head(sys.cells(both) <= page.cols - 2 and both or chapter, age)
+  else
+    row = page.head(a.head, age)
+    if chapter then
+      page.centre(row, chapter, hud.banks.bright)
+      row = row + 2
+    end
+  end
+  page.centre(row, between(LEFT, name, n, RIGHT), hud.banks.plain)
+end
+
+local function turn(at, n, step) return (at - 1 + step) % n + 1 end
+
+-- head: above all pages; chapters: names of these, one may be ""; pages(c): those of chapter c, a list of { title, count,
+-- draw(row, rows, age), every? }: count rows come one after the other, all are drawn again each `every` frames. Begins
+-- at `chapter` and `at`, ends when somebody presses (true) or nobody did for `limit` frames.
+function book.show(a)
+  local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
+  local list, row, rows = a.pages(c), book.room(#a.chapters)
+  page.begin()
+  while idle < (a.limit or page.IDLE) and not answered do
+    local p = list[i]
+    if page.opening(age, p.count) or p.every and age % p.every == 0 then
+      titles(a, c, p.title, #list, idle)
+      p.draw(row, rows, age)
+      page.foot("FIRE: BACK", idle)
+    end
+    wait(1)
+    age, idle = age + 1, idle + 1
+    local up, right = #a.chapters > 1 and page.step("up", "down") or 0, page.step("left", "right")
+    if up ~= 0 then
+      c, i = turn(c, #a.chapters, up), 1
+      list = a.pages(c)
+    else
+      i = turn(i, #list, right)
+    end
+    if up ~= 0 or right ~= 0 and #list > 1 then
+      age, idle = 0, page.cols -- rules and frames have grown
+      page.clear(page.row, page.rows)
+    end
+    answered = page.accepted() or page.pressed("bomb")
+  end
+  page.done()
+  return answered
+end
+
+return book

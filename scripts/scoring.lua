@@ -1,0 +1,166 @@
+-- scoring.lua - score.rule, score.count, score.tally: what a deed is worth beyond what its enemy or item says. All that
+-- counts stands in the players' registers, so it is fresh in each game and in each try.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local MOST = 1000000000000 -- points that score.add takes at once
+local EDGE = 2147483647    -- the most a register can be
+
+-- event -> what its things are kinds of
+local EVENTS = { graze = "bullet", kill = "enemy", take = "item", death = false, bomb = false }
+local rules = {} -- name -> list of rules
+local names = {} -- of those that score.count may ask for
+
+local own = {} -- kind of player -> what its names can stand for
+
+local function has(p, name)
+  local kind = p.kind
+  if not own[kind] then
+    local list = sys.ship(kind).registers -- the run's are the last of them
+    own[kind] = { grazes = true, lives = true, score = true }
+    for i = 1, #list - #sys.run_names() do own[kind][list[i].name] = true end
+  end
+  return own[kind][name]
+end
+
+-- Fails unless some ship has the register. One that has it not is worth 0 in it.
+local function missing(name, api)
+  for _, known in ipairs(sys.scoring.registers()) do
+    if known == name then return 0 end
+  end
+  sys.unknown(api or "score.rule", "register", name, sys.scoring.registers())
+end
+
+-- A register, or what counts beside them: player p's, or else the run's.
+local function read(name, p, api) return has(p, name) and p[name] or sys.run(name) or missing(name, api) end
+
+local function write(name, p, v)
+  v = math.max(-EDGE, math.min(v, EDGE))
+  if has(p, name) then
+    p[name] = v
+  elseif not sys.run_set(name, v) then
+    missing(name)
+  end
+end
+
+local function number(v, p, thing, field)
+  if type(v) == "string" then return read(v, p) end
+  if type(v) == "function" then
+    local n = v(p, thing)
+    if type(n) ~= "number" or n ~= n then
+      sys.fail("score.rule", ("%s: the function gave %s, expected a number"):format(field, n ~= n and "no number" or type(n)))
+    end
+    return n
+  end
+  return v
+end
+
+local function whole(v) return math.tointeger(math.floor(math.max(-MOST, math.min(v, MOST)))) end
+
+-- Points: with none said, those that the thing gives itself, times - 1: it has given them once.
+local function reward(r, n, p, thing)
+  local times = r.times and number(r.times, p, thing, "times") or 1
+  if r.points then return number(r.points, p, thing, "points") * times * n end
+  return r.times and thing and sys.worth(thing, p) * (times - 1) or 0
+end
+
+local function apply(r, n, p, thing)
+  for name, by in pairs(r.gain or {}) do write(name, p, read(name, p) + by * n) end
+  for name, of in pairs(r.most or {}) do write(name, p, math.max(read(name, p), read(of, p))) end
+  local points = whole(reward(r, n, p, thing))
+  if points ~= 0 then score.add(points, p) end
+  for name, v in pairs(r.set or {}) do write(name, p, v) end
+end
+
+local function fire(list, n, p, thing)
+  for _, r in ipairs(list) do
+    if not r.kind or thing.kind == r.kind then apply(r, n, p, thing) end
+  end
+end
+
+local function heard(event, list)
+  if event == "kill" then
+    return on.kill(function(e, p)
+      if p then fire(list, 1, p, e) end
+    end)
+  end
+  local kinds = EVENTS[event]
+  on[event](function(p, thing) fire(list, 1, p, kinds and thing) end)
+end
+
+function score.rule(args)
+  local a = sys.check("score.rule", args)
+  local event = sys.read("scoring/rule")(a, EVENTS)
+  if not rules[event] then
+    rules[event] = {}
+    if a.name then names[#names + 1] = a.name else heard(event, rules[event]) end
+  end
+  table.insert(rules[event], a)
+end
+
+function score.count(name, n, p)
+  local a = sys.check("score.count", name, n, p)
+  if EVENTS[a.name] ~= nil or not rules[a.name] then sys.unknown("score.count", "rule", a.name, names) end
+  local who = a.p <= 2 and player.get(math.tointeger(a.p)) or a.p
+  if a.n > 0 and who.alive then fire(rules[a.name], a.n, who) end
+end
+
+-- ---- the tally at a stage's end ----
+
+local lines -- list of { label, value, points, stage, last }; nil: none was declared
+local began -- player -> line -> value when the stage began
+
+local function value(line, p)
+  if type(line.value) == "function" then
+    local n = line.value(p)
+    if n == nil or type(n) == "boolean" or type(n) == "number" then return n end
+    sys.fail("score.tally", ('"%s": the function gave %s, expected a number or true'):format(line.label, type(n)))
+  end
+  return read(line.value, p, "score.tally")
+end
+
+function score.tally(list)
+  lines = sys.read("scoring/tally")(sys.check("score.tally", list).list)
+  on.stage(function(_, state)
+    if state ~= "start" then return end
+    began = { {}, {} }
+    player.each(function(p)
+      for i, line in ipairs(lines) do began[p.index][i] = line.stage and tonumber(value(line, p)) or 0 end
+    end)
+  end)
+end
+
+-- ---- for the results ----
+
+sys.scoring = {}
+
+-- What a name can stand for: properties that count, the registers of all ships, and the run's.
+function sys.scoring.registers()
+  local list, known = { "grazes", "lives", "score" }, {}
+  for _, kind in ipairs(sys.kinds("player")) do
+    for _, r in ipairs(sys.ship(kind).registers) do
+      if not known[r.name] then list[#list + 1] = r.name end
+      known[r.name] = true
+    end
+  end
+  return list
+end
+
+-- Fails unless some ship has each register that is named.
+function sys.scoring.expect() sys.read("scoring/expect")(rules, lines or {}, sys.scoring.registers()) end
+
+-- Gives player p the points of the tally. last: the game's last stage was cleared. Returns what is shown: a list of
+-- { label, value, points }, nil if no tally is declared; value nil: it is so, or not.
+function sys.scoring.tally(p, last)
+  local shown, since = {}, began and began[p.index] or {}
+  if not lines then return end
+  for i, line in ipairs(lines) do
+    local n = (last or not line.last) and value(line, p)
+    if n then
+      local count = n == true and 1 or n - (since[i] or 0)
+      local points = whole(count * line.points)
+      shown[#shown + 1] = { label = line.label, value = n ~= true and count or nil, points = points }
+      score.add(points, p)
+    end
+  end
+  return shown
+end

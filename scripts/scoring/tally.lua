@@ -1,0 +1,16 @@
+-- scoring/tally.lua - the lines of score.tally, checked.
+local sys = ...
+
+return function(list)
+  local lines = {}
+  for i, entry in ipairs(list) do
+    local line = sys.check("score.tally line", entry)
+    local t = type(line.value)
+    if t ~= "string" and t ~= "function" then
+      sys.fail("score.tally", ("line %d: value: expected a property, a register or a function, got %s"):format(i, t))
+    end
+    lines[i] = line
+  end
+  if #lines == 0 then sys.fail("score.tally", "expected { label = text, value = register, points = n }, .., got no line") end
+  return lines
+end

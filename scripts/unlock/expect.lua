@@ -1,0 +1,49 @@
+-- unlock/expect.lua - fails unless all that unlocks name is declared, and every unlock that something needs.
+local sys = ...
+
+local function one_of(api, what, name, list)
+  for _, n in ipairs(list) do
+    if n == name then return end
+  end
+  sys.unknown(api, what, name, list)
+end
+
+local function spell_of(name)
+  local of, id = name:match("^(.-)/(.*)$")
+  if not of then
+    sys.fail("unlock.def", ('spell: expected "boss/id", the name of a boss and of its phase, got "%s"'):format(name))
+  end
+  local bosses, ids = {}, nil
+  boss.each(function(b)
+    bosses[#bosses + 1] = b.name
+    if b.name ~= of then return end
+    ids = {}
+    for _, phase in ipairs(b.phases) do ids[#ids + 1] = phase.id end
+  end)
+  if not ids then sys.unknown("unlock.def", "boss", of, bosses) end
+  one_of("unlock.def", "phase", id, ids)
+end
+
+return function(list, find, a)
+  local modes = {}
+  for _, m in ipairs(a.modes or {}) do modes[#modes + 1] = m.name end
+  for _, u in ipairs(list) do
+    local when = type(u.when) == "table" and u.when or {}
+    if type(when.clear) == "string" then stage.expect("unlock.def", when.clear) end
+    if when.mode then one_of("unlock.def", "mode", when.mode, modes) end
+    if when.difficulty then one_of("unlock.def", "difficulty", when.difficulty, sys.difficulties()) end
+    if when.ship then one_of("unlock.def", "player", when.ship, sys.kinds("player")) end
+    if when.spell then spell_of(when.spell) end
+  end
+  for _, needs in pairs(rawget(sys, "stage_needs") or {}) do find("stage.def", needs) end
+  local open = false
+  for _, kind in ipairs(a.players) do
+    local needs = sys.ship(kind).needs
+    if needs then find("player.def", needs) end
+    open = open or not needs
+  end
+  if not open then sys.fail("boot.run", "players: expected at least one that needs no unlock") end
+  for _, m in ipairs(a.modes or {}) do
+    if m.needs then find("boot.run", m.needs) end
+  end
+end

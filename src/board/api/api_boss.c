@@ -1,0 +1,383 @@
+/*
+ * api_boss.c - what boss.lua and its pieces do in C: the checks of boss.def, and how often spells were tried and
+ * captured.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../base/hash.h"
+#include "api_parts.h"
+
+/* ---- boss.def ---- */
+
+/* What is being read: stack indices; and has it a last phase? */
+struct reading {
+    lua_State *L;
+    int boss, cast, ids, phases; /* cast: names of its members, 0: the boss is one */
+    bool last;
+};
+
+/* The field of the table at `at`; its type. */
+static int field(lua_State *L, int at, const char *name)
+{
+    lua_pushstring(L, name);
+    return lua_rawget(L, at);
+}
+
+/* In place of the table on top: what sys.check makes of it. */
+static void checked(lua_State *L, const char *entry)
+{
+    lua_pushcfunction(L, api_sys_check);
+    lua_pushstring(L, entry);
+    lua_pushvalue(L, -3);
+    lua_call(L, 2, 1);
+    lua_replace(L, -2);
+}
+
+/* Fails unless the field of the table at `at` is such a one. */
+static void check_field(lua_State *L, const char *entry, int at, const struct api_param *p)
+{
+    struct api_value v;
+
+    field(L, at, p->name);
+    api_check(L, entry, p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+}
+
+/* Alone it has its own kind and place; with a cast, each of that has. */
+static void check_alone(lua_State *L, int boss, bool alone)
+{
+    static const struct api_param own[] = { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
+                                            { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                            { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+
+    for (int i = 0; i < 3; i++)
+        if (alone)
+            check_field(L, "boss.def", boss, &own[i]);
+        else if (field(L, boss, own[i].name) != LUA_TNIL)
+            api_error(L, "boss.def", "%s: each of the cast has its own", own[i].name);
+        else
+            lua_pop(L, 1);
+}
+
+/* The cast, checked, on top of the list; its names, by name, at r->cast. */
+static void read_cast(struct reading *r, int list)
+{
+    lua_State *L = r->L;
+    const lua_Integer n = (lua_Integer)lua_rawlen(L, list);
+
+    if (n < 2)
+        api_error(L, "boss.def", "cast: expected two or more, got %d", (int)n);
+    lua_newtable(L);
+    lua_newtable(L);
+    r->cast = lua_gettop(L);
+    for (lua_Integer i = 1; i <= n; i++) {
+        lua_rawgeti(L, list, i);
+        checked(L, "boss.def cast");
+        field(L, lua_gettop(L), "name");
+        lua_pushvalue(L, -1);
+        if (lua_rawget(L, r->cast) != LUA_TNIL)
+            api_error(L, "boss.def", "cast: \"%s\" is there twice", lua_tostring(L, -2));
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+        lua_rawset(L, r->cast);
+        lua_rawseti(L, r->cast - 1, i);
+    }
+    lua_pushvalue(L, r->cast - 1);
+    lua_setfield(L, r->boss, "cast");
+}
+
+/* Fails over a word that names none of the cast. */
+static void no_member(struct reading *r, const char *phase, const char *what, const char *word)
+{
+    lua_State *L = r->L;
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    lua_pushnil(L);
+    while (lua_next(L, r->cast)) {
+        api_suggest_nearer(word, lua_tostring(L, -2), &best, &found);
+        lua_pop(L, 1);
+    }
+    if (found)
+        api_error(L, "boss.def", "phase \"%s\": %s: nobody of the cast is \"%s\" (did you mean \"%s\"?)", phase, what,
+                  word, found);
+    api_error(L, "boss.def", "phase \"%s\": %s: nobody of the cast is \"%s\"", phase, what, word);
+}
+
+/* The field of the phase at `at`, a value of that type or, with a cast, a table of them by name, which is copied. */
+static void each_of_cast(struct reading *r, int at, const char *phase, const struct api_param *p)
+{
+    lua_State *L = r->L;
+    struct api_value v;
+    char what[64];
+    int n = 0;
+
+    if (field(L, at, p->name) != LUA_TTABLE || !r->cast) {
+        snprintf(what, sizeof what, "boss.def: phase \"%s\"", phase);
+        api_check(L, what, p, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        return;
+    }
+    lua_newtable(L);
+    const int copy = lua_gettop(L);
+    lua_pushnil(L);
+    while (lua_next(L, copy - 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING)
+            api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, by names of the cast", phase, p->name);
+        lua_pushvalue(L, -2);
+        if (lua_rawget(L, r->cast) == LUA_TNIL)
+            no_member(r, phase, p->name, lua_tostring(L, -3));
+        lua_pop(L, 1);
+        snprintf(what, sizeof what, "boss.def: phase \"%s\": %s", phase, p->name);
+        struct api_param one = *p;
+        one.name = lua_tostring(L, -2);
+        api_check(L, what, &one, lua_gettop(L), &v);
+        lua_pushvalue(L, -2);
+        lua_insert(L, -2);
+        lua_rawset(L, copy);
+        n++;
+    }
+    if (n == 0)
+        api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, got {}", phase, p->name);
+    lua_setfield(L, at, p->name);
+    lua_pop(L, 1);
+}
+
+static bool is_true(lua_State *L, int at, const char *name)
+{
+    field(L, at, name);
+    bool is = lua_toboolean(L, -1);
+    lua_pop(L, 1);
+    return is;
+}
+
+static lua_Integer number(lua_State *L, int at, const char *name)
+{
+    field(L, at, name);
+    lua_Integer n = lua_tointeger(L, -1);
+    lua_pop(L, 1);
+    return n;
+}
+
+static void check_bonus(lua_State *L, int at, const char *id)
+{
+    if (field(L, at, "bonus_to") == LUA_TNIL) {
+        lua_pop(L, 1);
+        return;
+    }
+    if (lua_tointeger(L, -1) > number(L, at, "bonus"))
+        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is more than the bonus, %d", id,
+                  (int)lua_tointeger(L, -1), (int)number(L, at, "bonus"));
+    lua_pop(L, 1);
+}
+
+/* A spell of a boss with a portrait cuts in unless it says otherwise. */
+static void read_cut_in(struct reading *r, int at, const char *id)
+{
+    lua_State *L = r->L;
+    const bool face = is_true(L, r->boss, "portrait"), asked = is_true(L, at, "cut_in");
+
+    if (asked && !face)
+        api_error(L, "boss.def", "phase \"%s\": cut_in: the boss has no portrait (portrait = a sprite)", id);
+    if (asked && !is_true(L, at, "spell"))
+        api_error(L, "boss.def", "phase \"%s\": cut_in: it has no spell, whose name is shown", id);
+    if (face && is_true(L, at, "spell") && field(L, at, "cut_in") == LUA_TNIL) {
+        lua_pushboolean(L, 1);
+        lua_setfield(L, at, "cut_in");
+    }
+}
+
+/* In place of the entry on top: the phase, checked. Talks before it stand in its `talk`. */
+static void read_phase(struct reading *r)
+{
+    static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL },
+                                  run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL };
+    lua_State *L = r->L;
+    const int at = lua_gettop(L);
+
+    checked(L, "boss.def phase");
+    field(L, at, "id");
+    const char *id = lua_tostring(L, -1);
+    lua_pushvalue(L, -1);
+    if (lua_rawget(L, r->ids) != LUA_TNIL)
+        api_error(L, "boss.def", "phase \"%s\" is there twice", id);
+    lua_pushvalue(L, -2);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, r->ids);
+    if (!is_true(L, at, "survive") || field(L, at, "hp") != LUA_TNIL)
+        each_of_cast(r, at, id, &hp);
+    each_of_cast(r, at, id, &run);
+    check_bonus(L, at, id);
+    if (field(L, at, "clear") != LUA_TNIL) {
+        checked(L, "boss.def clear");
+        lua_setfield(L, at, "clear");
+    }
+    if (field(L, at, "drops") != LUA_TNIL) {
+        api_drops(L, "boss.def", lua_gettop(L));
+        lua_setfield(L, at, "drops");
+    }
+    read_cut_in(r, at, id);
+    r->last |= is_true(L, at, "last");
+    lua_settop(L, at);
+}
+
+/* The table of talks, on top, goes to the field `talk` of what is at `at`; nil if it is empty. */
+static void give_talks(lua_State *L, int at)
+{
+    if (lua_rawlen(L, -1) == 0) {
+        lua_pop(L, 1);
+        lua_pushnil(L);
+    }
+    lua_setfield(L, at, "talk");
+}
+
+/* The phases, checked, in place of the boss's own list; a talk stands with the phase that comes after it, and behind
+ * the last with the boss. */
+static void read_phases(struct reading *r)
+{
+    lua_State *L = r->L;
+    lua_Integer kept = 0;
+
+    field(L, r->boss, "phases");
+    const int list = lua_gettop(L);
+    lua_newtable(L);
+    lua_newtable(L);
+    r->ids = list + 2;
+    lua_newtable(L);
+    const int talks = list + 3;
+    for (lua_Integer i = 1; i <= (lua_Integer)lua_rawlen(L, list); i++) {
+        lua_rawgeti(L, list, i);
+        if (lua_istable(L, -1) && is_true(L, talks + 1, "talk")) {
+            checked(L, "boss.def talk");
+            field(L, talks + 1, "talk");
+            lua_rawseti(L, talks, (lua_Integer)lua_rawlen(L, talks) + 1);
+            lua_pop(L, 1);
+            continue;
+        }
+        read_phase(r);
+        lua_pushvalue(L, talks);
+        give_talks(L, talks + 1);
+        lua_rawseti(L, list + 1, ++kept);
+        lua_newtable(L);
+        lua_replace(L, talks);
+    }
+    if (!kept)
+        api_error(L, "boss.def", "phases: expected at least one phase");
+    give_talks(L, r->boss);
+    lua_pushvalue(L, list + 1);
+    lua_setfield(L, r->boss, "phases");
+}
+
+static const struct api_param table_req[] = { { "boss", A_TABLE, REQ, 0, 0, NULL, NULL } };
+
+/* What sys.check made of boss.def's arguments becomes the boss. Has it a last phase? */
+static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct reading r = { .L = L, .boss = v[0].at };
+
+    (void)b;
+    luaL_checkstack(L, 32, NULL);
+    const bool alone = field(L, r.boss, "cast") == LUA_TNIL;
+    check_alone(L, r.boss, alone);
+    if (!alone)
+        read_cast(&r, lua_gettop(L));
+    else {
+        lua_createtable(L, 1, 0);
+        lua_pushvalue(L, r.boss);
+        lua_rawseti(L, -2, 1);
+        lua_setfield(L, r.boss, "cast");
+    }
+    read_phases(&r);
+    lua_pushboolean(L, r.last);
+    return 1;
+}
+
+/* ---- the history of spells ---- */
+
+enum { H_BOSS, H_ID, H_ADD, H_DIFFICULTY, H_SHIP };
+enum { ADD_NOTHING, ADD_TRY, ADD_CAPTURE };
+
+static const struct api_param history[] = { { "boss", A_STR, REQ, 0, 0, NULL, NULL },
+                                            { "id", A_STR, REQ, 0, 0, NULL, NULL },
+                                            { "add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL },
+                                            { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
+                                            { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
+
+static uint64_t name_hash(uint64_t h, const char *name)
+{
+    return hash_bytes(h, name, strlen(name) + 1);
+}
+
+/* The key of what is kept: names are too long for one, their hash is not. Scripts can hardly mean it. */
+static void history_key(char key[NV_KEY + 1], uint64_t of, const char *difficulty, const char *ship)
+{
+    snprintf(key, NV_KEY + 1, "spell %016llx", (unsigned long long)name_hash(name_hash(of, difficulty), ship));
+}
+
+/* Tries in the upper half, captures in the lower. */
+static uint64_t kept_at(const struct board *b, const char *key)
+{
+    struct nv_value kept = nvram_get(&b->nvram, key);
+
+    return kept.type == NV_INT ? kept.bits : 0;
+}
+
+static void count_one(struct board *b, const char *key, int64_t add)
+{
+    struct nv_value keep = { .type = NV_INT, .bits = kept_at(b, key) };
+    const uint32_t tries = (uint32_t)(keep.bits >> 32), captures = (uint32_t)keep.bits;
+
+    if ((add == ADD_TRY ? tries : captures) == INT32_MAX)
+        return;
+    keep.bits += add == ADD_TRY ? 1ull << 32 : 1;
+    nvram_set(&b->nvram, key, &keep); /* without room, what is kept stays as it was */
+}
+
+/* The ship of the first who plays; of nobody the first that is declared. */
+static const char *first_ship(const struct board *b)
+{
+    uint16_t kind = 0;
+
+    for (int p = PADS; p-- > 0;)
+        kind = b->player.in[p] ? b->player.kind[p] : kind;
+    const char *name = api_names_at(b, N_PLAYER, kind);
+    return name ? name : "";
+}
+
+/* In practice, whose tries the cabinet counts, nothing is added. */
+static int sys_history(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.m;
+    const char *difficulty = v[H_DIFFICULTY].given ? lua_tostring(L, v[H_DIFFICULTY].at)
+                             : m->n_difficulties   ? m->difficulties[b->core.difficulty]
+                                                   : "";
+    const uint64_t of =
+        name_hash(name_hash(HASH_START, lua_tostring(L, v[H_BOSS].at)), lua_tostring(L, v[H_ID].at));
+    lua_Integer tries = 0, captures = 0;
+    char key[NV_KEY + 1];
+
+    if (v[H_ADD].i && !b->start.practice.section[0]) {
+        history_key(key, of, difficulty, first_ship(b));
+        count_one(b, key, v[H_ADD].i);
+    }
+    for (int k = 0; k < (int)b->player_kinds.s.live; k++) {
+        const char *ship = api_names_at(b, N_PLAYER, k);
+        if (!ship || (v[H_SHIP].given && k != v[H_SHIP].i))
+            continue;
+        history_key(key, of, difficulty, ship);
+        vm_charge(L, b->nvram.s.live / NVRAM_STEP);
+        tries += (lua_Integer)(kept_at(b, key) >> 32);
+        captures += (lua_Integer)(kept_at(b, key) & UINT32_MAX);
+    }
+    lua_pushinteger(L, tries);
+    lua_pushinteger(L, captures);
+    return 2;
+}
+
+static const struct api_entry entries[] = {
+    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean", "checks a boss's cast and phases; is one a last one?" },
+    { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
+      "how often a spell was tried and captured; add 1: a try, 2: a capture" },
+};
+const struct api_module api_boss = { entries, sizeof entries / sizeof *entries };
