@@ -101,6 +101,7 @@ local function quieten()
   enemy.each(nil, function(e) e:remove() end)
 end
 
+-- What a run leaves behind; read anew each time, as it is wanted between stages alone.
 local function records() return sys.read("boot/records") end
 
 local function play_stages(game, run)
