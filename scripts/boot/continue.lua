@@ -23,8 +23,10 @@ local function anyone(players)
   return false
 end
 
+local function forget() text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 } end
+
 local function go_on(p)
-  text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 }
+  forget()
   sys.go_on(p)
 end
 
@@ -39,6 +41,7 @@ return function(game, players, n, ask)
         if left == 0 or player.get(p).alive then
           -- it flies, or it is over
         elseif not anyone(players) then
+          forget()
           ask(p, left, function(yes)
             if yes then go_on(p) else sys.continues(p, 0) end
           end)

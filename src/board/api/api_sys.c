@@ -327,8 +327,10 @@ static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[ARG_PLAYER].i)
-        player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
+    if (!v[ARG_PLAYER].i)
+        return 0;
+    player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
+    options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
     return 0;
 }
 

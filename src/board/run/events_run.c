@@ -536,6 +536,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     }
     b->player.lives[p] = 0;
     player_leave(&b->player, p);
+    options_drop_of(&b->options, p, 0);
     events_game_over(b);
 }
 

@@ -294,7 +294,7 @@ int api_register_expect(lua_State *L, const char *entry, const char *what, int32
     suggest(L, kind, name, &best, &found);
     if (found)
         return api_error(L, entry, "%s: \"%s\" is no register of this ship (did you mean \"%s\"?)", what, name, found);
-    return api_error(L, entry, "%s: \"%s\" is no register of this ship", what, name);
+    return api_error(L, entry, "%s: \"%s\" is no register of this ship (registers = { %s = 0 })", what, name, name);
 }
 
 int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])
