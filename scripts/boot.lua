@@ -24,10 +24,6 @@ local function stand(f)
   sys.freeze(screen)
 end
 
-local function ask(p, left, f)
-  stand(function() f(sys.read("screens/continue")(p, left)) end)
-end
-
 local function watch_pause(_, players, other)
   while true do
     wait(1)
@@ -58,7 +54,7 @@ local function enter(ships, other, with, continues)
   sys.start(game)
   if with then fit_out(1, with) end
   hud.start(game, #ships)
-  if continues then sys.read("boot/continue")(game, #ships, continues, ask) end
+  if continues then sys.read("boot/continue")(game, #ships, continues, stand) end
   task.own(game, watch_pause, #ships, other)
   return game
 end

@@ -30,8 +30,8 @@ local function go_on(p)
   sys.go_on(p)
 end
 
--- ask(p, left, f): stops the board, shows the screen, and calls f with its answer.
-return function(game, players, n, ask)
+-- stand(f) calls f while the board stands; screen: a game's own, else the library's.
+return function(game, players, n, stand, screen)
   for p = 1, players do sys.continues(p, n) end
   task.own(game, function()
     while true do
@@ -42,7 +42,8 @@ return function(game, players, n, ask)
           -- it flies, or it is over
         elseif not anyone(players) then
           forget()
-          ask(p, left, function(yes)
+          stand(function()
+            local yes = (screen or sys.read("screens/continue"))(p, left)
             if yes then go_on(p) else sys.continues(p, 0) end
           end)
           break

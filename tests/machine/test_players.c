@@ -401,7 +401,7 @@ static const char arcade[] =
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 0, lives = 1, registers = { power = 3 } })\n"
     "on.continue(function(p) say('on', p.index, p.score, p.lives, p.power) end) on.game_over(function() say('over') "
     "end)\n"
-    "local ask = function(p, left, f) say('ask', p, left) wait(1) f(answer[1]) table.remove(answer, 1) end\n";
+    "local function ask(p, left) say('ask', p, left) wait(1) return table.remove(answer, 1) end\n";
 
 static void power_arcade(const char *answers, const char *task)
 {
@@ -411,7 +411,7 @@ static void power_arcade(const char *answers, const char *task)
              "local answer = { %s }\n%slocal function die(i) local p = player.get(i) p.safe = 0\n"
              "  bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.clear() end\n"
              "task.go(function() local s = sys.scope() sys.join(1, 'ship') sys.join(2, 'ship') sys.start(s)\n"
-             "sys.read('boot/continue')(s, 2, 2, ask) wait(2) %s end)",
+             "sys.read('boot/continue')(s, 2, 2, function(f) f() end, ask) wait(2) %s end)",
              answers, arcade, task);
     power(text);
 }

@@ -20,6 +20,7 @@ enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
 enum { ARG_LIST = 0 };
 enum { FIT_PLAYER, FIT_NAME, FIT_VALUE };
+enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
@@ -52,6 +53,9 @@ static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL 
 static const struct api_param sys_fit[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
                                             { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                             { "value", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL } };
+static const struct api_param sys_value[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                              { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                              { "run", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param any_name[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL } };
 static const struct api_param run_set[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL },
                                             { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
@@ -264,6 +268,23 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
         lua_pushinteger(L, b->core.clock - b->core.since);
     else
         lua_pushnil(L);
+    return 1;
+}
+
+/* A register of player i, or of the run; nil: the player is out. */
+static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
+    const char *name = lua_tostring(L, v[VALUE_NAME].at);
+    const bool of_run = v[VALUE_OF_RUN].given && v[VALUE_OF_RUN].i;
+    const int reg = of_run ? run_register(L, v[VALUE_NAME].at) : api_player_register(L, b, p, name);
+
+    if (reg < 0 || (!of_run && !b->player.in[p]))
+        lua_pushnil(L);
+    else if (of_run)
+        lua_pushinteger(L, registers_get(&b->registers, b->registers.first + (uint32_t)reg, 0));
+    else
+        lua_pushinteger(L, board_register(b, p, (uint32_t)reg));
     return 1;
 }
 
@@ -595,6 +616,8 @@ static const struct api_entry entries[] = {
     { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
       "declares the run's registers" },
     { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", "a register of the run, continues or frames" },
+    { "sys.value", sys_value_run, PARAMS(sys_value), 3, API_SYS, "number",
+      "a register of player i, or of the run; nil: the player is out" },
     { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean", "sets a register of the run" },
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", "the run's registers" },
     { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",
