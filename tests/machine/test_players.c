@@ -352,6 +352,26 @@ static void test_bomb(void **state)
     done();
 }
 
+/* A press that a screen answered to, over a game that stands, is no bomb; one that a script took is none either. */
+static void test_bomb_press(void **state)
+{
+    (void)state;
+    power_bombs("sys.join(1, 'ship') wait(5) local s = sys.scope()\n"
+                "task.own(s, function() wait_until(function() return pad.pressed('bomb', 1) end) sys.freeze() end)\n"
+                "sys.freeze(s) wait(1) say('on') wait(4) say(pad.take('bomb', 0, 1)) end) task.go(function()");
+    hold(0, 0, 10);
+    hold(PAD_BOMB, 0, 1);
+    hold(0, 0, 3);
+    assert_string_equal(rig_told(&rig), "on");
+    hold(0, 0, 1);
+    hold(PAD_BOMB, 0, 1);
+    hold(0, 0, 4);
+    assert_string_equal(rig_told(&rig), "true");
+    hold(PAD_BOMB, 0, 1);
+    assert_string_equal(rig_told(&rig), "bomb 1 false");
+    done();
+}
+
 static const char hit_at_10[] =
     "sys.join(1, 'ship') sys.join(2, 'ship') wait(10)\n"
     "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
@@ -437,8 +457,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_drain),        cmocka_unit_test(test_fresh),     cmocka_unit_test(test_fixed),
         cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve),
-        cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),      cmocka_unit_test(test_deathbomb),
-        cmocka_unit_test(test_hit_state),    cmocka_unit_test(test_continues),
+        cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),      cmocka_unit_test(test_bomb_press),
+        cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state), cmocka_unit_test(test_continues),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
