@@ -452,6 +452,80 @@ static void test_continues(void **state)
     done();
 }
 
+/* Through boot.run: the board stands while it asks; START goes on, a bomb shortens, and silence is a no. */
+static void test_asks(void **state)
+{
+    (void)state;
+    power(
+        "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 9, lives = 1 })\n"
+        "on.continue(function(p) say('on', p.score, game.continues, game.stage) end)\n"
+        "on.game_over(function() say('over') end) on.start(function() say('start') end)\n"
+        "stage.def('s', function() local p = player.get(1) while true do wait(30) say('.') if p.alive then\n"
+        "bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.clear() else p = player.get(1) end end end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' }, continues = 2 }");
+    b->cart.m.players = 1;
+    hold(0, 0, 2);
+    hold(PAD_START, 0, 1);
+    hold(0, 0, 34);
+    assert_string_equal(rig_told(&rig), "start .");
+    assert_true(b->core.frozen && !b->player.in[0] && !b->core.over);
+    hold(0, 0, 500); /* it stands and counts */
+    assert_string_equal(rig_told(&rig), "");
+    hold(PAD_START, 0, 1);
+    hold(0, 0, 2);
+    assert_string_equal(rig_told(&rig), "on 1 1 s");
+    assert_true(!b->core.frozen && b->player.in[0]);
+    hold(0, 0, 70);
+    assert_true(b->core.frozen);
+    rig_told(&rig);
+    hold(0, 0, 550);
+    assert_true(b->core.frozen);
+    hold(0, 0, 60);
+    assert_string_equal(rig_told(&rig), "over");
+    assert_true(!b->core.frozen && b->core.over);
+    done();
+}
+
+/* A practice start sets registers of the ship, and of the run, in each try; F2 is told of both. */
+static void test_practised(void **state)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "s", .registers = 2 } };
+    const uint16_t none[PADS] = { 0 };
+    char names[64] = "";
+
+    (void)state;
+    power(
+        "game.def { registers = { rank = { start = 5, min = -9, max = 50, show = 'number' } } }\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, lives = 1, registers = { power = { max = 4 } } })\n"
+        "on.start(function() say(game.rank) game.rank = 20 end)\n"
+        "stage.def('s', function() say(game.rank, player.get(1).power) wait(5) end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' } }");
+    rig_free(&rig);
+    strcpy(start.practice.reg[0].name, "rank");
+    strcpy(start.practice.reg[1].name, "power");
+    start.practice.reg[0].value = -7;
+    start.practice.reg[1].value = 99;
+    rig_power(&rig, &g, &start);
+    b = rig.b;
+    hold(0, 0, 1);
+    assert_string_equal(rig_told(&rig), "5 -7 4");
+    hold(0, 0, 8);
+    assert_string_equal(rig_told(&rig), "5 -7 4");
+    rig_free(&rig);
+    start.practice = (struct practice){ .section = PRACTICE_LIST };
+    rig_power(&rig, &g, &start);
+    for (int f = 0; f < 30; f++) {
+        const struct board_out *out = board_tick(rig.b, none);
+        for (int i = 0; i < out->markers; i++)
+            if (out->marker[i].kind == MARKER_REGISTER)
+                snprintf(names + strlen(names), sizeof names - strlen(names), "%s=%d ", out->marker[i].name,
+                         (int)out->marker[i].value);
+    }
+    assert_string_equal(names, "power=0 rank=5 ");
+    done();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -459,6 +533,7 @@ int main(void)
         cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve),
         cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),      cmocka_unit_test(test_bomb_press),
         cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state), cmocka_unit_test(test_continues),
+        cmocka_unit_test(test_asks),         cmocka_unit_test(test_practised),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
