@@ -100,7 +100,8 @@ uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struc
     const int i = (int)lua_tointeger(L, -1);
     const struct bomb *bomb = push_bomb(L, i);
     if (bomb->cost)
-        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", what, name), ship, bomb->stock);
+        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", what, name), ship,
+                            bomb->stock);
     lua_settop(L, top);
     return (uint8_t)i;
 }
