@@ -332,10 +332,10 @@ int api_ship_register(lua_State *L, int32_t kind, const char *name);
 /* Pushes how a kind of player wants its register i shown, or nil. */
 void api_register_show(lua_State *L, int32_t kind, int i);
 
-/* Has any kind of player a register of that name? */
+/* Has any kind of player, or the run, a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);
 
-/* The nearest to a misspelt one of all kinds' registers, or NULL. */
+/* The nearest to a misspelt one of all registers, or NULL. */
 const char *api_register_near(lua_State *L, const char *name);
 
 /* Names of a player kind's registers, in the order of their numbers; returns how many. Valid as long as the board. */
