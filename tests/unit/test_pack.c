@@ -325,7 +325,7 @@ static const char *modules_of(const char *text)
     return got;
 }
 
-static const char every[] = "bg boot boss figure hud menu path pattern prelude stage sweep trail";
+static const char every[] = "bg boot boss figure game hud menu path pattern prelude stage sweep trail";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
 static void test_modules(void **state)

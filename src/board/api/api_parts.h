@@ -31,8 +31,8 @@ enum {
     FIRE_VALUES
 };
 
-/* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone, or from a ship that was
- * hit. */
+/* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone, or from a ship that
+ * was hit. */
 bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s);
 
 /* Properties of what flies, in their order. */
