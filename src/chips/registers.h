@@ -3,7 +3,8 @@
  * floor: chips
  *
  * A list of rows, which only grows while scripts load. The registers of a kind of ship are rows one after the other,
- * and so are those of the run. A row has its rule and what it is for each player; of the run's, player 0's value counts.
+ * and so are those of the run. A row has its rule and what it is for each player; of the run's, that of player 0
+ * counts.
  */
 #ifndef CHIPS_REGISTERS_H
 #define CHIPS_REGISTERS_H
