@@ -35,11 +35,6 @@ local function pause(p, items)
   end)
 end
 
--- Asks player p, who has so many continues left, and calls f with the answer.
-local function ask(p, n, f)
-  stand(function() f(show("continue", p, n)) end)
-end
-
 local function watch_pause(_, players, items)
   while true do
     wait(1)
@@ -69,7 +64,7 @@ local function enter(ships, with, continues)
   sys.start(game)
   if with then fit_out(1, with) end
   hud.start(game, #ships)
-  if continues then sys.read("boot/continue")(game, #ships, continues, ask) end
+  if continues then sys.read("boot/continue")(game, #ships, continues, stand, screens.continue) end
   task.own(game, watch_pause, #ships, with and PRACTISED or PLAYED)
   return game
 end

@@ -30,7 +30,6 @@ local function def(args)
 end
 
 local function index(_, field)
-  if field == "def" then return def end
   if read[field] then return read[field]() end
   local value = sys.run(field)
   if value == nil then unknown(field) end
@@ -38,8 +37,8 @@ local function index(_, field)
 end
 
 local function newindex(_, field, value)
-  if field == "def" or read[field] then sys.fail("game", field .. " is read only") end
+  if read[field] then sys.fail("game", field .. " is read only") end
   if not sys.run_set(field, value) then unknown(field) end
 end
 
-return setmetatable({}, { __index = index, __newindex = newindex, __metatable = false })
+return setmetatable({ def = def }, { __index = index, __newindex = newindex, __metatable = false })

@@ -98,16 +98,10 @@ function hud.bar(value, full, cells)
   return s .. string.char(128):rep(cells - #s)
 end
 
--- What register r of player i, or of the run, is; nil: the player is out.
-local function value(i, r)
-  if r.run then return sys.run(r.name) end
-  return player.get(i)[r.name]
-end
-
 -- The k-th register that player i shows, as its ship says.
 local function register(i, k)
   local r = registers[i][k]
-  local n = r and value(i, r)
+  local n = r and sys.value(i, r.name, r.run)
   if not n then return "" end
   local name = r.name:upper() .. " "
   if r.show == "icons" then return name .. icons(GRAZE, n) end
@@ -139,7 +133,7 @@ local function draw()
     note(i, seen[i])
     note(i + 2, p.lives)
     note(i + 4, p.grazes)
-    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, value(i, r)) end
+    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, sys.value(i, r.name, r.run)) end
   end
   if fresh then
     local rows = {}

@@ -94,7 +94,7 @@ game() {
 return {
   id = "probe", title = "Probe", screen = { w = 64, h = 64 },
   board = { bullets = 256, shots = 32, enemies = 32, sparks = 64, sprites = 16, motions = 16, tasks = 128, \
-lua_kib = 1024, items = 128, lines = 8, lasers = 16, curve_points = 256 },
+lua_kib = 1024, items = 128, lines = 8, lasers = 16, curve_points = 256, options = 8 },
   sheets = { all = { file = "art/all.png" } },
   sprites = { dot = { sheet = "all", x = 0, y = 0, w = 8, h = 8 }, \
 dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },

@@ -3,7 +3,7 @@ return {
   title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
             meet = true, items = 256, lines = 32, wide = true,
-            lasers = 64, curve_points = 4096 }, -- room for all that chapters 3, 4, 12, 22 and 23 show
+            lasers = 64, curve_points = 4096, options = 16 }, -- room for all that chapters 3, 4, 10, 12, 22 and 23 show
   palette = "art/palette.png", font = "art/font.png",
   fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
     " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },

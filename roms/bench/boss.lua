@@ -8,6 +8,7 @@ local SPARKS, BURST = 60, 5 -- 300 at the end of a frame
 
 -- Kinds by turns: 8 of 10 turned, 2 blended, 1 of each sort plain.
 local function kinds()
+  local blend = board.dip("price_part") == "everything" and "glow" or "shine"
   local list = {}
   local function kind(name, sprite, more)
     bullet.def(name, { sprite = sprite, hit = { circle = 3 }, turns = more.turns, blend = more.blend })
@@ -16,12 +17,12 @@ local function kinds()
   kind("needle", "turn8", { turns = true })
   kind("rice", "turn12", { turns = true })
   kind("lance", "turn16", { turns = true })
-  kind("spark", "turn12", { turns = true, blend = "glow" })
+  kind("spark", "turn12", { turns = true, blend = blend })
   kind("orb", "d12", {})
   kind("petal", "turn12", { turns = true })
   kind("kunai", "turn16", { turns = true })
   kind("scale", "turn8", { turns = true })
-  kind("mist", "turn16", { turns = true, blend = "glow" })
+  kind("mist", "turn16", { turns = true, blend = blend })
   kind("dot", "d8", {})
   return list
 end

@@ -5,7 +5,7 @@ return {
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
   board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384,
             items = 512, lasers = 64, curve_points = 4096 },
-  palette = "art/palette.png", font = "art/font.png", blends = { glow = "add" },
+  palette = "art/palette.png", font = "art/font.png", blends = { glow = "add", shine = { ramp = "add" } },
   sheets = { discs = { file = "art/discs.png", bank = 0 } },
   sprites = {
     d8  = { sheet = "discs", x = 0,  y = 0, w = 8,  h = 8 },

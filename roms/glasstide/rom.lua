@@ -7,7 +7,7 @@ return {
             -- what only some games need: bullets that can be shot, that circle something, that
             -- stand still, and that have numbers of their own
             hp = true, around = true, frozen = true, values = { bullet = 4 },
-            items = 512, lasers = 16,
+            items = 512, lasers = 16, options = 4,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- what the cells' font lacks comes from here

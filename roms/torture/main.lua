@@ -3,6 +3,8 @@ require "kinds"
 require "ships"
 require "world"
 
+game.def { registers = { rank = { start = 40, min = -5, max = 60, drain = 1, every = 33, hold = 20 } } }
+
 local seen = 0 -- what the handlers were told
 
 on.graze(function(p, b)
@@ -20,7 +22,16 @@ on.death(function(p)
   task.go(function(lives) wait(2) seen = seen + lives end, p.lives)
 end)
 on.game_over(function() seen = seen + 1000 end)
-on.kill(function(_, p) if p and p.alive then p.power = p.power + 1 end end)
+on.bomb(function(p, late) seen = seen + p.index + (late and 7 or 3) end)
+on.continue(function(p) seen = seen + p.score + game.continues end)
+on.start(function() seen = game.rank task.go(function() while true do wait(50) game.rank = game.rank + 2 end end) end)
+on.kill(function(_, p)
+  if not (p and p.alive) then return end
+  p.power = p.power + 1
+  if p.kind == "slow" then p.chain = p.chain + 1 end
+  game.rank = game.rank - 1
+  board.note((game.stage or "none") .. game.rank .. " " .. game.frames)
+end)
 on.take(function(p, i) board.note(i.kind .. p.index) if i.kind == "husk" then i:remove() item.group("old"):remove() end end)
 on.leave(function(e) seen = seen + (e.alive and 1 or 2) end)
 on.extend(function(p) p.lives = math.min(p.lives, 9) end)
@@ -45,4 +56,4 @@ task.go(function()
   end
 end)
 
-boot.run { stages = { "first", "second" }, players = { "fast", "slow" }, demo = "torture" }
+boot.run { stages = { "first", "second" }, players = { "fast", "slow", "long" }, demo = "torture", continues = 2 }

@@ -6,7 +6,7 @@ return {
   board = { bullets = 200, shots = 40, enemies = 24, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
             meet = true, items = 48,
-            lines = 10, wide = true, lasers = 12, curve_points = 128 },
+            lines = 10, wide = true, lasers = 12, curve_points = 128, options = 5, registers = 8 },
   fonts = { grid = { file = "art/font.png", cell = { 8, 8 }, chars = " !\"#$%&'()*+,-./0123456789", also = "é" } },
   blends = { mist = { mix = 40 } },
   maps = {

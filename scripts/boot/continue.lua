@@ -23,13 +23,15 @@ local function anyone(players)
   return false
 end
 
+local function forget() text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 } end
+
 local function go_on(p)
-  text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 }
+  forget()
   sys.go_on(p)
 end
 
--- ask(p, left, f): stops the board, shows the screen, and calls f with its answer.
-return function(game, players, n, ask)
+-- stand(f) calls f while the board stands; screen: a game's own, else the library's.
+return function(game, players, n, stand, screen)
   for p = 1, players do sys.continues(p, n) end
   task.own(game, function()
     while true do
@@ -39,7 +41,9 @@ return function(game, players, n, ask)
         if left == 0 or player.get(p).alive then
           -- it flies, or it is over
         elseif not anyone(players) then
-          ask(p, left, function(yes)
+          forget()
+          stand(function()
+            local yes = (screen or sys.read("screens/continue"))(p, left)
             if yes then go_on(p) else sys.continues(p, 0) end
           end)
           break

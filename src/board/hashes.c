@@ -20,7 +20,7 @@ static bool is_roomless(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
 
-    return i >= PARTS_ALWAYS && (!s->cap || (s == &b->registers.s && !s->live));
+    return i >= PARTS_ALWAYS && !s->live && (!s->cap || s == &b->registers.s);
 }
 
 /* Such a part whose registers are all 0: its hash is 0, and in no other hash. So a new chip is another game for those

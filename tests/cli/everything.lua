@@ -1,10 +1,32 @@
 -- everything.lua - a script that uses all of the board, for comparing builds. What it computes goes into the hash.
+game.def { registers = { rank = { start = 7, min = -3, max = 99, drain = -1, every = 9, hold = 5 } } }
+option.def("bead", { sprite = "dot", run = function(o)
+  while true do
+    shot.fire { kind = "bolt", from = o, speed = 5.5, dir = 265 + o.index }
+    o.bank = o.age % 16
+    wait(7)
+  end
+end })
+bomb.def("shock", { over = 40, run = function(p)
+  bullet.sweep { follow = p, radius_to = 40.5, over = 30, hurt = 2, by = p, spark = "pop" }
+  while true do
+    wait(5)
+    board.note(p.x + p.y)
+  end
+end })
+on.bomb(function(p, late) game.rank = game.rank - (late and 20 or 10) end)
+on.start(function() board.note(game.rank .. game.frames .. game.continues) end)
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
-  registers = { power = { start = 3, max = 40, show = "bar" } }, collect_line = 12, collect_full = "power",
+  registers = { power = { start = 3, max = 40, show = "bar", drain = 1, every = 13, hold = 9 }, bombs = 9 },
+  bomb = "shock", deathbomb = 5, options = { kind = "bead", by = "power", over = 7, levels = {
+    { at = 2, wide = { { 0, 6.5 } } },
+    { at = 5, wide = { { -7, 3 }, { 7, 3 } }, close = { { -3.3, 1 }, { 3.3, 1 } } } } },
+  collect_line = 12, collect_full = "power",
   magnet = 9, pull = 1.7,
   run = function(p)
     while true do
       wait(4)
+      if p.state == "hit" then board.note(p:bomb()) end
       p.power = p.power + 1
       if p.power % 8 == 0 then shot.fire { kind = "brush", from = p, speed = 5, by = p } end
       shot.fire { kind = "bolt", from = p, speed = 6.5, dir = 270 + 13 * rng.number(-1, 1), by = p }

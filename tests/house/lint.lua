@@ -37,7 +37,7 @@ for line in io.lines() do
     globals[line:match("^[%a_][%w_]*") or ""] = true
   end
 end
-fields.rom = nil -- it has a field for all that rom.lua says
+fields.rom, fields.game = nil, nil -- they have a field for all that rom.lua and game.def say
 
 while arg[1] == "--with" do
   for line in io.lines(arg[2]) do

@@ -6,8 +6,11 @@
 #include <math.h>
 #include "rig.h"
 
-/* Before the world: its lasers. */
+/* Before the world: its lasers, options and bombs. */
 static const char rays[] =
+    "option.def('bead', { sprite = 'dot', run = function(o) string.chaos() end })\n"
+    "option.def('moon', { sprite = 'wink', layer = 'front' })\n"
+    "bomb.def('boom', { over = 9, stock = 'b', run = function(p) string.chaos() wait(99) end })\n"
     "spark.def('glow', { sprite = 'dot', life = 500 })\n"
     "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 }, vanish = 'glow' })\n"
     "laser.def('lance', { strip = 'wink', width = 3, hit = { share = 0.5 }, damage = 2, head = 'arrow', blend = 'glow' "
@@ -36,8 +39,11 @@ static const char world[] =
     "cast = 'dot' }, run = function(e) wait(9) end, drops = { gem = 2, husk = 1 } })\n"
     "enemy.def('brief', { sprite = 'wink', hit = { box = { 0, 0 } }, on_death = function(e) e:kill() e:hurt(1) "
     "e:remove() end })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = { max = 9 }, b = 2 }, collect_line = "
-    "60, pictures = { pose = 'dot' }, run = function(p) "
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = { max = 9, drain = 1, hold = 5 }, b "
+    "= "
+    "2 }, bomb = 'boom', deathbomb = 4, options = { kind = 'bead', by = 'a', levels = { { at = 1, wide = { { 9, 9 } } "
+    "}, { at = 5, wide = { { 9, 9 }, { -9, 0 } } } } }, collect_line = 60, pictures = { pose = 'dot' }, run = "
+    "function(p) "
     "wait(9) end })\n"
     "value.def('heat', { start = 2 }) value.def('goal') value.def('mood', { of = 'enemy' })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
@@ -47,6 +53,7 @@ static const char world[] =
     "1, "
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
+    "  options = { kind = 'moon', style = 'orbit', radius = 9, levels = { { n = 3 } } },\n"
     "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } } "
     "}\n"
@@ -373,15 +380,15 @@ static void push_steps(lua_State *L, int depth);
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char
-        *const buttons[] = PAD_NAMES,
-               *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
-               *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
-               *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
-               *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
-               *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
+    static const char *const
+        buttons[] = PAD_NAMES,
+        *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
+        *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
+        *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
+        *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
+        *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+        *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
+        *const options[] = { "bead", "moon" }, *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -411,6 +418,8 @@ static void push_value(lua_State *L, const struct api_param *p)
             push_from(L, pools, 3);
         else if (entry && !strcmp(entry->name, "board.dip") && one_in(4))
             lua_pushliteral(L, "odd");
+        else if (entry && !strcmp(entry->name, "player.def") && !strncmp(p->name, "bomb", 4) && !one_in(4))
+            lua_pushliteral(L, "boom");
         else if (!strcmp(p->name, "what") && one_in(2)) /* few words are a pool's name */
             lua_pushstring(L, one_in(2) ? "bullet" : "player");
         else
@@ -523,6 +532,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_LASER_KIND:
         push_from(L, lasers, 2);
+        break;
+    case A_OPTION_KIND:
+        push_from(L, options, 2);
         break;
     case A_EMIT:
         push_from(L, emits, 6);
@@ -894,6 +906,7 @@ static void test_entries(void **state)
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
         int n = trials(entry->flags & API_FIRE ? 1800
+                       : entry->count > 18     ? 9000
                        : entry->count > 16     ? 1500
                        : entry->count > 8      ? 600
                        : entry->count > 4      ? 260
@@ -1134,6 +1147,7 @@ static int setup(void **state)
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;
+    m.options = 12;
     snprintf(script, sizeof script, "%s%s", rays, world);
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);

@@ -51,6 +51,10 @@ static const struct home homes[] = {
     HOME("laser_heads", "chips/bullets.h", bullets),
     HOME("laser_kinds", "chips/lasers.h", laser_kinds),
     HOME("laser_points", "chips/lasers.h", laser_points),
+    HOME("registers", "chips/registers.h", registers),
+    HOME("options", "chips/options.h", options),
+    HOME("option_kinds", "chips/options.h", option_kinds),
+    HOME("option_ways", "chips/options.h", option_ways),
 };
 
 /* A file without its comments. */
@@ -341,7 +345,9 @@ static bool has_room(struct board *b)
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"                                                    \
     "shot.def('bolt', { sprite = 'arrow', hit = { box = { 4, 8 } }, turns = true })\n"                                 \
     "enemy.def('foe', { sprite = 'wink', hit = { box = { 9, 9 } }, hp = 50 })\n"                                       \
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = 1, b = { start = 2, max = 9 } } "    \
+    "option.def('bead', { sprite = 'dot' })\n"                                                                         \
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, options = { kind = 'bead', levels = { { wide = {\n"    \
+    "  { 9, 9 }, { -9, 9 }, { 0, 20 } } } } }, registers = { a = 1, b = { start = 2, max = 9 }, c = { drain = 1 } } "  \
     "})\n"                                                                                                             \
     "spark.def('glow', { sprite = 'dot', life = 500 })\n" DEF                                                          \
     "laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 } })\n"                                            \
@@ -391,6 +397,7 @@ static void test_flips(void **state)
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
     m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = 1;
+    m.options = 192;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
     rig_script(&g, &m, scene);
@@ -427,6 +434,7 @@ static void test_groups(void **state)
     (void)state;
     m.lasers = 128;
     m.curve_points = 4096;
+    m.options = 64;
     all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
     all.hp = all.around = all.frozen = all.meet = all.bg = 1;
@@ -477,6 +485,7 @@ static void test_derived(void **state)
     m.lines = 32;
     m.lasers = 128;
     m.curve_points = 4096;
+    m.options = 64;
     rig_script(&g, &m, scene);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);

@@ -549,7 +549,7 @@ static void test_refused(void **state)
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = 3 }, collect_full = 'a' })",
           "player.def: collect_full: the register \"a\" has no max (registers = { a = { max = n } })" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, collect_full = 'a' })",
-          "player.def: collect_full: \"a\" is no register of this ship" },
+          "player.def: collect_full: \"a\" is no register of this ship (registers = { a = 0 })" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { ab = 1 }, collect_full = 'a' })",
           "player.def: collect_full: \"a\" is no register of this ship (did you mean \"ab\"?)" },
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { 'gem' } }",

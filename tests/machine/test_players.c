@@ -14,9 +14,10 @@ static fx px(double v)
     return (fx)(v * 65536);
 }
 
-static const char head[] = "local sys = string.sys\nlocal list = {}\n"
-                           "local function say(...) for _, v in ipairs { ... } do list[#list + 1] = tostring(v) end end\n"
-                           "function string.told() local s = table.concat(list, ' ') list = {} return s end\n";
+static const char head[] =
+    "local sys = string.sys\nlocal list = {}\n"
+    "local function say(...) for _, v in ipairs { ... } do list[#list + 1] = tostring(v) end end\n"
+    "function string.told() local s = table.concat(list, ' ') list = {} return s end\n";
 
 /* A game whose frames the test counts: main.lua runs at power, its tasks from frame 0 on. */
 static void power(const char *text)
@@ -54,12 +55,13 @@ static void hold(uint16_t first, uint16_t second, int frames)
 static void test_drain(void **state)
 {
     (void)state;
-    power("player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
-          "  a = { start = 10, min = 3, max = 20, drain = 2, every = 5, hold = 7 },\n"
-          "  b = { start = 5, drain = forever, hold = 3 }, c = { max = 9, drain = -1, every = 2, hold = 4 } } })\n"
-          "player.def('tug', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7 } })\n"
-          "task.go(function() sys.join(1, 'ship') sys.join(2, 'ship')\n"
-          "  local p = player.get(1) wait(20) p.a, p.b = 99, 8 wait(30) p.c = 2 wait(9) p.a, p.b, p.c = -50, 1, 99 end)");
+    power(
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
+        "  a = { start = 10, min = 3, max = 20, drain = 2, every = 5, hold = 7 },\n"
+        "  b = { start = 5, drain = forever, hold = 3 }, c = { max = 9, drain = -1, every = 2, hold = 4 } } })\n"
+        "player.def('tug', { sprite = 'dot', hit = { circle = 2 }, registers = { z = 7 } })\n"
+        "task.go(function() sys.join(1, 'ship') sys.join(2, 'ship')\n"
+        "  local p = player.get(1) wait(20) p.a, p.b = 99, 8 wait(30) p.c = 2 wait(9) p.a, p.b, p.c = -50, 1, 99 end)");
     hold(0, 0, 1);
     for (int f = 1; f < 80; f++) { /* in frame f, before its scripts */
         const int start = 10 - 2 * (f / 5), low = start < 3 ? 3 : start;
@@ -107,10 +109,25 @@ static void test_fresh(void **state)
     done();
 }
 
+/* An item gives a register of the ship that takes it, or else one of the run. */
+static void test_gives_run(void **state)
+{
+    (void)state;
+    power("game.def { registers = { rank = { max = 9 }, power = 50 } }\n"
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 1 } })\n"
+          "item.def('gem', { sprite = 'dot', radius = 9, gives = { rank = 7, power = 3 } })\n"
+          "task.go(function() sys.join(1, 'ship') sys.start(sys.scope()) local p = player.get(1)\n"
+          "for i = 1, 2 do item.drop { kind = 'gem', from = p } end wait(2) say(game.rank, game.power, p.power) end)");
+    hold(0, 0, 3);
+    assert_string_equal(rig_told(&rig), "9 50 7");
+    done();
+}
+
 /* ---- options ---- */
 
 static const char fixed[] =
-    "option.def('bead', { sprite = 'dot', run = function(o) while true do say(o.index .. o.by.index) wait(100) end end })\n"
+    "option.def('bead', { sprite = 'dot', run = function(o) while true do say(o.index .. o.by.index) wait(100) end end "
+    "})\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1, registers = { power = 0 },\n"
     "  options = { kind = 'bead', by = 'power', over = 4, levels = {\n"
     "    { at = 2, wide = { { 0, -16 } } },\n"
@@ -244,7 +261,8 @@ static void test_options_serve(void **state)
           "option.def('bead', { sprite = 'dot', run = function(o)\n"
           "  laser.beam { kind = 'ray', follow = o, dir = 270, length = 50, hold = forever }\n"
           "  sprite.put { sprite = 'dot', follow = o, dy = 9 }\n"
-          "  shot.fire { kind = 'bolt', from = o, speed = 1 } shot.fire { kind = 'bolt', by = o.by, x = o.x, y = o.y, speed = 2 }\n"
+          "  shot.fire { kind = 'bolt', from = o, speed = 1 } shot.fire { kind = 'bolt', by = o.by, x = o.x, y = o.y, "
+          "speed = 2 }\n"
           "  say(query.near { what = 'enemy', from = o, radius = 9 } == nil) end })\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { n = 0 },\n"
           "  options = { kind = 'bead', by = 'n', over = 0, levels = { { at = 1, wide = { { 20, 0 } } } } } })\n"
@@ -263,6 +281,32 @@ static void test_options_serve(void **state)
     }
     hold(0, 0, 12);
     assert_int_equal(b->options.s.live + b->sprites.s.live + b->lasers.s.live, 0);
+    done();
+}
+
+/* What finds no room is not there, and comes when there is. */
+static void test_options_full(void **state)
+{
+    struct manifest m = rig_manifest();
+    char text[4096];
+
+    (void)state;
+    m.options = 3;
+    snprintf(text, sizeof text,
+             "%s%stask.go(function() for i = 1, 2 do sys.join(i, 'ship') player.get(i).power = 5 end wait(9)\n"
+             "player.get(1).power = 0 end)",
+             head, fixed);
+    rig_with_sys(&g, &m, text);
+    rig_power(&rig, &g, NULL);
+    b = rig.b;
+    hold(0, 0, 1);
+    assert_string_equal(board_last(b)->log,
+                        "the pool of options is full (3; options in rom.lua): what finds no room is not made\n");
+    assert_int_equal(options_of(0), 2);
+    assert_int_equal(options_of(1), 1);
+    hold(0, 0, 12);
+    assert_int_equal(options_of(0), 0);
+    assert_int_equal(options_of(1), 2);
     done();
 }
 
@@ -292,7 +336,8 @@ static void test_bomb(void **state)
 {
     (void)state;
     power_bombs("sys.join(1, 'ship') sys.join(2, 'ship') wait(2)\n"
-                "for i = 1, 20 do bullet.fire { kind = 'orb', x = 9 * i, y = 50, speed = 0 } end wait(100) say(p:bomb(), p.bombs)\n"
+                "for i = 1, 20 do bullet.fire { kind = 'orb', x = 9 * i, y = 50, speed = 0 } end wait(100) "
+                "say(p:bomb(), p.bombs)\n"
                 "say(p:bomb(), p.bombs) wait(40) say(p:bomb(), p.bombs)");
     hold(0, 0, 5);
     assert_int_equal(b->bullets.s.live, 20);
@@ -321,8 +366,29 @@ static void test_bomb(void **state)
     done();
 }
 
-static const char hit_at_10[] = "sys.join(1, 'ship') sys.join(2, 'ship') wait(10)\n"
-                                "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
+/* A press that a screen answered to, over a game that stands, is no bomb; one that a script took is none either. */
+static void test_bomb_press(void **state)
+{
+    (void)state;
+    power_bombs("sys.join(1, 'ship') wait(5) local s = sys.scope()\n"
+                "task.own(s, function() wait_until(function() return pad.pressed('bomb', 1) end) sys.freeze() end)\n"
+                "sys.freeze(s) wait(1) say('on') wait(4) say(pad.take('bomb', 0, 1)) end) task.go(function()");
+    hold(0, 0, 10);
+    hold(PAD_BOMB, 0, 1);
+    hold(0, 0, 3);
+    assert_string_equal(rig_told(&rig), "on");
+    hold(0, 0, 1);
+    hold(PAD_BOMB, 0, 1);
+    hold(0, 0, 4);
+    assert_string_equal(rig_told(&rig), "true");
+    hold(PAD_BOMB, 0, 1);
+    assert_string_equal(rig_told(&rig), "bomb 1 false");
+    done();
+}
+
+static const char hit_at_10[] =
+    "sys.join(1, 'ship') sys.join(2, 'ship') wait(10)\n"
+    "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
 
 /* A press in the n frames of the window saves; one frame later it is too late. */
 static void test_deathbomb(void **state)
@@ -336,8 +402,9 @@ static void test_deathbomb(void **state)
         hold(PAD_LEFT, 0, n - 1); /* it stands */
         assert_true(n > 6 || b->player.x[0] == x);
         hold(PAD_BOMB, 0, 1);
-        assert_string_equal(rig_told(&rig), n == 7 ? "death 1 death 1 bomb 1 false" : n == 6 ? "bomb 1 true death 1"
-                                                                                           : "bomb 1 true");
+        assert_string_equal(rig_told(&rig), n == 7   ? "death 1 death 1 bomb 1 false"
+                                            : n == 6 ? "bomb 1 true death 1"
+                                                     : "bomb 1 true");
         hold(0, 0, 8);
         assert_int_equal(b->player.lives[0], n == 7 ? 1 : 2);
         assert_int_equal(b->player.lives[1], 1);
@@ -351,13 +418,16 @@ static void test_hit_state(void **state)
     (void)state;
     power_bombs("shot.group():remove() end)\n"
                 "shot.def('ball', { sprite = 'dot', hit = { circle = 1 } })\n"
-                "local function ball(p) return shot.fire { kind = 'ball', from = p, speed = 0 }.alive end\n"
+                "local function ball(p)\n"
+                "  pattern.ring { fire = 'shot', kind = 'ball', from = p, speed = 0, n = 3 }\n"
+                "  return shot.fire { kind = 'ball', from = p, speed = 0 }.alive end\n"
                 "task.go(function() sys.join(2, 'ship') local p = player.get(2) p.bombs = 0 wait(3)\n"
                 "bullet.fire { kind = 'orb', from = p, speed = 0 } wait(2)\n"
                 "say(p.state, ball(p), p:bomb()) p.bombs = 1 wait(1) say(p:bomb(), p.state, ball(p))");
     hold(0, 0, 12);
     assert_string_equal(rig_told(&rig), "hit fly hit false false true fly true run 2 bomb 2 true");
     assert_int_equal(b->player.lives[1], 2);
+    assert_int_equal(b->shots.s.live, 4);
     done();
 }
 
@@ -366,8 +436,9 @@ static void test_hit_state(void **state)
 static const char arcade[] =
     "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 0, lives = 1, registers = { power = 3 } })\n"
-    "on.continue(function(p) say('on', p.index, p.score, p.lives, p.power) end) on.game_over(function() say('over') end)\n"
-    "local ask = function(p, left, f) say('ask', p, left) wait(1) f(answer[1]) table.remove(answer, 1) end\n";
+    "on.continue(function(p) say('on', p.index, p.score, p.lives, p.power) end) on.game_over(function() say('over') "
+    "end)\n"
+    "local function ask(p, left) say('ask', p, left) wait(1) return table.remove(answer, 1) end\n";
 
 static void power_arcade(const char *answers, const char *task)
 {
@@ -377,7 +448,7 @@ static void power_arcade(const char *answers, const char *task)
              "local answer = { %s }\n%slocal function die(i) local p = player.get(i) p.safe = 0\n"
              "  bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.clear() end\n"
              "task.go(function() local s = sys.scope() sys.join(1, 'ship') sys.join(2, 'ship') sys.start(s)\n"
-             "sys.read('boot/continue')(s, 2, 2, ask) wait(2) %s end)",
+             "sys.read('boot/continue')(s, 2, 2, function(f) f() end, ask) wait(2) %s end)",
              answers, arcade, task);
     power(text);
 }
@@ -398,13 +469,88 @@ static void test_continues(void **state)
     done();
 }
 
+/* Through boot.run: the board stands while it asks; START goes on, a bomb shortens, and silence is a no. */
+static void test_asks(void **state)
+{
+    (void)state;
+    power(
+        "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 9, lives = 1 })\n"
+        "on.continue(function(p) say('on', p.score, game.continues, game.stage) end)\n"
+        "on.game_over(function() say('over') end) on.start(function() say('start') end)\n"
+        "stage.def('s', function() local p = player.get(1) while true do wait(30) say('.') if p.alive then\n"
+        "bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.clear() else p = player.get(1) end end end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' }, continues = 2 }");
+    b->cart.m.players = 1;
+    hold(0, 0, 2);
+    hold(PAD_START, 0, 1);
+    hold(0, 0, 34);
+    assert_string_equal(rig_told(&rig), "start .");
+    assert_true(b->core.frozen && !b->player.in[0] && !b->core.over);
+    hold(0, 0, 500); /* it stands and counts */
+    assert_string_equal(rig_told(&rig), "");
+    hold(PAD_START, 0, 1);
+    hold(0, 0, 2);
+    assert_string_equal(rig_told(&rig), "on 1 1 s");
+    assert_true(!b->core.frozen && b->player.in[0]);
+    hold(0, 0, 70);
+    assert_true(b->core.frozen);
+    rig_told(&rig);
+    hold(0, 0, 550);
+    assert_true(b->core.frozen);
+    hold(0, 0, 60);
+    assert_string_equal(rig_told(&rig), "over");
+    assert_true(!b->core.frozen && b->core.over);
+    done();
+}
+
+/* A practice start sets registers of the ship, and of the run, in each try; F2 is told of both. */
+static void test_practised(void **state)
+{
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "s", .registers = 2 } };
+    const uint16_t none[PADS] = { 0 };
+    char names[64] = "";
+
+    (void)state;
+    power(
+        "game.def { registers = { rank = { start = 5, min = -9, max = 50, show = 'number' } } }\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, lives = 1, registers = { power = { max = 4 } } })\n"
+        "on.start(function() say(game.rank) game.rank = 20 end)\n"
+        "stage.def('s', function() say(game.rank, player.get(1).power) wait(5) end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' } }");
+    rig_free(&rig);
+    strcpy(start.practice.reg[0].name, "rank");
+    strcpy(start.practice.reg[1].name, "power");
+    start.practice.reg[0].value = -7;
+    start.practice.reg[1].value = 99;
+    rig_power(&rig, &g, &start);
+    b = rig.b;
+    hold(0, 0, 1);
+    assert_string_equal(rig_told(&rig), "5 -7 4");
+    hold(0, 0, 8);
+    assert_string_equal(rig_told(&rig), "5 -7 4");
+    rig_free(&rig);
+    start.practice = (struct practice){ .section = PRACTICE_LIST };
+    rig_power(&rig, &g, &start);
+    for (int f = 0; f < 30; f++) {
+        const struct board_out *out = board_tick(rig.b, none);
+        for (int i = 0; i < out->markers; i++)
+            if (out->marker[i].kind == MARKER_REGISTER)
+                snprintf(names + strlen(names), sizeof names - strlen(names), "%s=%d ", out->marker[i].name,
+                         (int)out->marker[i].value);
+    }
+    assert_string_equal(names, "power=0 rank=5 ");
+    done();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drain),  cmocka_unit_test(test_fresh),         cmocka_unit_test(test_fixed),
-        cmocka_unit_test(test_trail),  cmocka_unit_test(test_orbit),         cmocka_unit_test(test_options_serve),
-        cmocka_unit_test(test_bomb),   cmocka_unit_test(test_deathbomb),     cmocka_unit_test(test_hit_state),
-        cmocka_unit_test(test_continues),
+        cmocka_unit_test(test_drain),         cmocka_unit_test(test_fresh),        cmocka_unit_test(test_gives_run),
+        cmocka_unit_test(test_fixed),         cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),
+        cmocka_unit_test(test_options_serve), cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),
+        cmocka_unit_test(test_bomb_press),    cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state),
+        cmocka_unit_test(test_continues),     cmocka_unit_test(test_asks),         cmocka_unit_test(test_practised),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -146,6 +146,8 @@ static void patch(lua_State *L, int at, lua_CFunction call, int seen)
 static void make_all(lua_State *L)
 {
     luaL_checkstack(L, 16, NULL);
+    lua_getglobal(L, "bomb"); /* it is made when it is named */
+    lua_pop(L, 1);
     for (lua_pushnil(L); lua_next(L, LUA_REGISTRYINDEX);) {
         if (lua_istable(L, -1)) /* of them, one has the API's tables as keys */
             for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))

@@ -24,9 +24,8 @@ local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
 -- A wave runs out from the craft: bullets turn to light, and creatures crack. What is seen of it is
 -- foam along its edge.
-local function undertow(p)
+bomb.def("undertow", { over = 90, safe = 150, run = function(p)
   local x, y = p.x, p.y
-  p.bombs, p.safe = p.bombs - 1, 150
   screen.shake { size = 3, over = 36 }
   spark.burst { kind = "shock", x = x, y = y, speed = 0 }
   bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint",
@@ -40,7 +39,7 @@ local function undertow(p)
     wait(1)
   end
   item.group():pull(p)
-end
+end })
 
 local function show_bombs(set, p, bead)
   for i = 1, MOST do
@@ -50,63 +49,46 @@ local function show_bombs(set, p, bead)
   end
 end
 
-local function show_focus(set, x, y, focused)
-  local halo = keep(set, "halo", { sprite = "halo", x = x, y = y, bank = 5, layer = "middle" })
-  local dot = keep(set, "dot", { sprite = "dot", x = x, y = y, bank = 1 })
-  halo.x, halo.y, halo.hidden = x, y, not focused
-  dot.x, dot.y, dot.hidden = x, y, not focused
+local function show_focus(set, p)
+  local slow = pad.down("focus", p)
+  keep(set, "halo", { sprite = "halo", follow = p, bank = 5, layer = "middle" }).hidden = not slow
+  keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
 end
 
--- Beads swing to their places: apart and a little behind, or close before the bow while focused.
-local function swing(beads, x, y, focused)
-  local wide, ahead = focused and 11 or 22, focused and -15 or 5
-  for side = -1, 1, 2 do
-    local b = beads[side]
-    b.x = b.x + (x + side * wide - b.x) * 0.35
-    b.y = b.y + (y + ahead - b.y) * 0.35
+-- Calls f(thing, beat) each frame while player p fires; beat counts from 0 anew with each press.
+local function while_firing(thing, p, f)
+  local beat = 0
+  while true do
+    if pad.down("fire", p) then f(thing, beat) end
+    beat = pad.down("fire", p) and beat + 1 or 0
+    wait(1)
   end
 end
 
--- What both craft are to player.def, beside their pictures: what is near comes by itself, and all
--- of it if one dares to fly up high.
-function craft.def(name, def)
-  def.lives = 3
+-- Declares a craft: def as of player.def, with fire(p, beat); its beads are called NAME_bead, and
+-- fire by bead(o, beat). Beads fly apart and a little behind, or close before the bow while it is
+-- focused. What is near comes by itself, and all of it if one dares to fly up high.
+function craft.def(name, def, fire, bead)
+  local beads = name .. "_bead"
+  option.def(beads, { sprite = beads, run = function(o) while_firing(o, o.by, bead) end })
+  def.sprite, def.lives, def.bomb = name, 3, "undertow"
   def.registers = { bombs = { start = BOMBS, max = MOST } }
+  def.options = { kind = beads, over = 6, levels = {
+    { wide = { { -22, 5 }, { 22, 5 } }, close = { { -11, -15 }, { 11, -15 } } } } }
   def.magnet, def.collect_line = 30, 96
+  def.run = function(p)
+    local set <close> = wardrobe()
+    task.own(p, while_firing, p, fire)
+    while true do
+      show_focus(set, p)
+      show_bombs(set, p, beads)
+      wait(1)
+    end
+  end
   player.def(name, def)
 end
 
 -- A new life has its bombs; what was kept of more is not lost.
 function craft.refill(p) p.bombs = math.max(p.bombs, BOMBS) end
-
--- Flies p until it is out of the game. ship: bead (a sprite), fire(p, beads, focused, beat), called
--- each frame while it fires.
-function craft.fly(p, ship)
-  local set <close> = wardrobe()
-  local x, y, beat = p.x, p.y, 0
-  local beads = { [-1] = { x = x, y = y }, [1] = { x = x, y = y } }
-  while true do
-    -- Tasks run before the craft moves, so what follows it leads by its last step.
-    local dx, dy = p.x - x, p.y - y
-    if dx * dx + dy * dy > 64 then dx, dy = 0, 0 end
-    x, y = p.x, p.y
-    local focused = pad.down("focus", p)
-    swing(beads, x + dx, y + dy, focused)
-    for side = -1, 1, 2 do
-      local s = keep(set, "bead" .. side, { sprite = ship.bead, x = x, y = y, layer = "middle" })
-      s.x, s.y = beads[side].x, beads[side].y
-    end
-    show_focus(set, x + dx, y + dy, focused)
-    show_bombs(set, p, ship.bead)
-    if pad.down("fire", p) then
-      ship.fire(p, beads, focused, beat)
-      beat = beat + 1
-    else
-      beat = 0
-    end
-    if pad.pressed("bomb", p) and p.bombs > 0 and p.safe < 60 then task.own(p, undertow) end
-    wait(1)
-  end
-end
 
 return craft

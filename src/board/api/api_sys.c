@@ -21,6 +21,7 @@ enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
 enum { ARG_LIST = 0 };
 enum { FIT_PLAYER, FIT_NAME, FIT_VALUE };
+enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
@@ -53,6 +54,9 @@ static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL 
 static const struct api_param sys_fit[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
                                             { "name", A_STR, REQ, 0, 0, NULL, NULL },
                                             { "value", A_INT, REQ, INT32_MIN, INT32_MAX, NULL, NULL } };
+static const struct api_param sys_value[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
+                                              { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                              { "run", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param any_name[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL } };
 static const struct api_param run_set[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL },
                                             { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
@@ -265,12 +269,12 @@ static int sys_fit_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[FIT_PLAYER].i - 1;
     const char *name = lua_tostring(L, v[FIT_NAME].at);
-    int reg = api_player_register(L, b, p, name);
+    int reg = api_player_register(L, b, p, name); /* of a dead handle none */
 
     if (reg >= 0)
         board_set_register(b, p, (uint32_t)reg, v[FIT_VALUE].i);
-    else if ((reg = api_ship_register(L, RUN_REGISTERS, name)) >= 0)
-        registers_set(&b->registers, b->registers.first + (uint32_t)reg, 0, v[FIT_VALUE].i);
+    else if ((reg = api_run_register(L, name)) >= 0)
+        board_set_run_register(b, (uint32_t)reg, v[FIT_VALUE].i);
     return 0;
 }
 
@@ -284,7 +288,7 @@ static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
 /* The number of the run's register that the value at `at` names, or -1. */
 static int run_register(lua_State *L, int at)
 {
-    return lua_type(L, at) == LUA_TSTRING ? api_ship_register(L, RUN_REGISTERS, lua_tostring(L, at)) : -1;
+    return lua_type(L, at) == LUA_TSTRING ? api_run_register(L, lua_tostring(L, at)) : -1;
 }
 
 /* What can be read of the run under that name, or nil. */
@@ -294,13 +298,30 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
     const int reg = run_register(L, v[ARG_NAME].at);
 
     if (reg >= 0)
-        lua_pushinteger(L, registers_get(&b->registers, b->registers.first + (uint32_t)reg, 0));
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
     else if (!strcmp(name, "continues"))
         lua_pushinteger(L, b->core.continued[0] + b->core.continued[1]);
     else if (!strcmp(name, "frames"))
         lua_pushinteger(L, b->core.clock - b->core.since);
     else
         lua_pushnil(L);
+    return 1;
+}
+
+/* A register of player i, or of the run; nil: the player is out. */
+static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
+    const char *name = lua_tostring(L, v[VALUE_NAME].at);
+    const bool of_run = v[VALUE_OF_RUN].given && v[VALUE_OF_RUN].i;
+    const int reg = of_run ? run_register(L, v[VALUE_NAME].at) : api_player_register(L, b, p, name);
+
+    if (reg < 0 || (!of_run && !b->player.in[p]))
+        lua_pushnil(L);
+    else if (of_run)
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
+    else
+        lua_pushinteger(L, board_register(b, p, (uint32_t)reg));
     return 1;
 }
 
@@ -336,6 +357,8 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
 
+    if (p >= PADS) /* of a dead handle */
+        return 0;
     if (v[CONTINUES_N].given) {
         b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
         if (!v[CONTINUES_N].i)
@@ -349,7 +372,7 @@ static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
 
-    if (b->player.in[p] || !b->core.continues[p])
+    if (p >= PADS || b->player.in[p] || !b->core.continues[p])
         return 0;
     b->core.continues[p]--;
     b->core.continued[p]++;
@@ -362,8 +385,10 @@ static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[ARG_PLAYER].i)
-        player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
+    if (!v[ARG_PLAYER].i)
+        return 0;
+    player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
+    options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
     return 0;
 }
 
@@ -637,6 +662,8 @@ static const struct api_entry entries[] = {
     { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
       "declares the run's registers" },
     { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", "a register of the run, continues or frames" },
+    { "sys.value", sys_value_run, PARAMS(sys_value), 3, API_SYS, "number",
+      "a register of player i, or of the run; nil: the player is out" },
     { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean", "sets a register of the run" },
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", "the run's registers" },
     { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",

@@ -373,6 +373,11 @@ static void draw_dest(struct draw_target *c, const struct style *style, uint32_t
     blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
 }
 
+static enum blit_mix mix_of(const struct draw_target *c, const struct style *style)
+{
+    return style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
+}
+
 /* The pixels of bullet i's picture. */
 static const uint8_t *pixels_of(const struct draw_target *c, const struct style *style, const struct lists *l,
                                 const struct bullets *s, uint32_t i)
@@ -386,12 +391,13 @@ static const uint8_t *pixels_of(const struct draw_target *c, const struct style 
     return pic->pix + (size_t)(turn < pic->rotations ? turn : 0) * pic->pitch * pic->h;
 }
 
-/* Bullets listed by slot that are opaque: all that need no clipping in batches. */
-static void draw_opaque(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
-                        const struct style *style, const uint32_t *list, uint32_t n)
+/* Bullets listed by slot that are opaque, or mixed by a rule: all that need no clipping in batches. */
+static void draw_batches(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                         const struct style *style, const uint32_t *list, uint32_t n)
 {
     const struct sprite *pic = style->pic;
     const struct stamp_corners safe = stamp_corners(c->fb, pic->w, pic->h);
+    const enum blit_mix mix = mix_of(c, style);
     struct blit_item items[BATCH];
     size_t held = 0;
 
@@ -403,13 +409,13 @@ static void draw_opaque(struct draw_target *c, const struct bullets *s, const st
             items[held++] = (struct blit_item){ pixels_of(c, style, l, s, i),
                                                 c->fb->pix + (ptrdiff_t)y * c->fb->pitch + x, s->bank[i] };
         if (held == BATCH || !whole) {
-            blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch);
+            blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
             held = 0;
         }
         if (!whole)
             draw_other(c, s, l, t, i);
     }
-    blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch);
+    blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
 }
 
 static void draw_kind(struct draw_target *c, const struct bullets *s, struct lists *l, const struct view *t,
@@ -420,8 +426,8 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, struct lis
     uint32_t n = listed(l, kind);
     bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, style, n);
 
-    if (!style->alike && !style->blend) {
-        draw_opaque(c, s, l, t, style, list, n);
+    if (!style->alike && mix_of(c, style) != BLIT_TABLE) {
+        draw_batches(c, s, l, t, style, list, n);
         return;
     }
     for (uint32_t k = 0; k < n; k++) {

@@ -78,6 +78,7 @@ uint64_t std_needed(int i, const char *text, size_t n)
     for (int k = 0; k < STD_MODULES; k++)
         if (modules[k].to && strcmp(modules[k].to, modules[i].name) == 0)
             others &= ~((uint64_t)1 << k);
+    others &= ~((uint64_t)1 << std_of("game")); /* none needs it, and it is the name of many a local */
     return others;
 }
 

@@ -376,7 +376,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     if (!format)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
-    m->nvram_kib = NV_KIB; /* of format 1 */
+    m->nvram_kib = NV_KIB;        /* of format 1 */
     m->registers = MAX_REGISTERS; /* of format 3: as many as its ships could have */
     walk_manifest(&w, m, format);
     if (!w.good)

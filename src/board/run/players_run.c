@@ -5,6 +5,9 @@
 #include "../events_run.h"
 #include "../api.h"
 
+enum { BUTTON_BOMB = 5 }; /* of PAD_NAMES */
+_Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "the button's bit");
+
 /* What the bomb started ends with it. */
 static void count_bomb(struct board *b, uint32_t p)
 {
@@ -29,7 +32,7 @@ void events_players(struct board *b, lua_State *L)
         if (!b->player.in[p])
             continue;
         count_bomb(b, p);
-        if (b->input.pressed[p] & PAD_BOMB)
+        if (b->player_kinds.bomb[b->player.kind[p]] && input_take(&b->input, p, BUTTON_BOMB, 0, PRESS_GAME))
             api_bomb_start(L, b, p);
         count_hit(b, p);
     }

@@ -99,11 +99,9 @@ uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struc
         refuse_name(L, what, name);
     const int i = (int)lua_tointeger(L, -1);
     const struct bomb *bomb = push_bomb(L, i);
-    if (bomb->cost && api_ship_register(L, ship, bomb->stock) < 0)
-        api_error(L, "player.def",
-                  "%s: bomb \"%s\" takes from the register \"%s\", which this ship has not (registers = "
-                  "{ %s = 3 })",
-                  what, name, bomb->stock, bomb->stock);
+    if (bomb->cost)
+        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", what, name), ship,
+                            bomb->stock);
     lua_settop(L, top);
     return (uint8_t)i;
 }
