@@ -14,8 +14,8 @@ on.game_over(function() over = true end)
 -- Shows a screen, the game's own or else the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
--- Calls f, a screen, while the game stands. A frozen board gives turns to the tasks of one scope alone; the screen gets a
--- scope of its own, so that none of the game's tasks run.
+-- Calls f, a screen, while the game stands. A frozen board gives turns to the tasks of one scope alone; the screen gets
+-- a scope of its own, so that none of the game's tasks run.
 local function stand(f)
   local screen = sys.scope()
   local menu_task = task.own(screen, function()

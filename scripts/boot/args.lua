@@ -20,6 +20,14 @@ local function check_stages(list)
   for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
 end
 
+-- Does the game name anything of rules, tallies or unlocks?
+local function keeps_records(a)
+  if rawget(sys, "scoring") or rawget(sys, "unlock") or rawget(sys, "stage_needs") or a.modes then return true end
+  for _, kind in ipairs(a.players) do
+    if sys.ship(kind).needs then return true end
+  end
+end
+
 -- Returns the arguments.
 return function(args)
   local a = sys.check("boot.run", args)
@@ -31,6 +39,7 @@ return function(args)
       break
     end
   end
+  if keeps_records(a) then sys.read("boot/records").expect(a) end
   a.stages = a.stages or a.modes[1].stages
   sys.read("boot/records").expect(a)
   return a

@@ -6,7 +6,9 @@ local SCREENS = {
   "music", "unlocks",
 }
 
-local function fail(what, expected, got) sys.fail("boot.run", ("%s: expected %s, got %s"):format(what, expected, got)) end
+local function fail(what, expected, got)
+  sys.fail("boot.run", ("%s: expected %s, got %s"):format(what, expected, got))
+end
 
 -- Fails unless all keys of t are among names. what: as the message calls one of them.
 local function expect_names(what, t, names)
@@ -64,7 +66,8 @@ local function check_figures(kind, figures)
   for _, f in ipairs(figures) do
     local good = type(f) == "table" and type(f[1]) == "string" and math.type(f[2]) == "integer"
     if not good or f[2] < 0 or f[2] > 5 then
-      fail(("ship %s: figures"):format(kind), 'a list of { "Range", 0 to 5 }', type(f) == "table" and "another" or type(f))
+      local got = type(f) == "table" and "another" or type(f)
+      fail(("ship %s: figures"):format(kind), 'a list of { "Range", 0 to 5 }', got)
     end
   end
 end
@@ -98,8 +101,9 @@ end
 
 local function check_staff(parts)
   for i, part in ipairs(parts) do
-    if type(part) ~= "table" then fail(("staff %d"):format(i), 'a list of texts, as { "Art", "A. Name" }', type(part)) end
-    for k, s in ipairs(part) do expect_text(("staff %d: text %d"):format(i, k), s, true) end
+    local what = ("staff %d"):format(i)
+    if type(part) ~= "table" then fail(what, 'a list of texts, as { "Art", "A. Name" }', type(part)) end
+    for k, s in ipairs(part) do expect_text(("%s: text %d"):format(what, k), s, true) end
   end
 end
 

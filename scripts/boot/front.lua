@@ -39,8 +39,8 @@ local function expect_place(what, list)
     if place == what then return end
   end
   local got = tostring(what)
-  local expected = table.concat(list, ", ")
-  sys.fail("boot.run", ('screen title: expected one of %s, or nil, got "%s"%s'):format(expected, got, sys.hint(got, list)))
+  local said = 'screen title: expected one of %s, or nil, got "%s"%s'
+  sys.fail("boot.run", said:format(table.concat(list, ", "), got, sys.hint(got, list)))
 end
 
 -- Nobody came: a demo, the next each time, then the scores.

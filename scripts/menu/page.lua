@@ -177,7 +177,8 @@ end
 -- Shows items, texts in the language of the run, from `row` on, until one is chosen. If wanted: chosen, p (whose
 -- switches), limit (frames; else IDLE), back (what bomb answers; false: nothing), gap (rows from one to the next), col
 -- and cols (where on the page), closed (of those that cannot be chosen, true), draw(age) for what else is on the page
--- while it opens, keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes, its rows. Returns the number, or nil.
+-- while it opens, keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes,
+-- its rows. Returns the number, or nil.
 function page.list(a)
   local l, chosen, answer = lay_out(a), a.chosen or 1, nil
   local idle, age, limit = 0, 0, a.limit or IDLE

@@ -2,7 +2,8 @@
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
--- names: easiest first; present: the one to begin at; texts: what boot.run says of some, by name. Returns one; nil: back.
+-- names: easiest first; present: the one to begin at; texts: what boot.run says of some, by name. Returns one; nil:
+-- back.
 return function(names, present, texts)
   local items, chosen = {}, 1
   for i, name in ipairs(names) do

@@ -24,7 +24,8 @@ local function draw_wheel(e, row)
   local x, n = col + apart * (#e.signs - 1), e.signs[#e.signs]
   page.clear(row, 5, e.col, e.cols)
   for i = 1, MAX do
-    hud.put(col + apart * (i - 1), row + 2, e.signs[i] and sign(e.signs[i]) or "_", hud.banks[e.done and "bright" or "plain"])
+    local bank = hud.banks[e.done and "bright" or "plain"]
+    hud.put(col + apart * (i - 1), row + 2, e.signs[i] and sign(e.signs[i]) or "_", bank)
   end
   if e.done then return end
   hud.put(x, row, UP, hud.banks.faint)

@@ -13,9 +13,9 @@ local TEXT = NAME + 2             -- and to what is told of it
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
 
--- What is told of each ship: name, sprite, text, figures as { word, cells } each. A ship whose author gives figures, from
--- 1 to 5, has these; else they are what player.def says, as shares of the most that one of the ships has. Of one that
--- needs an unlock nothing is told but the hint.
+-- What is told of each ship: name, sprite, text, figures as { word, cells } each. A ship whose author gives figures,
+-- from 1 to 5, has these; else they are what player.def says, as shares of the most that one of the ships has. Of one
+-- that needs an unlock nothing is told but the hint.
 local function tell(kinds, about)
   local ships, speed, focus, closed = {}, 0, 0, sys.read("boot/records").closed
   for i, kind in ipairs(kinds) do
@@ -62,8 +62,8 @@ local function draw_figures(c, row, figures, apart)
   end
 end
 
--- How many rows the words about a ship take in columns of that width, and a column in all: ships.figures, ships.rows. Of
--- what does not fit into so many rows the lines stand closer: ships.words_apart, ships.apart.
+-- How many rows the words about a ship take in columns of that width, and a column in all: ships.figures, ships.rows.
+-- Of what does not fit into so many rows the lines stand closer: ships.words_apart, ships.apart.
 local function measure(ships, cols, room)
   local lines, figures = 0, 0
   for _, s in ipairs(ships) do
@@ -93,12 +93,13 @@ local function draw(c, ships, top, many)
   page.centre(row, (arrows and LEFT .. " %s " .. RIGHT or "%s"):format(s.name), hud.banks.bright, c.col, c.cols)
   page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols, ships.words_apart)
   row = top + ships.figures
-  if c.ready then page.centre(row + 1, "READY", hud.banks.bright, c.col, c.cols) else draw_figures(c, row, s.figures, ships.apart) end
+  if not c.ready then return draw_figures(c, row, s.figures, ships.apart) end
+  page.centre(row + 1, "READY", hud.banks.bright, c.col, c.cols)
 end
 
 local function draw_picture(c, ships, top)
   local x, y = (2 * c.col + c.cols) * 4, (top + (page.low and 4 or 5)) * 8
-  if not c.picture then c.picture = sprite.put { sprite = ships[c.at].sprite, x = x, y = y, screen = true, layer = "over" } end
+  c.picture = c.picture or sprite.put { sprite = ships[c.at].sprite, x = x, y = y, screen = true, layer = "over" }
   c.picture.hidden = ships[c.at].closed ~= nil
   c.off = c.off * 3 // 4
   c.picture.x, c.picture.y = x + c.off, y + (c.ready and 0 or 2 * angle.sin(4 * c.age))

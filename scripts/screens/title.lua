@@ -71,7 +71,9 @@ end
 local function choose(items, row, chosen)
   if #items == 1 then return 1 end
   local gap = page.low and #items > 4 and 1 or 2
-  return page.list { items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap, keys = true }
+  return page.list {
+    items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap, keys = true,
+  }
 end
 
 -- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil

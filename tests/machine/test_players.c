@@ -418,13 +418,16 @@ static void test_hit_state(void **state)
     (void)state;
     power_bombs("shot.group():remove() end)\n"
                 "shot.def('ball', { sprite = 'dot', hit = { circle = 1 } })\n"
-                "local function ball(p) return shot.fire { kind = 'ball', from = p, speed = 0 }.alive end\n"
+                "local function ball(p)\n"
+                "  pattern.ring { fire = 'shot', kind = 'ball', from = p, speed = 0, n = 3 }\n"
+                "  return shot.fire { kind = 'ball', from = p, speed = 0 }.alive end\n"
                 "task.go(function() sys.join(2, 'ship') local p = player.get(2) p.bombs = 0 wait(3)\n"
                 "bullet.fire { kind = 'orb', from = p, speed = 0 } wait(2)\n"
                 "say(p.state, ball(p), p:bomb()) p.bombs = 1 wait(1) say(p:bomb(), p.state, ball(p))");
     hold(0, 0, 12);
     assert_string_equal(rig_told(&rig), "hit fly hit false false true fly true run 2 bomb 2 true");
     assert_int_equal(b->player.lives[1], 2);
+    assert_int_equal(b->shots.s.live, 4);
     done();
 }
 

@@ -493,7 +493,7 @@ static void test_lists_of_games(void **state)
                    "guard/lamplight Light Sign: Waltz of Lamps\nguard/chandelier "
                    "Shell Sign: Falling Chandelier\n"
                    "one:guard \none:deep \none:queen \n");
-    list_of_folder("roms/torture", "fast=4\nbombs=2\npower=0\nfirst \nsecond \n"
+    list_of_folder("roms/torture", "fast=3\nbombs=1\npower=0\nrank=40\nfirst \nsecond \n"
                                    "twin Twin\ntwin/one \ntwin/two Sign of Two\ntwin/end \npair Iris and "
                                    "Opal\npair/shared \npair/own Both\npair/any \nfirst:boss \n");
     list_of_folder("examples/first", "ship=3\none \n");

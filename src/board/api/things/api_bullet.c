@@ -401,6 +401,8 @@ bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool s
         return false;
     if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
+    if (s->player && b->player.hit[s->player - 1]) /* it cannot fire */
+        return false;
     if (v[FIRE_TAG].given)
         s->tag = api_tag(L, entry, v[FIRE_TAG].at);
     api_check_around(L, shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
