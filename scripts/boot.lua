@@ -96,17 +96,20 @@ local function quieten()
   enemy.each(nil, function(e) e:remove() end)
 end
 
-local function play_stages(game, run, records)
-  local i = records.next(run, 0)
+-- What a run leaves behind; read anew each time, as it is wanted between stages alone.
+local function records() return sys.read("boot/records") end
+
+local function play_stages(game, run)
+  local i = records().next(run, 0)
   while i do
     local title = text.lang("STAGE %s"):format(menu.label(run.stages[i]))
     hud.banner({ title }, 150)
     if not finished(stage.play(run.stages[i], game)) then return end
     quieten()
     hud.banner()
-    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records.stage(run, i))
+    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records().stage(run, i))
     if stopped() then return end
-    i = records.next(run, i)
+    i = records().next(run, i)
     if i then
       sys.wipe()
       hud.refresh()
@@ -116,15 +119,15 @@ end
 
 -- run: what is to be played, mode, stages and ships; gets what became of it.
 local function play(a, run)
-  local ships, records = run.ships, sys.read("boot/records")
+  local ships = run.ships
   sys.mode = run.mode -- game.mode
   local game = enter(ships, nil, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
-  records.begin(run)
-  play_stages(game, run, records)
+  records().begin(run)
+  play_stages(game, run)
   run.clear = not stopped()
   sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
-  local new = left and {} or records.over(run)
+  local new = left and {} or records().over(run)
   last_words(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
   for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
   leave(game, #ships)

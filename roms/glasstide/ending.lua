@@ -1,6 +1,6 @@
 -- ending.lua - what is seen when the queen is broken: three lines, one after the other.
-local LINES = { "She rings once more, and breaks.", "The tide turns round and goes home.",
-  "In the harbours all bells answer." }
+local LINES = { "She rings once, and breaks.", "The tide turns, and is ours.",
+  "The harbour bells answer." }
 local APART, STAYS = 100, 240 -- frames
 
 local function pressed() return pad.take("fire", 0, 1) or pad.take("fire", 0, 2) end

@@ -36,8 +36,8 @@ task.go(sea.run)
 boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
                    hard = "Every wave is higher." },
-  ships = { heron = { text = "Quick and narrow: darts ahead." },
-            petrel = { text = "Slow and wide: a fan of fangs." } },
+  ships = { heron = { text = "Quick, with darts ahead." },
+            petrel = { text = "Slow, with a fan of fangs." } },
   ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }

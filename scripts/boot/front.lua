@@ -14,7 +14,11 @@ end
 local function any_spell()
   local found = false
   boss.each(function(b)
-    for _, phase in ipairs(b.phases) do found = found or phase.spell and sys.history(b.name, phase.id, 0) > 0 end
+    for _, phase in ipairs(b.phases) do
+      for _, name in ipairs(phase.spell and sys.difficulties() or {}) do
+        found = found or sys.history(b.name, phase.id, 0, name) > 0
+      end
+    end
   end)
   return found
 end

@@ -71,6 +71,9 @@ void api_push_tag(lua_State *L, uint16_t tag);
 /* The number of a register of player `slot`'s kind, or -1. */
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
+/* The number of a register of the run, or -1. */
+int api_run_register(lua_State *L, const char *name);
+
 /* Player p's bomb begins, if its ship has one, has enough for it, and none is going on. */
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
 

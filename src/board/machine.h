@@ -221,6 +221,17 @@ static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg,
     registers_set(&b->registers, board_register_row(b, p, reg), p, v);
 }
 
+/* The same of the run's. */
+static inline int32_t board_run_register(const struct board *b, uint32_t reg)
+{
+    return registers_get(&b->registers, b->registers.first + reg, 0);
+}
+
+static inline void board_set_run_register(struct board *b, uint32_t reg, int64_t v)
+{
+    registers_set(&b->registers, b->registers.first + reg, 0, v);
+}
+
 /* The spark that bullet i's kind leaves when the bullet is cleared. */
 void board_vanish(struct board *b, uint32_t i);
 

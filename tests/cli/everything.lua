@@ -19,7 +19,8 @@ on.start(function() board.note(game.rank .. game.frames .. game.continues) end)
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, graze = 12, speed = 2.3, focus = 1.1, lives = 9, safe = 20,
   registers = { power = { start = 3, max = 40, show = "bar", drain = 1, every = 13, hold = 9 }, bombs = 9 },
   bomb = "shock", deathbomb = 5, options = { kind = "bead", by = "power", over = 7, levels = {
-    { at = 2, wide = { { 0, 6.5 } } }, { at = 5, wide = { { -7, 3 }, { 7, 3 } }, close = { { -3.3, 1 }, { 3.3, 1 } } } } },
+    { at = 2, wide = { { 0, 6.5 } } },
+    { at = 5, wide = { { -7, 3 }, { 7, 3 } }, close = { { -3.3, 1 }, { 3.3, 1 } } } } },
   collect_line = 12, collect_full = "power",
   magnet = 9, pull = 1.7,
   run = function(p)

@@ -19,9 +19,15 @@ require "kinds"
 require "players/heron"
 require "players/petrel"
 hud.banks.plain, hud.banks.bright, hud.banks.faint = 0, 3, 13
+boss.def("crab", { title = "Crab", kind = "float", x = 100, y = 60, phases = {
+  { id = "shell", spell = "Shell Sign: A Second", survive = true, time = 60, rest = 0, run = function() end } } })
+score.tally { { label = "GRAZE", value = "grazes", points = 10, stage = true } }
+unlock.def("shell", { when = { spell = "crab/shell" }, hint = "Outlive it" })
+unlock.def("owl", { when = { score = 999999999 }, hint = "Be very good" })
 stage.def("one", function()
   print "stage one"
   wait(30)
+  boss.fight("crab")
   player.each(function(p) score.add(1000 * p.index, p) end)
 end)
 stage.def("doom", function()
@@ -38,7 +44,7 @@ boot.run {
   players = { "heron", "petrel" }, continues = 1, demos = { "a" },
   modes = { { name = "story", stages = { "one" }, text = "One stage." }, { name = "doom", stages = { "doom" } } },
   difficulties = { easy = "For a calm dive." }, ships = { heron = { text = "Fast and narrow." } },
-  staff = { { "ART", "A. Heron" } },
+  staff = { { "ART", "A. Heron" } }, music = { { name = "tide", text = "Stage one" }, { name = "crab" } },
 }
 LUA
     "$curtain" hash "$1" --frames 30 --every 30 --record "$1/demos/a.demo" >"$scratch/none" || exit 2
@@ -78,7 +84,13 @@ way() {
     press "shown: name" Return
     if [ "$1" = 2 ]; then press "shown: scores" z z Return j j 2; else press "shown: scores" z z Return; fi
     press "shown: title" z
-    press "shown: scores" Return Up z
+    press "shown: scores" Return Down Down z
+    press "shown: title" Up Right z
+    press "shown: history" Down z
+    press "shown: title" Left Down z
+    press "shown: music" Down z
+    press "shown: title" Down x
+    press "shown: unlocks" Down z
     press "shown: title" z
     xdotool key --delay 60 x # from the list back to PRESS START
     rounds 2

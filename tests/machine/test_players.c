@@ -109,6 +109,20 @@ static void test_fresh(void **state)
     done();
 }
 
+/* An item gives a register of the ship that takes it, or else one of the run. */
+static void test_gives_run(void **state)
+{
+    (void)state;
+    power("game.def { registers = { rank = { max = 9 }, power = 50 } }\n"
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 1 } })\n"
+          "item.def('gem', { sprite = 'dot', radius = 9, gives = { rank = 7, power = 3 } })\n"
+          "task.go(function() sys.join(1, 'ship') sys.start(sys.scope()) local p = player.get(1)\n"
+          "for i = 1, 2 do item.drop { kind = 'gem', from = p } end wait(2) say(game.rank, game.power, p.power) end)");
+    hold(0, 0, 3);
+    assert_string_equal(rig_told(&rig), "9 50 7");
+    done();
+}
+
 /* ---- options ---- */
 
 static const char fixed[] =
@@ -529,11 +543,11 @@ static void test_practised(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drain),        cmocka_unit_test(test_fresh),     cmocka_unit_test(test_fixed),
-        cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve),
-        cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),      cmocka_unit_test(test_bomb_press),
-        cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state), cmocka_unit_test(test_continues),
-        cmocka_unit_test(test_asks),         cmocka_unit_test(test_practised),
+        cmocka_unit_test(test_drain),         cmocka_unit_test(test_fresh),        cmocka_unit_test(test_gives_run),
+        cmocka_unit_test(test_fixed),         cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),
+        cmocka_unit_test(test_options_serve), cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),
+        cmocka_unit_test(test_bomb_press),    cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state),
+        cmocka_unit_test(test_continues),     cmocka_unit_test(test_asks),         cmocka_unit_test(test_practised),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

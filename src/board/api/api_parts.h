@@ -31,7 +31,8 @@ enum {
     FIRE_VALUES
 };
 
-/* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone. */
+/* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone, or from a ship that
+ * was hit. */
 bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s);
 
 /* Properties of what flies, in their order. */
@@ -363,10 +364,10 @@ void api_register_show(lua_State *L, int32_t kind, int i);
 /* Pushes the name of the unlock that a kind of player needs, or nil. */
 void api_player_needs(lua_State *L, int32_t kind);
 
-/* Has any kind of player a register of that name? */
+/* Has any kind of player, or the run, a register of that name? */
 bool api_register_declared(lua_State *L, const char *name);
 
-/* The nearest to a misspelt one of all kinds' registers, or NULL. */
+/* The nearest to a misspelt one of all registers, or NULL. */
 const char *api_register_near(lua_State *L, const char *name);
 
 /* Names of a player kind's registers, in the order of their numbers; returns how many. Valid as long as the board. */

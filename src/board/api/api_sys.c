@@ -273,8 +273,8 @@ static int sys_fit_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (reg >= 0)
         board_set_register(b, p, (uint32_t)reg, v[FIT_VALUE].i);
-    else if ((reg = api_ship_register(L, RUN_REGISTERS, name)) >= 0)
-        registers_set(&b->registers, b->registers.first + (uint32_t)reg, 0, v[FIT_VALUE].i);
+    else if ((reg = api_run_register(L, name)) >= 0)
+        board_set_run_register(b, (uint32_t)reg, v[FIT_VALUE].i);
     return 0;
 }
 
@@ -288,7 +288,7 @@ static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
 /* The number of the run's register that the value at `at` names, or -1. */
 static int run_register(lua_State *L, int at)
 {
-    return lua_type(L, at) == LUA_TSTRING ? api_ship_register(L, RUN_REGISTERS, lua_tostring(L, at)) : -1;
+    return lua_type(L, at) == LUA_TSTRING ? api_run_register(L, lua_tostring(L, at)) : -1;
 }
 
 /* What can be read of the run under that name, or nil. */
@@ -298,7 +298,7 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
     const int reg = run_register(L, v[ARG_NAME].at);
 
     if (reg >= 0)
-        lua_pushinteger(L, registers_get(&b->registers, b->registers.first + (uint32_t)reg, 0));
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
     else if (!strcmp(name, "continues"))
         lua_pushinteger(L, b->core.continued[0] + b->core.continued[1]);
     else if (!strcmp(name, "frames"))
@@ -319,7 +319,7 @@ static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
     if (reg < 0 || (!of_run && !b->player.in[p]))
         lua_pushnil(L);
     else if (of_run)
-        lua_pushinteger(L, registers_get(&b->registers, b->registers.first + (uint32_t)reg, 0));
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
     else
         lua_pushinteger(L, board_register(b, p, (uint32_t)reg));
     return 1;

@@ -4,6 +4,8 @@
  *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
  *     sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
  *
+ * Options are drawn over the sprites of their layer.
+ *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
  */

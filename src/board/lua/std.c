@@ -57,8 +57,10 @@ static int in_list(const char *list, const char *word, size_t n)
 
 int std_piece_of(const char *name)
 {
-    size_t n = strcspn(name, "/");
+    size_t n = 0;
 
+    while (name[n] != '/' && name[n] != '\0')
+        n++;
     if (name[n] == '\0')
         return -1;
     if (n == strlen("screens") && memcmp(name, "screens", n) == 0)

@@ -477,13 +477,17 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
     return reg >= 0 && registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
 }
 
+/* The ship's registers, or the run's. */
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
     for (int k = 0; k < ITEM_REGISTERS; k++) {
         const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
-        int reg = n ? api_player_register(L, b, p, api_names_at(b, N_ITEM_REGISTER, k)) : -1;
+        const char *name = n ? api_names_at(b, N_ITEM_REGISTER, k) : NULL;
+        int reg = n ? api_player_register(L, b, p, name) : -1;
         if (reg >= 0)
             board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);
+        else if (n && (reg = api_run_register(L, name)) >= 0)
+            board_set_run_register(b, (uint32_t)reg, (int64_t)board_run_register(b, (uint32_t)reg) + n);
     }
 }
 

@@ -1,25 +1,39 @@
 -- main.lua - from the title through two stages and a boss to the score table, with two ships, and on the way as much of the
 -- board and of @std as there is. What a core version adds belongs here before it is frozen; see tests/demos/README.md.
+option.def("bead", { sprite = "dot", bank = 3, run = function(o)
+  while true do
+    if pad.down("fire", o.by) then shot.fire { kind = "needle", from = o, dir = o.focus and 270 or 262 + 5 * o.index, speed = 5, by = o.by } end
+    wait(9)
+  end
+end })
+bomb.def("burst", { over = 50, safe = 60, run = function(p)
+  bullet.sweep { follow = p, radius_to = 90, over = 30, items = "gem", hurt = 3, by = p }
+  laser.beam { kind = "torch", follow = p, dir = 270, length = 150, hold = 30, warn = 0 }
+  screen.shake { size = 4, over = 20 }
+  wait(12)
+  board.stop(3)
+end })
+game.def { registers = { rank = { start = 2, max = 9, drain = -1, every = 90, show = "number" } } }
+local styles = {
+  quick = { kind = "bead", by = "power", levels = { { at = 1, wide = { { -9, 4 }, { 9, 4 } }, close = { { -4, -6 }, { 4, -6 } } }, { at = 3, wide = { { -12, 4 }, { 0, 12 }, { 12, 4 } } } } },
+  slow = { kind = "bead", by = "power", style = "orbit", radius = 14, close = 8, spin = 5, levels = { { at = 2, n = 1 }, { at = 4, n = 4 } } } }
 local function ship(name, speed, bolt)
   player.def(name, { sprite = "dart", hit = { circle = 1.5 }, graze = 12, speed = speed, focus = speed / 2, lives = 3, safe = 60,
-    registers = { power = { start = 1, max = 9, show = "bar" }, bombs = { start = 2, show = "icons" } }, collect_line = 40, collect_full = "power",
+    registers = { power = { start = 1, max = 9, show = "bar" }, bombs = { start = 2, show = "icons" },
+      chain = { drain = forever, hold = 40 }, best = 0, heat = { max = 60, drain = 1, every = 2, hold = 5 } },
+    options = styles[name], bomb = "burst", deathbomb = 9, collect_line = 40, collect_full = "power",
     run = function(p)
       while true do
         if pad.down("fire", p) then
           for i = -1, 1 do shot.fire { kind = bolt, from = p, dx = 4 * i, speed = 6.5, dir = 270 + (p.focus and 2 or 13) * i, by = p } end
         end
         if pad.repeated("special", p) then shot.fire { kind = bolt, from = p, aim = true, speed = 3, motion = "spin" } end
-        if p.bombs > 0 and pad.take("bomb", 8, p) then
-          p.bombs, p.safe = p.bombs - 1, 40
-          bullet.clear { from = p, radius = 60, items = "gem" }
-          laser.beam { kind = "torch", follow = p, dir = 270, length = 150, hold = 30, warn = 0 }
-          screen.shake { size = 4, over = 20 }
-        end
         wait(4)
       end
     end })
 end
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, damage = 2, turns = true })
+shot.def("needle", { sprite = "dart", hit = { box = { 3, 3 } }, damage = 1, turns = true, pierce = 2, every = 5 })
 shot.def("ball", { sprite = "dot", hit = { circle = 3 }, damage = 3 })
 item.def("gem", { sprite = "dot", radius = 6, bank = 2, gives = { score = { 10, 90 }, power = 1 }, full = "power" })
 item.def("heart", { sprite = "dot", radius = 6, bank = 6, gives = { lives = 1 }, gravity = 0.01 })
@@ -69,10 +83,40 @@ enemy.def("eye", { sprite = "dot", hit = { circle = 4 }, hp = 14, score = 400, s
   on_death = function(e) pattern.ring { from = e, kind = "orb", n = 5, aim = true, speed = 1.1 } end, run = volley })
 enemy.def("king", { sprite = "dot", hit = { box = { 8, 8 } }, hp = 10, score = 9000, spark = "pop" })
 
+enemy.def("pod", { sprite = "dot", hit = { circle = 3 }, hp = 6, score = 60, run = function(e)
+  e:orbit { around = e.follow, radius = 12, spin = 3, over = 90 }
+  wait(100)
+  e:wander { w = 60, h = 30, every = 30, over = 20 }
+  pattern.ring { from = e, kind = "orb", n = 3, speed = 1 }
+end })
+enemy.def("raft", { sprite = "dart", hit = { box = { 8, 4 } }, hp = 40, rate = 0.75, score = 700, spark = "pop", parts = {
+  { kind = "pod", dx = -10, share = 0.5 }, { kind = "pod", dx = 10, dy = 2, share = 1 } }, run = volley })
+
+score.rule { on = "kill", gain = { chain = 1 }, most = { best = "chain" }, points = 10, times = "chain" }
+score.rule { on = "graze", points = 5, gain = { heat = 6 } }
+score.rule { on = "death", set = { chain = 0 } }
+score.tally { { label = "BEST CHAIN", value = "best", points = 30 }, { label = "CLEAR", value = function() return 1 end, points = 500, last = true } }
+unlock.def("calm", { when = { clear = true }, title = "Calm", hint = "Clear it" })
+talk.def("ana", { name = "Ana", faces = { calm = "dart" } })
+talk.def("king", { name = "King", faces = { calm = "dot" }, side = "right", bank = 4 })
+
 local loop = path.def { { x = -5, y = 20 }, { x = 60, y = 45, over = 53, ease = "out" }, { wait = 17 }, { x = 155, y = 15, over = 61, ease = "both" } }
 local dive = path.def { { x = 30, y = -6 }, { x = 40, y = 60, over = 70, ease = "both" }, { x = 20, y = 150, over = 90, ease = "in" } }
 
-boss.def("king", { title = "King", kind = "king", x = 72, y = 34, phases = {
+boss.def("twins", { title = "Two", portrait = "dart", cast = { { name = "left", title = "L", kind = "king", x = 40, y = 30 },
+    { name = "right", title = "R", kind = "eye", x = 104, y = 30 } }, phases = {
+  { id = "one", hp = { left = 30, right = 40 }, time = 260, rest = 10, safe = 20, armour = 20, run = {
+      left = function(e) while true do pattern.fan { from = e, kind = "rice", n = 3, spread = 40, aim = true, speed = 1.4 } wait(20) end end,
+      right = function(e) e:wander { w = 30, h = 20, every = 25, over = 20 } while true do pattern.ring { from = e, kind = "orb", n = 6, speed = 1 } wait(25) end end } },
+  { id = "two", spell = "Both", hp = 50, time = 260, rest = 10, bonus = 900, bonus_to = 300, down = "any", run = function(l, r)
+      while true do pattern.line { from = l, kind = "pin", n = 4, width = 40, dir = 90, speed = 1.2 } pattern.arc { from = r, kind = "orb", n = 4, sweep = 90, speed = 1 } wait(25) end
+    end } } })
+boss.def("king", { title = "King", kind = "king", x = 72, y = 34, warning = 40, portrait = "dot", phases = {
+  { talk = function()
+      say("ana", "You again.")
+      say("king", "Choose.")
+      if choose { "GO", "STAY" } == 1 then say("ana", "Go.", { letter = 0, limit = 30 }) end
+    end },
   { id = "a", bg = "hall", drops = { heart = 1 }, clear = { items = "gem" }, hp = 60, time = 300, rest = 10, run = function(e)
       task.go(function() pattern.spiral { from = e, kind = "orb", n = forever, arms = 2, step = 11.3, every = 9, speed = 0.9 } end)
       laser.beam { kind = "ray", follow = e, dir = 60, length = 120, hold = 100, spin = 0.5 }
@@ -104,18 +148,24 @@ on.phase(function(e, id, won)
 end)
 on.stage(function(name, state) board.note(name .. state) end)
 on.game_over(function() board.note("over") end)
+on.start(function() board.note(game.rank) end)
+on.bomb(function(p, late) board.note(late) game.rank = game.rank - 1 board.note(p.state) end)
+on.continue(function(p) p.safe = 100 board.note(game.continues) end)
 
 bg.def("field", function() bg.layer(1).map, bg.layer(1).vy = "ground", 0.7 bg.lines(1, { wave = 3, every = 40, speed = 0.5 }) end)
 bg.def("hall", function() local g = bg.plane() g.map, g.horizon, g.height, g.vy = "ground", 40, 20, -1 end)
 
 stage.def("one", function()
   bg.show("field")
+  talk.run(function() say("ana", "One more time, then, and no further than the gate.") end, { hold = "all" })
   text.line { x = 20, y = 100, text = "Words, one by one", letter = 3, width = 60, box = true }
   stage.at(30) stage.wave { kind = "wisp", n = 4, every = 19, path = loop, dy = 3.3 }
   stage.at(120)
   stage.mark("middle")
-  stage.wave { kind = "eye", n = 2, every = 30, path = dive, dx = 40 }
+  stage.wave { kind = "eye", n = 3, every = 0, path = dive, formation = "v", gap = 9 }
+  enemy.spawn { kind = "raft", x = 70, y = 30 }
   stage.clear(300)
+  boss.fight("twins")
 end)
 stage.def("two", function()
   stage.at(20) stage.wave { kind = "wisp", n = 3, every = 16, path = loop, mirror = true }
@@ -164,4 +214,5 @@ task.go(function()
     wait(1)
   end
 end)
-boot.run { stages = { "one", "two" }, players = { "quick", "slow" } }
+boot.run { stages = { "one", "two" }, players = { "quick", "slow" }, continues = 1,
+  difficulties = { easy = "Easy words" }, ships = { quick = { text = "Quick words" } }, staff = { { "WHO", "Whole" } } }

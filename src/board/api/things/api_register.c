@@ -255,10 +255,15 @@ int api_player_register(lua_State *L, const struct board *b, uint32_t slot, cons
     return slot < PADS ? api_ship_register(L, b->player.kind[slot], name) : -1;
 }
 
+int api_run_register(lua_State *L, const char *name)
+{
+    return api_ship_register(L, RUN_REGISTERS, name);
+}
+
 bool api_register_declared(lua_State *L, const char *name)
 {
     const uint32_t kinds = vm_board(L)->player_kinds.s.live;
-    bool found = false;
+    bool found = api_run_register(L, name) >= 0;
 
     for (uint32_t kind = 0; !found && kind < kinds; kind++)
         found = api_ship_register(L, (int32_t)kind, name) >= 0;
@@ -278,6 +283,7 @@ const char *api_register_near(lua_State *L, const char *name)
     const char *found = NULL;
     int best = EDIT_FAR;
 
+    suggest(L, RUN_REGISTERS, name, &best, &found);
     for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
         suggest(L, (int32_t)kind, name, &best, &found);
     return found;
