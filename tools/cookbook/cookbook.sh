@@ -31,19 +31,21 @@ code() { awk '/^--/ && !on { next } { on = 1; print }' "$game/recipes/$1.lua"; }
 
 book() { for page in $(pages); do echo "$page|$(words "$page")"; done; }
 
-# Where the pictures of a page are taken.
+# Where the pictures of each page are taken: PAGE:FRAME:STEP.
 moments() {
-    for page in $(pages); do
-        at=$(awk -v page="$page" '$1 == page { print $2 }' $table)
-        echo "$page:${at:-300:40}"
-    done
+    pages | awk -v table="$table" '
+        BEGIN { while ((getline line < table) > 0) { split(line, word, " "); at[word[1]] = word[2] } }
+        { print $1 ":" ($1 in at ? at[$1] : "300:40") }'
 }
 
 # cookbook [-o DIR]: the program's lines, with the moments second.
 run() {
-    # shellcheck disable=SC2046
-    "$out/cookbook" $game $frames "$@" $(moments) |
-        while read -r page rest; do echo "$page $(moments | sed -n "s/^$page://p") $rest"; done
+    moments=$(moments)
+    export moments
+    # shellcheck disable=SC2086
+    "$out/cookbook" $game $frames "$@" $moments | awk '
+        BEGIN { split(ENVIRON["moments"], list, "\n") }
+        { at = list[NR]; sub(/^[^:]*:/, "", at); $1 = $1 " " at; print }'
 }
 
 table() {

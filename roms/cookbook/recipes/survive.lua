@@ -8,7 +8,7 @@ local function rings(e)
   end
 end
 
-boss.def("keeper", { title = "Keeper of the Hill", kind = "queen", x = 120, y = 90, phases = {
+boss.def("keeper", { title = "Keeper of the Hill", kind = "queen", x = 120, y = 104, phases = {
   { id = "outlive", spell = "Last Sign: Outlive It", survive = true, time = 12 * 60, bonus = 30000,
     run = rings } } })
 
