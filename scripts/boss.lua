@@ -25,7 +25,7 @@ end
 function boss.def(name, def)
   local b = sys.check("boss.def", name, def)
   if bosses[b.name] then sys.fail("boss.def", ('boss "%s" is declared twice'):format(b.name)) end
-  if #names == 0 then on.death(miss) end
+  if #names == 0 then on.death(miss) on.bomb(miss) end
   if sys.boss(b) then now.last = now.last or sys.read("boss/last") end
   bosses[b.name] = b
   names[#names + 1] = b.name
