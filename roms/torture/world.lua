@@ -569,7 +569,7 @@ local function items()
 end
 
 local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures,
-  scenery, talks }
+  scenery }
 
 talk.def("one", { name = "One", faces = { calm = "letter" } })
 talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box", other = "steps" } })
