@@ -56,7 +56,7 @@ freeze() {
         return 1; }
     [ -x "$bot" ] || { echo "$bot is not built: make $bot" >&2 && return 1; }
     "$program" pack tests/demos/whole -o "$name.rom" &&
-        "$bot" "$name.rom" "$name-run.demo" --frames 2000 --deaths 2 --seed 1 --quiet &&
+        "$bot" "$name.rom" "$name-run.demo" --frames 3200 --deaths 2 --seed 1 --quiet &&
         "$bot" "$name.rom" "$name-phase.demo" --stage king/b --frames 600 --seed 1 --quiet &&
         write tests/demos/table table && write tests/demos/rerecorded rerecorded
 }

@@ -195,7 +195,7 @@ task.go(function()
   palette.cycle { first = 17, last = 30, every = 3 }
   for i = 1, forever do
     library(i)
-    if i % 8 == 0 then bullet.fire { kind = "ghost", x = rng.number(0, 140), y = 0, speed = rng.number(0.2, 3), dir = rng.dir(), motion = i % 16 == 0 and "spin" or "arc" } end
+    if i % 8 == 0 then bullet.fire { kind = "ghost", x = rng.number(0, 140), y = 0, speed = rng.number(0.6, 3), dir = rng.dir(), motion = i % 16 == 0 and "spin" or "arc" } end
     if i % 100 == 0 then
       petals.speed, petals.bank = 0.5, 6
       bullet.each("petal", function(b) b.dir, b.tag = rng.dir(), "melt" end)

@@ -2,7 +2,7 @@
 return {
   id = "whole", title = "Whole", author = "The Curtain authors", version = 1,
   screen = { w = 160, h = 160 }, field = { x = 8, y = 16, w = 144, h = 136, margin = 16 },
-  board = { bullets = 400, shots = 64, enemies = 16, sparks = 160, sprites = 16, motions = 32, tasks = 128, lua_kib = 1024, nvram = 8,
+  board = { bullets = 512, shots = 64, enemies = 16, sparks = 160, sprites = 16, motions = 32, tasks = 128, lua_kib = 1024, nvram = 8,
     values = { bullet = 1, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
     meet = true, wide = true, items = 64, lasers = 120, curve_points = 4096, lines = 8,
     options = 8, registers = 32, bodies = true, pierce = true },
