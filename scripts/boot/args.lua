@@ -41,6 +41,5 @@ return function(args)
   end
   if keeps_records(a) then sys.read("boot/records").expect(a) end
   a.stages = a.stages or a.modes[1].stages
-  sys.read("boot/records").expect(a)
   return a
 end

@@ -418,10 +418,6 @@ void vm_read_piece(lua_State *L, const char *name)
         vm_fault(L, FAULT_SCRIPT, "sys.read: \"%s\" is no piece of a module of this ROM", name);
     vm_charge(L, size);
     vm_load(L, path);
-    if (vm_board(L)->vm.loading) { /* it is kept, then */
-        snprintf(path, sizeof path, "@@std/%s.lua", name);
-        lualib_drop_locals(L, path);
-    }
     lua_rawgetp(L, LUA_REGISTRYINDEX, &sys_key);
     lua_call(L, 1, 1);
 }
