@@ -508,6 +508,7 @@ int vm_boot(lua_State *L)
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
+    lua_gc(L, LUA_GCCOLLECT); /* a run begins with what loading left and no more */
     if (board_lists(b) && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "practice: nothing can be chosen: %s.lua does not call boot.run", b->cart.m.entry);
     if (b->start.practice.section[0] && !b->vm.practice_read)
