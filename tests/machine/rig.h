@@ -252,7 +252,7 @@ static inline void rig_folder(struct rig_game *g, const char *name)
 {
     char path[256], err[512];
 
-    snprintf(path, sizeof path, "roms/%s", name);
+    snprintf(path, sizeof path, "%s%s", strchr(name, '/') ? "" : "roms/", name);
     if (!rom_image_load(path, false, &g->image, err, sizeof err) ||
         !cart_open(&g->cart, &g->image.rom, err, sizeof err))
         fail_msg("%s", err);

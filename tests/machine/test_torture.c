@@ -137,6 +137,22 @@ static void test_glasstide(void **state)
     folder("glasstide", demos, 1000, 30000);
 }
 
+/* A game with all of the shell and the library: menus, talks, bombs, continues, several bosses, names and scores. */
+static void test_whole(void **state)
+{
+    char path[64], err[512];
+    struct rig_game g;
+    struct demo d;
+
+    (void)state;
+    snprintf(path, sizeof path, "tests/demos/whole%d-run.demo", CORE_VERSION);
+    rig_folder(&g, "tests/demos/whole");
+    assert_true(demo_load(&d, path, err, sizeof err));
+    every_frame("whole", &g, &d, d.frames);
+    demo_free(&d);
+    rig_game_free(&g);
+}
+
 static void test_lua_only(void **state)
 {
     struct rig_game g;
@@ -319,6 +335,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_torture),      cmocka_unit_test(test_glasstide),      cmocka_unit_test(test_lua_only),
+        cmocka_unit_test(test_whole),
         cmocka_unit_test(test_back_torture), cmocka_unit_test(test_back_glasstide), cmocka_unit_test(test_sizes),
     };
 
