@@ -39,7 +39,7 @@ HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tool
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
 LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 
-BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
+BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)

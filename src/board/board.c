@@ -10,6 +10,7 @@
 #include "events_run.h"
 #include "hit.h"
 #include "lasers_run.h"
+#include "sound.h"
 #include "../base/host.h"
 
 static const struct column core_columns[] = {
@@ -94,7 +95,10 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
     PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
-    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)
+    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
+    PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
+    PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
+    PART(voices_chip, voices, m->sound ? VOICE_SLOTS : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -195,7 +199,7 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s };
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->music.s, &b->cues.s, &b->voices.s };
     for (size_t i = 0; i < sizeof full / sizeof *full; i++)
         full[i]->live = full[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
@@ -491,6 +495,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     b->counts = (struct board_counts){ 0 };
     b->laser_heads.ran = 0;
     input_latch(&b->input, pads, board_presses(b));
+    if (b->voices.s.cap)
+        sound_begin(b);
     if (!b->core.frozen) {
         player_count_down(&b->player);
         enemies_count_down(&b->enemies);
@@ -510,6 +516,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
             bg_step(&b->bg);
             pal_step(&b->pal);
         }
+        if (b->voices.s.cap)
+            sound_end(b);
         b->core.frame++;
         if (!b->core.frozen)
             next_frame(b);

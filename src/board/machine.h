@@ -30,6 +30,8 @@
 #include "../chips/shown/screen.h"
 #include "../chips/shown/sparks.h"
 #include "../chips/shown/sprites.h"
+#include "../chips/sound/seq.h"
+#include "../chips/sound/voices.h"
 #include "api_table.h"
 #include "board.h"
 #include "emit.h"
@@ -128,6 +130,9 @@ struct board {
     struct bullets laser_heads;
     struct laser_kinds laser_kinds;
     struct laser_points laser_points;
+    struct seq music;
+    struct cues cues;
+    struct voices voices;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -136,7 +141,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 31,
+    PARTS = 34,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];

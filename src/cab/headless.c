@@ -10,6 +10,7 @@
 #include "host/files.h"
 #include "game.h"
 #include "host/report.h"
+#include "host/tape.h"
 #include "run/guard.h"
 #include "pack/png.h"
 #include "demo/trace.h"
@@ -88,6 +89,7 @@ struct studio {
     void *mem, *scratch;
     uint32_t rgb[256];
     struct sheet sheet;
+    struct tape tape;
 };
 
 static uint32_t count_wanted(const struct args *a)
@@ -139,6 +141,7 @@ static void studio_close(struct studio *s)
     free(s->mem);
     free(s->scratch);
     free(s->sheet.rgb);
+    tape_close(&s->tape);
 }
 
 static enum result studio_open(struct studio *s, const struct run *r)
@@ -152,6 +155,8 @@ static enum result studio_open(struct studio *s, const struct run *r)
     if (!s->mem || !s->scratch)
         return report_line(RESULT_HOST, "out of memory");
     fb_init(&s->fb, s->mem, w, h);
+    if (r->a->wav && !tape_open(&s->tape))
+        return report_line(RESULT_HOST, "out of memory");
     if (r->a->sheet && !sheet_open(&s->sheet, count_wanted(r->a), w, h))
         return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
     return RESULT_DONE;
@@ -179,7 +184,7 @@ static enum result picture(struct studio *s, const struct run *r, uint32_t frame
     board_draw(r->guard.board, &s->fb, s->rgb, s->scratch);
     if (s->sheet.rgb)
         sheet_add(&s->sheet, &s->fb, s->rgb);
-    if (r->a->sheet && !r->a->out)
+    if ((r->a->sheet || r->a->wav) && !r->a->out)
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
         return report_line(RESULT_REFUSED, "-o: the path is too long");
@@ -198,8 +203,17 @@ static enum result render_frames(struct studio *s, struct run *r)
         if (f == last || result != RESULT_DONE)
             break;
         result = run_tick(r);
+        if (r->a->wav)
+            tape_add(&s->tape, r->guard.board);
     }
     return result;
+}
+
+static enum result wav_save(struct studio *s, const char *path)
+{
+    char err[1200];
+
+    return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
 static enum result sheet_save(struct studio *s, const char *path)
@@ -229,6 +243,10 @@ enum result headless_render(const struct args *a)
         result = render_frames(&s, r);
     if (s.sheet.count > 0) { /* also of a run that stopped early */
         enum result saved = sheet_save(&s, a->sheet);
+        result = result == RESULT_DONE ? saved : result;
+    }
+    if (s.tape.frames > 0) {
+        enum result saved = wav_save(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }
     studio_close(&s);

@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "option bomb game talk say choose sound music unlock test" },
+    { "", '.', "option bomb game talk say choose unlock test" },
     { "board", '.', "stop ask" },
     { "boss", '.', "history" },
     { "on", '.', "start bomb continue" },
@@ -64,6 +64,7 @@ static const struct {
     { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
+    { "sound music", offsetof(struct manifest, sound), "sounds = { ... } or music = { ... }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)

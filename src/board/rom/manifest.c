@@ -16,9 +16,9 @@
 #include "../../chips/nvram.h"
 
 /* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
- * core version 5 wrote format 2. */
-enum { FORMAT = 3, NUMBERS_1 = 17 };
-static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, MANIFEST_NUMBERS };
+ * core version 5 wrote format 2, core version 6 format 3. */
+enum { FORMAT = 4, NUMBERS_1 = 17 };
+static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -63,6 +63,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.bg", bg),
     NUMBER("board.lasers", lasers, 0, MAX_LASERS),
     NUMBER("board.curve_points", curve_points, 0, 1 << 20),
+    FLAG("board.sound", sound),
 };
 
 void manifest_default(struct manifest *m)

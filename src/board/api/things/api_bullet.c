@@ -8,6 +8,7 @@
 #include "../../../base/edit.h"
 #include "../api_parts.h"
 #include "../../events_run.h"
+#include "../../sound.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
 static int64_t q32(double v)
@@ -411,6 +412,8 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
         player = (uint8_t)(handle_slot(by->i) + 1);
+    if (player)
+        sound_cue(b, CUE_SHOT, b->player.x[player - 1]);
     return fire(L, b, v, true, "shot.fire", player);
 }
 
