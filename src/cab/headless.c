@@ -260,7 +260,7 @@ enum result headless_render(const struct args *a)
 struct hashing {
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* of board_hashes_cached */
-    uint32_t trace;   /* parts to print instead, 1 << part */
+    uint64_t trace;   /* parts to print instead, 1 << part */
 };
 
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
@@ -287,20 +287,20 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
 }
 
 /* Adds the part of that name, or all, to *set; false: there is none. */
-static bool add_part(const struct board *b, const char *name, size_t n, uint32_t *set)
+static bool add_part(const struct board *b, const char *name, size_t n, uint64_t *set)
 {
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
 
     for (int i = 0; i < board_parts(b); i++) {
         const char *part = board_part(b, i);
         bool is = strlen(part) == n && memcmp(part, name, n) == 0;
-        *set |= (uint32_t)(is || all) << i;
+        *set |= (uint64_t)(is || all) << i;
         known |= is;
     }
     return known;
 }
 
-static enum result read_traces(const struct args *a, const struct board *b, uint32_t *set)
+static enum result read_traces(const struct args *a, const struct board *b, uint64_t *set)
 {
     for (int i = 0; i < a->n_traces; i++) {
         for (const char *p = a->traces[i];; p++) {

@@ -343,7 +343,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
                *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
                *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
+               *const maps[] = { "sea", "reef" }, *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" },
+               *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -475,6 +476,10 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MAP:
         push_from(L, maps, 2);
+        break;
+    case A_SOUND:
+    case A_TUNE:
+        push_from(L, p->type == A_SOUND ? sounds : tunes, 2);
         break;
     case A_DEPTH:
         push_from(L, depths, 2);
@@ -1092,7 +1097,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = m.bg = 1;
+    m.frozen = m.meet = m.bg = m.sound = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;
@@ -1100,6 +1105,7 @@ static int setup(void **state)
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_maps(&g);
+    rig_sounds(&g);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

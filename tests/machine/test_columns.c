@@ -51,6 +51,9 @@ static const struct home homes[] = {
     HOME("laser_heads", "chips/bullets.h", bullets),
     HOME("laser_kinds", "chips/lasers.h", laser_kinds),
     HOME("laser_points", "chips/lasers.h", laser_points),
+    HOME("music", "chips/sound/seq.h", seq),
+    HOME("cues", "chips/sound/seq.h", cues),
+    HOME("voices", "chips/sound/voices.h", voices),
 };
 
 /* A file without its comments. */
@@ -393,7 +396,9 @@ static void test_flips(void **state)
     m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = 1;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
+    m.sound = 1;
     rig_script(&g, &m, scene);
+    rig_sounds(&g);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
     assert_true(has_room(r.b));

@@ -134,7 +134,7 @@ static void test_later(void **state)
 {
     (void)state;
     SAYS("sound.play('x')",
-         "main.lua:2: undeclared global \"sound\" (sound is not there yet; the name is kept for it)");
+         "main.lua:2: sound: this game has no room for it; rom.lua asks for it: sounds = { ... } or music = { ... }");
     SAYS("local f = option",
          "main.lua:2: undeclared global \"option\" (option is not there yet; the name is kept for it)");
     SAYS("local f = optn", "main.lua:2: undeclared global \"optn\"");
