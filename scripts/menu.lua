@@ -51,7 +51,10 @@ function menu.choose(a)
     wait(1) -- the press that opened this list is not meant for it
     idle = idle + 1
     local step = (stepped("down", a.p) and 1 or 0) - (stepped("up", a.p) and 1 or 0)
-    if step ~= 0 then chosen, idle = (chosen - 1 + step) % n + 1, 0 end
+    if step ~= 0 then
+      chosen, idle = (chosen - 1 + step) % n + 1, 0
+      sys.cue("menu")
+    end
     if accepted(a.p) then
       answer = chosen
       break

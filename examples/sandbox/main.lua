@@ -7,6 +7,7 @@ require "treasure"
 require "words"
 require "scenes"
 require "rays"
+require "heard"
 local try = require "try"
 
 stage.def("try", function()
