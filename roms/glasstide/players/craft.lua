@@ -27,6 +27,7 @@ local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 local function undertow(p)
   local x, y = p.x, p.y
   p.bombs, p.safe = p.bombs - 1, 150
+  sound.play("bomb", { from = p })
   screen.shake { size = 3, over = 36 }
   spark.burst { kind = "shock", x = x, y = y, speed = 0 }
   bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint",
