@@ -158,9 +158,9 @@ size_t board_scratch(const struct board *b);
  * scratch. fb is fb_init'ed w x h. */
 uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
 
-/* The sound of the frame just ticked: BOARD_SOUND stereo frames of 48 kHz, left first. Reads b, writes only out, so that
- * leaving it out changes nothing; the same bytes everywhere. tables: board_sound_tables() bytes, aligned to 8, that
- * board_sound_open has filled (some milliseconds, once; any number of boards may share them); a game that declares
+/* The sound of the frame just ticked: BOARD_SOUND stereo frames of 48 kHz, left first. Reads b, writes only out, so
+ * that leaving it out changes nothing; the same bytes everywhere. tables: board_sound_tables() bytes, aligned to 8,
+ * that board_sound_open has filled (some milliseconds, once; any number of boards may share them); a game that declares
  * neither sounds nor music is silent and needs none. */
 enum { BOARD_SOUND = 800 };
 bool board_has_sound(const struct board *b);
@@ -169,8 +169,8 @@ void board_sound_open(void *tables);
 void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
 
 /* A board that only plays one sound or piece of music of a ROM, without its scripts, in board_box_size() bytes aligned
- * to 64: for listening. board_box_play plays sound NAME, or the music of that name; false: there is none. A frame is one
- * board_box_tick; false: all is over and silent. */
+ * to 64: for listening. board_box_play plays sound NAME, or the music of that name; false: there is none. A frame is
+ * one board_box_tick; false: all is over and silent. */
 size_t board_box_size(void);
 struct board *board_box_open(void *ram, const struct rom *rom, char *err, size_t err_size);
 bool board_box_play(struct board *b, const char *name);

@@ -53,11 +53,11 @@ python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
 for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
     rm -rf page
     cp -r "$repo/examples/sandbox" page
-    rm page/glow.lua page/looks.lua page/moves.lua page/treasure.lua page/words.lua page/scenes.lua page/rays.lua page/heard.lua
+    (cd page && rm glow.lua looks.lua moves.lua treasure.lua words.lua scenes.lua rays.lua heard.lua)
     {
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200", "power", "point", "life", "shard",'
-        echo '"sea", "slabs", "clouds", "towers" }'
+        echo '"sea", "slabs", "clouds", "towers", "boom", "drum", "tide" }'
         cat "$repo/tests/cli/drive.lua"
     } >page/main.lua
     case $file in

@@ -242,8 +242,9 @@ static inline void rig_maps(struct rig_game *g)
     free(had.image.bytes);
 }
 
-/* Two sounds, "hit" and "boom" of two tracks, and two pieces of music, "tide" of endless tracks with markers and changes
- * of tempo, and "deep", which ends; and the recording "bell", which "deep" plays too. For a manifest with sound. */
+/* Two sounds, "hit" and "boom" of two tracks, and two pieces of music, "tide" of endless tracks with markers and
+ * changes of tempo, and "deep", which ends; and the recording "bell", which "deep" plays too. For a manifest with
+ * sound. */
 static inline void rig_sounds(struct rig_game *g)
 {
     enum { MOST = 128 };

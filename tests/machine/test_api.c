@@ -343,8 +343,8 @@ static void push_value(lua_State *L, const struct api_param *p)
                *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
                *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
                *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-               *const maps[] = { "sea", "reef" }, *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" },
-               *const depths[] = { "back", "front" };
+               *const maps[] = { "sea", "reef" }, *const sounds[] = { "hit", "boom" },
+               *const tunes[] = { "tide", "deep" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);

@@ -121,7 +121,8 @@ const char *cart_face_name(const struct cart *cart, int i);
 struct face cart_face(const struct cart *cart, int i);
 int cart_find_face(const struct cart *cart, const char *name);
 
-/* Piece of music i, 0 <= i < tunes, and sound i: its name; its place in the ROM (tune.h); the index of a name, or -1. */
+/* Piece of music i, 0 <= i < tunes, and sound i: its name; its place in the ROM (tune.h); the index of a name, or
+ * -1. */
 const char *cart_tune_name(const struct cart *cart, int i);
 uint32_t cart_tune(const struct cart *cart, int i);
 int cart_find_tune(const struct cart *cart, const char *name);

@@ -67,8 +67,8 @@ struct cue {
     int32_t pitch;
 };
 
-/* Begins a sound in this frame. The same one twice in a frame is one, the louder. Where its limit is reached, the oldest
- * of its kind goes; where there is no room, the oldest of the least priority, if that is not greater than its own.
+/* Begins a sound in this frame. The same one twice in a frame is one, the louder. Where its limit is reached, the
+ * oldest of its kind goes; where there is no room, the oldest of the least priority, if that is not above its own.
  * Returns a bit for each slot whose voice has to fade. */
 uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame);
 

@@ -5,8 +5,8 @@
  * A tick moves every voice by a frame, in closed form and whether anybody listens or not; voices_mix makes the frame's
  * samples of what stands here and changes nothing. No script can read a voice, so voices are outside the combined hash.
  *
- * The first VOICES_MUSIC are of music, the others of sounds. Slot v is the note of voice v; slot VOICES + v is its tail:
- * the note before, which fades when a new one begins, so that nothing clicks.
+ * The first VOICES_MUSIC are of music, the others of sounds. Slot v is the note of voice v; slot VOICES + v is its
+ * tail: the note before, which fades when a new one begins, so that nothing clicks.
  *
  * inst and wave are places in the ROM: of the note's instrument (tune.h), 0: silent; of its sample (adpcm.h), 0: none.
  */
