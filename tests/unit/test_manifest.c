@@ -635,7 +635,7 @@ static void test_format_1(void **state)
     assert_int_equal(m.nvram_kib, 32);
     m.nvram_kib = 3;
     manifest_pack(&m, again);
-    bytes[0] = 3;
+    bytes[0] = 4;
     assert_memory_equal(bytes, again, sizeof bytes);
     free(r);
 }
