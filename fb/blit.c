@@ -8,7 +8,6 @@
  */
 #include "blit.h"
 #include "words.h"
-#include <stdbool.h>
 #include <string.h>
 
 static inline uint64_t reverse(uint64_t v)
@@ -29,10 +28,35 @@ static inline void cover(uint8_t *d, uint64_t s, uint64_t add)
  * mask, no branch, a constant count. */
 static inline void cover_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
 {
+#pragma GCC unroll 1
     for (int k = 0; k < 16; k++) {
         uint8_t mask = (uint8_t)(0 - (s[k] != 0)), colour = (uint8_t)(s[k] + add);
         d[k] = (uint8_t)(d[k] ^ ((d[k] ^ colour) & mask));
     }
+}
+
+/* The same, each mixed by a rule; rule is a constant in the calls. */
+static inline void mix_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add, enum blit_mix rule)
+{
+#pragma GCC unroll 1
+    for (int k = 0; k < 16; k++) {
+        uint8_t mask = (uint8_t)(0 - (s[k] != 0)), over = (uint8_t)(s[k] + add);
+        uint8_t a = d[k] & 15, b = over & 15, sum = (uint8_t)(a + b), most = a > b ? a : b;
+        uint8_t half = (uint8_t)((uint8_t)(sum + 1) >> 1), added = sum < 15 ? sum : 15;
+        uint8_t shade = rule == BLIT_RAMP_ADD ? added : rule == BLIT_RAMP_HALF ? half : most;
+        d[k] = (uint8_t)(d[k] ^ ((d[k] ^ ((over & 0xf0) | shade)) & mask));
+    }
+}
+
+/* Eight pixels: half of sixteen. */
+static inline void mix_eight(uint8_t *d, const uint8_t *s, uint8_t add, enum blit_mix rule)
+{
+    uint8_t pair[16] = { 0 }, from[16] = { 0 };
+
+    memcpy(pair, d, 8);
+    memcpy(from, s, 8);
+    mix_pair(pair, from, add, rule);
+    memcpy(d, pair, 8);
 }
 
 enum { TURNED = 1024 }; /* bytes */
@@ -343,6 +367,94 @@ static inline struct job whole_job(const struct fb *fb, const struct image *imag
         .rows = image->h,
         .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
+}
+
+/* Sixteen pixels, opaque or by a rule. */
+__attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const uint8_t *s, uint8_t add,
+                                                             enum blit_mix mix)
+{
+    if (mix == BLIT_OPAQUE)
+        cover_pair(d, s, add);
+    else
+        mix_pair(d, s, add, mix);
+}
+
+/* Eight pixels wide, and no more from a row to the next: two rows as one of sixteen. */
+__attribute__((always_inline)) static inline void batch_eight(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                              int h, enum blit_mix mix)
+{
+    for (size_t i = 0; i < n; i++) {
+        const uint8_t *s = items[i].s;
+        uint8_t *d = items[i].d, two[16];
+        const uint8_t add = (uint8_t)(items[i].bank * 16);
+        int y = h;
+        for (; y > 1; y -= 2, s += 16, d += 2 * d_row) {
+            memcpy(two, d, 8);
+            memcpy(two + 8, d + d_row, 8);
+            paint_pair(two, s, add, mix);
+            memcpy(d, two, 8);
+            memcpy(d + d_row, two + 8, 8);
+        }
+        if (y > 0 && mix == BLIT_OPAQUE)
+            cover(d, words_load(s), WORDS_EACH(add));
+        else if (y > 0)
+            mix_eight(d, s, add, mix);
+    }
+}
+
+/* One of any other width, by a rule. */
+__attribute__((always_inline)) static inline void mix_rows(const struct job *j, enum blit_mix rule)
+{
+    const uint8_t *s = j->s;
+    uint8_t *d = j->d;
+
+    for (int y = j->rows; y > 0; y--, s += j->s_row, d += j->d_row) {
+        int k = 0;
+        for (; k + 1 < j->words; k += 2)
+            mix_pair(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
+        if (k < j->words)
+            mix_eight(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
+    }
+}
+
+static void mix_job(const struct job *j, enum blit_mix rule)
+{
+    if (rule == BLIT_RAMP_ADD)
+        mix_rows(j, BLIT_RAMP_ADD);
+    else if (rule == BLIT_RAMP_HALF)
+        mix_rows(j, BLIT_RAMP_HALF);
+    else
+        mix_rows(j, BLIT_RAMP_MAX);
+}
+
+void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix)
+{
+    struct job j = { .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h };
+
+    if (s_pitch == 8 && mix == BLIT_OPAQUE)
+        batch_eight(items, n, d_pitch, h, BLIT_OPAQUE);
+    else if (s_pitch == 8 && mix == BLIT_RAMP_ADD)
+        batch_eight(items, n, d_pitch, h, BLIT_RAMP_ADD);
+    else
+        for (size_t i = 0; i < n; i++) {
+            j.s = items[i].s;
+            j.d = items[i].d;
+            j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
+            if (mix == BLIT_OPAQUE)
+                paint(&j);
+            else
+                mix_job(&j, mix);
+        }
+}
+
+bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
+                 enum blit_mix rule)
+{
+    if (!is_safe(fb, image, x, y) || flags & BLIT_FLIP_X)
+        return false;
+    const struct job j = whole_job(fb, image, x, y, bank, flags);
+    mix_job(&j, rule);
+    return true;
 }
 
 static void blit_flipped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)

@@ -1,6 +1,7 @@
 -- pattern.lua - shapes made of bullets; the rest of them is in figure.lua. Every pattern is a loop over bullet.fire (or
 -- shot.fire), or over the function given as `each`. That gets a new table of arguments for every bullet, so it may
--- change the table and call the next pattern with it.
+-- change the table and call the next pattern with it. The five that take no time and have no `each` are fired at once
+-- in C (src/board/api/things/api_volley.c), the same to the bit.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local pattern = {}
 
@@ -50,9 +51,13 @@ local function settle(own, a)
   a.dir, a.aim = sys.aim(x, y, own.shots) + a.dir, false
 end
 
+local ring, fan, arc = sys.volley("pattern.ring"), sys.volley("pattern.fan"), sys.volley("pattern.arc")
+local stack, line = sys.volley("pattern.stack"), sys.volley("pattern.line")
+
 -- ---- all from one place ----
 
 function pattern.ring(args)
+  if ring(args) then return end
   local own, a = open("pattern.ring", args)
   local dir = a.dir
   for i = 0, own.n - 1 do
@@ -62,6 +67,7 @@ function pattern.ring(args)
 end
 
 function pattern.fan(args)
+  if fan(args) then return end
   local own, a = open("pattern.fan", args)
   local dir = own.n > 1 and a.dir - own.spread / 2 or a.dir
   for i = 0, own.n - 1 do
@@ -71,6 +77,7 @@ function pattern.fan(args)
 end
 
 function pattern.arc(args)
+  if arc(args) then return end
   local own, a = open("pattern.arc", args)
   local dir = a.dir
   for i = 0, own.n - 1 do
@@ -80,6 +87,7 @@ function pattern.arc(args)
 end
 
 function pattern.stack(args)
+  if stack(args) then return end
   local own, a = open("pattern.stack", args)
   local speed = a.speed
   for i = 0, own.n - 1 do
@@ -106,6 +114,7 @@ local function around(own, a, turned)
 end
 
 function pattern.line(args)
+  if line(args) then return end
   local own, a = open("pattern.line", args)
   local put = around(own, a, true)
   for i = 0, own.n - 1 do put(i + 1, 0, own.n > 1 and own.width * (part(i, own.n) - 0.5) or 0) end

@@ -5,7 +5,7 @@ return {
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
   board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384,
             items = 512, lasers = 64, curve_points = 4096 },
-  palette = "art/palette.png", font = "art/font.png", blends = { glow = "add" },
+  palette = "art/palette.png", font = "art/font.png", blends = { glow = "add", shine = { ramp = "add" } },
   sheets = { discs = { file = "art/discs.png", bank = 0 } },
   sprites = {
     d8  = { sheet = "discs", x = 0,  y = 0, w = 8,  h = 8 },
@@ -13,6 +13,10 @@ return {
     d16 = { sheet = "discs", x = 20, y = 0, w = 16, h = 16 },
     ray = { sheet = "discs", x = 28, y = 0, w = 1,  h = 16 },
     d24 = { sheet = "discs", x = 36, y = 0, w = 24, h = 24 },
+    -- of the boss fight
+    turn8  = { sheet = "discs", x = 0,  y = 0, w = 8,  h = 8,  rotations = 32 },
+    turn12 = { sheet = "discs", x = 8,  y = 0, w = 12, h = 12, rotations = 32 },
+    turn16 = { sheet = "discs", x = 20, y = 0, w = 16, h = 16, rotations = 32 },
     -- the crowd's kinds; `make bench` gives each a picture of its own
     kind1 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind2 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
     kind3 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 }, kind4 = { sheet = "discs", x = 0, y = 0, w = 8, h = 8 },
@@ -30,7 +34,7 @@ return {
       { 9, 10, 11, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 12, 0 }, { 0, 0, 9, 10, 11, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0 } } },
   },
   dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
-    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together", "looks" },
+    does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together", "looks", "boss" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },
     -- more of it: a switch has room for 16 words

@@ -46,6 +46,28 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
 /* Fires what was queued; returns how many bullets and shots that was. */
 uint64_t emit_run(struct board *b);
 
+/* A pattern of n, as numbers: the bullets of ring, fan, arc, stack and line differ in these alone. */
+struct emit_figure {
+    uint8_t pattern; /* enum emit_pattern */
+    int32_t n;
+    double dir, speed; /* degrees, px/frame */
+    double size;       /* as of struct motion_emit */
+    fx cos30, sin30;   /* of a line: of its direction */
+};
+
+/* Degrees and px/frame of bullet i, 0 <= i < n, and how far a line's is from the middle: the doubles that
+ * scripts/pattern.lua computes, bit for bit. */
+struct emit_way {
+    double dir, speed, dx, dy;
+};
+void emit_way(const struct emit_figure *f, int32_t i, struct emit_way *out);
+
+/* Sets a line's cos30 and sin30, from its dir. */
+void emit_turn(struct emit_figure *f);
+
+/* Counts and logs n bullets (or shots) more that a full pool refused. */
+void emit_refuse(struct board *b, bool shot, uint64_t n);
+
 /* Fires a bullet or shot: sets the shape's hp and cloud, and counts and logs it when there is no room (NO_SLOT). pace:
  * its speed in Q32, of which only fine ones have more than shape->speed. clock: of the frame in which it first moves.
  */

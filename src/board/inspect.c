@@ -2,6 +2,7 @@
  * inspect.c - see inspect.h.
  */
 #include "inspect.h"
+#include "../../fb/blit.h"
 #include <string.h>
 #include "../base/int.h"
 #include "api.h"
@@ -203,6 +204,14 @@ static void measure(const struct shape_columns *k, uint32_t i, struct inspect_sh
     }
 }
 
+/* The name of the blend that a kind's flags ask for, if it is one of ramps. */
+static const char *ramp_of(const struct board *b, uint16_t flags)
+{
+    const int blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
+
+    return blend && b->cart.mix[blend - 1] != BLIT_TABLE ? cart_blend_name(&b->cart, blend - 1) : NULL;
+}
+
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context)
 {
@@ -214,11 +223,12 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
         struct shape_columns shapes;
         uint32_t n;
         const uint16_t *sprite;
+        const uint8_t *bank;
         const uint16_t *flags; /* KIND_ */
     } all[] = {
-        { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->flags },
-        { "shot", N_SHOT, { ks->shape, ks->a, ks->b, ks->x, ks->y }, ks->s.live, ks->sprite, ks->flags },
-        { "enemy", N_ENEMY, { ke->shape, ke->a, ke->b, ke->x, ke->y }, ke->s.live, ke->sprite, NULL },
+        { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->bank, k->flags },
+        { "shot", N_SHOT, { ks->shape, ks->a, ks->b, ks->x, ks->y }, ks->s.live, ks->sprite, ks->bank, ks->flags },
+        { "enemy", N_ENEMY, { ke->shape, ke->a, ke->b, ke->x, ke->y }, ke->s.live, ke->sprite, ke->bank, NULL },
     };
     struct inspect_shape_of kind;
 
@@ -232,6 +242,8 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
             kind.name = name;
             kind.turns = all[what].flags && all[what].flags[i] & KIND_TURNS;
             kind.sprite = cart_sprite_name(&b->cart, all[what].sprite[i]);
+            kind.bank = all[what].bank[i] & 15;
+            kind.ramp = all[what].flags ? ramp_of(b, all[what].flags[i]) : NULL;
             each(context, &kind);
         }
 }

@@ -43,6 +43,8 @@ struct inspect_shape_of {
     int32_t x0, y0, x1, y1;   /* the box round it, from its place; as the picture is drawn, not turned */
     bool turns;               /* the picture turns; a box does not turn with it */
     const char *sprite;
+    int bank;
+    const char *ramp; /* the blend it is drawn with, if that is one of ramps; else NULL */
 };
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);

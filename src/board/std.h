@@ -5,9 +5,9 @@
  * A ROM has the modules that its scripts name, and those that these name; what is not in the ROM is not loaded. Below
  * cab nobody has their texts: they are lumps "script/@std/NAME.lua".
  *
- * What a module seldom needs stands in pieces of its own, "screens/title": they come into the ROM with their module, are
- * not run when the machine starts, and are read each time sys.read asks for one. They may name what their module names
- * (or the game, where it asked for them), for they bring no module along.
+ * What a module seldom needs stands in pieces of its own, "screens/title": they come into the ROM with their module,
+ * are not run when the machine starts, and are read each time sys.read asks for one. They may name what their module
+ * names (or the game, where it asked for them), for they bring no module along.
  */
 #ifndef BOARD_STD_H
 #define BOARD_STD_H

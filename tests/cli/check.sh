@@ -689,6 +689,19 @@ rom.lua: enemy "foe 2": its hit capsule of 2 x 6 px is larger than its picture, 
 END
 rm -r l
 
+# ---- blends of ramps ----
+
+cp -R "$repo/examples/first" ramps
+sed -i 's/font = /blends = { shine = { ramp = "add" } }, font = /' ramps/rom.lua
+sed -i 's/bullet.def("orb", {/bullet.def("orb", { blend = "shine", bank = 0,/' ramps/main.lua
+same 'a ramp from dark to bright' '0' "$("$curtain" check ramps >/dev/null 2>&1; echo $?)"
+sed -i 's/blend = "shine", bank = 0/blend = "shine", bank = 8/' ramps/main.lua
+finds 'a bank that is none' ramps <<'END'
+main.lua:1: bullet "orb": its blend, "shine", is for ramps, but colour 7 of bank 8 is darker than colour 6
+1 problem
+END
+rm -r ramps
+
 # ---- what only playing finds ----
 
 cp -R "$repo/examples/first" deep

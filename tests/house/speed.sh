@@ -8,6 +8,7 @@ bench=$OUT/bench
 cat >"$scratch/sections" <<'END'
 Targets
 The machine
+A boss fight
 The crowd
 What a bullet costs
 Shots against enemies

@@ -19,6 +19,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
+#include "../../fb/blit.h"
 #include "../../src/board/api.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/demo/demo.h"
@@ -181,8 +182,8 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
     rig_scripts(g, m, scripts, 2);
 }
 
-/* Puts two blends into a game, "ghost" and "glow", whose tables are nonsense. */
-static inline void rig_blends(struct rig_game *g)
+/* Puts two blends into a game, "ghost" and "glow", made by a rule for ramps; BLIT_TABLE: the table is nonsense. */
+static inline void rig_ruled_blends(struct rig_game *g, enum blit_mix ghost, enum blit_mix glow)
 {
     enum { MOST = 128 };
     static uint8_t blend[2][CART_BLEND];
@@ -191,8 +192,9 @@ static inline void rig_blends(struct rig_game *g)
     int n = (int)had.image.rom.count;
 
     for (int i = 0; i < CART_BLEND; i++) {
-        blend[0][i] = (uint8_t)(i * 13 + i / 256 * 7 + 1);
-        blend[1][i] = (uint8_t)(i * 5 + i / 256 * 11 + 2);
+        const uint8_t under = (uint8_t)(i >> 8), over = (uint8_t)i;
+        blend[0][i] = ghost == BLIT_TABLE ? (uint8_t)(i * 13 + under * 7 + 1) : blit_ramp(ghost, under, over);
+        blend[1][i] = glow == BLIT_TABLE ? (uint8_t)(i * 5 + under * 11 + 2) : blit_ramp(glow, under, over);
     }
     for (int i = 0; i < n; i++)
         rom_lump(&had.image.rom, i, &lumps[i]);
@@ -200,6 +202,11 @@ static inline void rig_blends(struct rig_game *g)
     lumps[n++] = (struct lump){ "blend/glow", blend[1], CART_BLEND };
     rig_write(g, lumps, n);
     free(had.image.bytes);
+}
+
+static inline void rig_blends(struct rig_game *g)
+{
+    rig_ruled_blends(g, BLIT_TABLE, BLIT_TABLE);
 }
 
 /* Two maps: "sea" of 3 x 2 solid tiles of 8 px, and "reef" of 5 x 4 tiles of 16 px with holes. */

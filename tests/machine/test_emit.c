@@ -89,6 +89,7 @@ static void test_patterns(void **state)
           "      motion = { fine = rng.chance(0.2), { wait = 1 }, { emit = e }, { die = true } } }\n"
           "    wait(1)\n"
           "    a.from, a.tag, a.pattern, a.dir = em, 'l', nil, a.dir or not a.aim and em.dir or nil\n"
+          "    a.each = name ~= 'one' and function(t) bullet.fire(t) end or nil\n"
           "    if name ~= 'one' then pattern[name](a)\n"
           "    elseif not a.skip or a.skip[1] > 1 then a.skip = nil bullet.fire(a) end\n"
           "    wait(1) local lua = all('l') wait(1) local mine = all('e') is(#mine, #lua)\n"
@@ -101,6 +102,98 @@ static void test_patterns(void **state)
           "  board.note(1) print('done')\n"
           "end)\n",
           2200);
+}
+
+/* A pattern as one call fires what its loop does, which `each` asks for: of bullets and shots, of fine ones, from
+ * places at the edge of the world, into a full pool, aimed, skipped, from what is gone. */
+static void test_volleys(void **state)
+{
+    (void)state;
+    holds(KINDS
+          "local own = { ring = {}, fan = 'spread', arc = 'sweep', stack = 'speed_to', line = 'width' }\n"
+          "local names = { 'ring', 'fan', 'arc', 'stack', 'line' }\n"
+          "motion.def { name = 'plain', { turn = 3, over = 5 } } motion.def { name = 'fine', fine = true }\n"
+          "local function number(most)\n"
+          "  if rng.chance(0.1) then return rng.pick { 0, -0.0, most, -most, 1e-9, 0.1 } end\n"
+          "  return rng.chance(0.3) and rng.int(-most, most) or rng.number(-most, most) end\n"
+          "local function all(from, tag) local list = {}\n"
+          "  from.each(tag, function(b) list[#list + 1] = { b.x, b.y, b.dir, b.speed, b.vx, b.vy, b.kind, b.bank,\n"
+          "    b.motion or 0, from == bullet and b.delay or 0, b.power, from == bullet and b.heat or 0,\n"
+          "    b.around or 0, b.age } end) return list end\n"
+          "local seen, full = {}, 0\n"
+          "task.go(function() string.sys.join(1, 'ship')\n"
+          "  local foe = enemy.spawn { kind = 'foe', x = 100, y = 30 }\n"
+          "  local dead = dot { x = 9, y = 9 } dead:remove()\n"
+          "  for run = 1, 1500 do\n"
+          "    player.get(1).x, player.get(1).y = rng.int(9, 200), rng.int(9, 200)\n"
+          "    foe.x, foe.y = rng.int(-60, 300), rng.int(-40, 200)\n"
+          "    local name, shots = rng.pick(names), rng.chance(0.3) local word = own[name]\n"
+          "    local from = shots and shot or bullet\n"
+          "    local a = { fire = shots and 'shot' or rng.chance(0.5) and 'bullet' or nil, n = rng.int(0, 9),\n"
+          "      kind = shots and 'bolt' or rng.pick { 'dot', 'seed' }, speed = number(rng.pick { 5, 8191 }) }\n"
+          "    if rng.chance(0.05) then a.n = 4500 end\n"
+          "    if type(word) == 'string' then a[word] = number(word == 'speed_to' and 6 or 300) end\n"
+          "    if rng.chance(0.5) then a.dir = number(rng.pick { 700, 1e9 }) end\n"
+          "    if rng.chance(0.4) then a.aim = true end\n"
+          "    if rng.chance(0.3) then a.skip = { rng.int(-2, 4), rng.int(5, 7) } end\n"
+          "    if rng.chance(0.3) then a.bank = rng.int(0, 15) end\n"
+          "    if rng.chance(0.2) and not shots then a.delay = rng.int(0, 5) end\n"
+          "    if rng.chance(0.2) and shots then a.by = player.get(1) end\n"
+          "    if rng.chance(0.4) then a.motion = rng.pick { 'plain', 'fine' } end\n"
+          "    if rng.chance(0.4) then a.power = number(900) end\n"
+          "    if rng.chance(0.2) then a.around = player.get(1) end\n"
+          "    if rng.chance(0.5) then a.from = rng.chance(0.1) and dead or rng.chance(0.5) and foe or player.get(1)\n"
+          "    else a.x, a.y = rng.number(0, 200), rng.number(-20, 200) end\n"
+          "    if rng.chance(0.3) then a.dx = number(rng.chance(0.1) and 16000 or 50) end\n"
+          "    if rng.chance(0.3) then a.dy = number(rng.chance(0.1) and 16000 or 50) end\n"
+          "    local pool = shots and 'shots' or 'bullets'\n"
+          "    local before = board.refused(pool)\n"
+          "    a.tag = 'l' pattern[name](a)\n"
+          "    local mine, lost = all(from, 'l'), board.refused(pool) - before\n"
+          "    from.group():remove()\n"
+          "    a.each = function(t) from.fire(t) end pattern[name](a)\n"
+          "    local lua = all(from, 'l') is(#mine, #lua) is(board.refused(pool) - before, 2 * lost)\n"
+          "    if lost > 0 then full = full + 1 end\n"
+          "    seen[name] = (seen[name] or 0) + #lua\n"
+          "    for i, b in ipairs(lua) do for k, v in ipairs(b) do if mine[i][k] ~= v then\n"
+          "      error(('%d %s: bullet %d: %d: %s, expected %s'):format(run, name, i, k, mine[i][k], v)) end end end\n"
+          "    from.group():remove()\n"
+          "    if run % 4 == 0 then wait(1) end\n"
+          "  end\n"
+          "  for _, name in ipairs(names) do assert(seen[name] > 500, name) end\n"
+          "  assert(full > 10, full)\n"
+          "  board.note(1) print('done')\n"
+          "end)\n",
+          400);
+}
+
+/* Both say the same of what is wrong. */
+static void test_volley_errors(void **state)
+{
+    static const char *const wrong[][2] = {
+        { "pattern.line { kind = 'dot', speed = 1, n = 3, width = 90, x = 16380, y = 1",
+          "main.lua:12: bullet.fire: x: expected a number from -16383 to 16383 px, got 16425.0" },
+        { "pattern.ring { kind = 'dot', speed = 1, n = 3, x = 1",
+          "main.lua:12: bullet.fire: place: expected either x and y, or from" },
+        { "pattern.fan { kind = 'dot', sped = 1, n = 3, spread = 9, x = 1, y = 2",
+          "main.lua:12: pattern.fan: unknown argument \"sped\" (did you mean \"speed\"?)" },
+        { "pattern.arc { kind = 'dot', speed = 1, n = -1, sweep = 9, x = 1, y = 2",
+          "main.lua:12: pattern.arc: n: expected a whole number from 0 to 65535 bullets, got -1" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        for (int each = 0; each < 2; each++) {
+            struct manifest m = manifest();
+            char text[3000];
+            snprintf(text, sizeof text, "%s\n%s%s }", KINDS, wrong[i][0],
+                     each ? ", each = function(t) bullet.fire(t) end" : "");
+            rig_with_sys(&g, &m, text);
+            rig_power_any(&rig, &g, NULL);
+            assert_non_null(rig_fault(&rig));
+            assert_string_equal(rig_fault(&rig)->message, wrong[i][1]);
+            end();
+        }
 }
 
 /* ---- the queue ---- */
@@ -503,10 +596,11 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_patterns), cmocka_unit_test(test_order),
-                                        cmocka_unit_test(test_names),    cmocka_unit_test(test_full),
-                                        cmocka_unit_test(test_restore),  cmocka_unit_test(test_waits),
-                                        cmocka_unit_test(test_signals),  cmocka_unit_test(test_paths),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_patterns),      cmocka_unit_test(test_volleys),
+                                        cmocka_unit_test(test_volley_errors), cmocka_unit_test(test_order),
+                                        cmocka_unit_test(test_names),         cmocka_unit_test(test_full),
+                                        cmocka_unit_test(test_restore),       cmocka_unit_test(test_waits),
+                                        cmocka_unit_test(test_signals),       cmocka_unit_test(test_paths),
                                         cmocka_unit_test(test_errors) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

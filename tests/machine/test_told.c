@@ -508,7 +508,7 @@ static void test_places_in_library(void **state)
     }
 }
 
-/* A piece is run anew each time it is read, with sys, and what it made is collected; one that is not there is a fault. */
+/* A piece is run anew each time it is read, with sys, and one that is not there is a fault. */
 static void test_pieces(void **state)
 {
     static const char piece[] = "local sys = ...\nstring.runs = (string.runs or 0) + 1\n"

@@ -69,6 +69,19 @@ static void random_palettes(void **state)
     }
 }
 
+/* Of ramps: what the rule says, whatever the colours. */
+static void of_ramps(void **state)
+{
+    uint8_t rgb[CART_PALETTE] = { 0 };
+
+    (void)state;
+    for (int rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
+        assert_true(blend_make(rgb, BLEND_RULE + BLIT_RAMP_ADD - rule, table));
+        for (int i = 0; i < CART_BLEND; i++)
+            assert_int_equal(table[i], blit_ramp((enum blit_mix)rule, (uint8_t)(i >> 8), (uint8_t)i));
+    }
+}
+
 /* Few colours, many times each: ties everywhere, and at the corners of the cube. */
 static void equal_colours(void **state)
 {
@@ -104,6 +117,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(default_palette),
         cmocka_unit_test(random_palettes),
+        cmocka_unit_test(of_ramps),
         cmocka_unit_test(equal_colours),
         cmocka_unit_test(ends),
     };

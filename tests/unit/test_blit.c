@@ -187,6 +187,81 @@ static void sprites_of_every_width(void **state)
         }
 }
 
+/* The table of a rule, or NULL. */
+static const uint8_t *table_of(enum blit_mix mix)
+{
+    static uint8_t table[BLIT_MIXES][65536];
+
+    if (mix < BLIT_RAMP_ADD)
+        return NULL;
+    for (int i = 0; i < 65536; i++)
+        table[mix][i] = blit_ramp(mix, (uint8_t)(i >> 8), (uint8_t)i);
+    return table[mix];
+}
+
+/* What the rules are, for a few. */
+static void rules(void **state)
+{
+    (void)state;
+    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0x23, 0x54), 0x57);
+    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0x2c, 0x54), 0x5f);
+    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0xff, 0x01), 0x0f);
+    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x23, 0x54), 0x54);
+    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x00, 0xf1), 0xf1);
+    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x1f, 0x3f), 0x3f);
+    assert_int_equal(blit_ramp(BLIT_RAMP_MAX, 0x23, 0x54), 0x54);
+    assert_int_equal(blit_ramp(BLIT_RAMP_MAX, 0x29, 0x54), 0x59);
+}
+
+/* A rule draws what its table draws, or says that it does not. */
+static void ruled_sprites(void **state)
+{
+    struct bed *b = *state;
+    int drawn = 0;
+
+    for (int k = 0; k < 9000; k++) {
+        const enum blit_mix rule = BLIT_RAMP_ADD + (enum blit_mix)(k % 3);
+        const unsigned flags = (unsigned)rng_below(&b->r, 4);
+        const uint8_t bank = (uint8_t)rng_below(&b->r, 16);
+        random_image(b, 1 + (int)rng_below(&b->r, k % 4 ? 20 : MAX_SIDE), 1 + (int)rng_below(&b->r, 20));
+        int x = any_place(&b->r, W, b->image.w), y = any_place(&b->r, H, b->image.h);
+        random_clip(b);
+        begin(b);
+        if (blit_ramped(&b->fb, &b->image, x, y, bank, flags, rule)) {
+            paint_through(b, x, y, bank, flags, table_of(rule));
+            drawn++;
+        }
+        expect(b);
+    }
+    assert_true(drawn > 300);
+}
+
+/* Many in one go, of every size: in order, one over the other. */
+static void batches(void **state)
+{
+    struct bed *b = *state;
+    enum { MANY = 9 };
+
+    for (int k = 0; k < 12000; k++) {
+        const enum blit_mix mix =
+            (const enum blit_mix[]){ BLIT_OPAQUE, BLIT_RAMP_ADD, BLIT_RAMP_HALF, BLIT_RAMP_MAX }[rng_below(&b->r, 4)];
+        struct blit_item items[MANY];
+        const int w = 1 + (int)rng_below(&b->r, k % 4 ? 20 : MAX_SIDE), h = 1 + (int)rng_below(&b->r, 20);
+        const size_t n = (size_t)rng_below(&b->r, MANY + 1);
+        random_image(b, w, h);
+        fb_clip_all(&b->fb);
+        begin(b);
+        for (size_t i = 0; i < n; i++) {
+            int x = (int)rng_below(&b->r, (uint64_t)(W + 2 * FB_GUARD - w + 1)) - FB_GUARD;
+            int y = (int)rng_below(&b->r, (uint64_t)(H + 2 * FB_GUARD - h + 1)) - FB_GUARD;
+            items[i] = (struct blit_item){ b->pix, b->fb.pix + y * b->fb.pitch + x, rng_below(&b->r, 16) };
+            paint_through(b, x, y, (uint8_t)items[i].bank, 0, table_of(mix));
+        }
+        blit_batch(items, n, b->fb.pitch, w, h, b->image.pitch, mix);
+        expect(b);
+    }
+}
+
 /* Every place round the edge of picture and band, for the widths whose last word hangs over. */
 static void sprites_at_every_edge(void **state)
 {
@@ -498,15 +573,12 @@ static void layers_are_sprites(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sprites_of_every_width),
-        cmocka_unit_test(sprites_at_every_edge),
-        cmocka_unit_test(banks_wrap),
-        cmocka_unit_test(nothing_to_draw),
-        cmocka_unit_test(flipped_rows_of_any_length),
-        cmocka_unit_test(blended_sprites),
-        cmocka_unit_test(blended_pairs),
-        cmocka_unit_test(blended_nothing),
-        cmocka_unit_test(stamps_are_sprites),
+        cmocka_unit_test(sprites_of_every_width), cmocka_unit_test(rules),
+        cmocka_unit_test(ruled_sprites),          cmocka_unit_test(batches),
+        cmocka_unit_test(sprites_at_every_edge),  cmocka_unit_test(banks_wrap),
+        cmocka_unit_test(nothing_to_draw),        cmocka_unit_test(flipped_rows_of_any_length),
+        cmocka_unit_test(blended_sprites),        cmocka_unit_test(blended_pairs),
+        cmocka_unit_test(blended_nothing),        cmocka_unit_test(stamps_are_sprites),
         cmocka_unit_test(layers_are_sprites),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);

@@ -403,9 +403,13 @@ static void test_art_errors(void **state)
     entry_refused("blends = { 'add' }", "blends: expected only names as keys, got 1");
     entry_refused("blends = { ['a b'] = 'add' }", "blends: \"a b\": expected a name of letters, digits, _ - . and /");
     entry_refused("blends = { a = 'add', b = 'add', c = 'add', d = 'add' }", "blends: expected at most 3 entries");
-    entry_refused("blends = { a = 'mix' }", "blends.a: expected \"add\" or { mix = percent }, got \"mix\"");
-    entry_refused("blends = { a = 50 }", "blends.a: expected \"add\" or { mix = percent }, got 50");
+    entry_refused("blends = { a = 'mix' }",
+                  "blends.a: expected \"add\", { mix = percent } or { ramp = rule }, got \"mix\"");
+    entry_refused("blends = { a = 50 }", "blends.a: expected \"add\", { mix = percent } or { ramp = rule }, got 50");
     entry_refused("blends = { a = {} }", "blends.a.mix: expected a whole number from 1 to 99, got nil");
+    entry_refused("blends = { a = { ramp = 'glow' } }",
+                  "blends.a.ramp: expected \"add\", \"half\" or \"max\", got \"glow\"");
+    entry_refused("blends = { a = { ramp = 'add', mix = 5 } }", "blends.a: expected mix or ramp, got both");
     entry_refused("blends = { a = { mix = 0 } }", "blends.a.mix: expected a whole number from 1 to 99, got 0");
     entry_refused("blends = { a = { mix = 100 } }", "blends.a.mix: expected a whole number from 1 to 99, got 100");
     entry_refused("blends = { a = { mix = 2.5 } }", "blends.a.mix: expected a whole number from 1 to 99, got 2.5");

@@ -303,7 +303,7 @@ static void test_same_bytes(void **state)
     rom_image_free(&b);
 }
 
-/* The modules of the library, without their pieces, that a game of this main.lua gets, in the order of lumps: "path prelude". */
+/* The modules of the library, without their pieces, that a game of this main.lua gets, as lumps: "path prelude". */
 static const char *modules_of(const char *text)
 {
     static char got[128];

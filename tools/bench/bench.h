@@ -13,6 +13,7 @@
 /* ---- sections, called in this order ---- */
 
 void section_machine(void);
+void section_boss(void);
 void section_crowd(void);
 void section_prices(void);
 void section_battle(void);

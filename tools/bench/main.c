@@ -11,10 +11,11 @@
 #include "bench.h"
 
 static const struct report_part SECTIONS[] = {
-    { "machine", section_machine },   { "crowd", section_crowd },       { "prices", section_prices },
-    { "battle", section_battle },     { "pictures", section_pictures }, { "lasers", section_lasers },
-    { "together", section_together }, { "game", section_game },         { "rewind", section_rewind },
-    { "replay", section_replay },     { "memory", section_memory },     { "guards", section_guards },
+    { "machine", section_machine }, { "boss", section_boss },         { "crowd", section_crowd },
+    { "prices", section_prices },   { "battle", section_battle },     { "pictures", section_pictures },
+    { "lasers", section_lasers },   { "together", section_together }, { "game", section_game },
+    { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
+    { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

@@ -54,7 +54,7 @@ void api_fold(lua_State *L, struct board *b, int at)
     }
 }
 
-static void fold_arguments(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
+void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
 {
     b->script.calls++;
     script_fold(b, entry);
@@ -111,7 +111,7 @@ static int call(lua_State *L)
     const struct api_entry *fire;
     int n = api_arguments(L, e, v, &fire);
     if (e->flags & API_CHANGES) {
-        fold_arguments(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, n);
+        api_fold_call(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, n);
         for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
             api_fold(L, b, i);
     }

@@ -15,6 +15,25 @@ enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES
 extern const struct api_entry *const api_fire[FIRES];
 extern const struct api_entry api_fire_bullet, api_fire_shot, api_fire_bolt, api_fire_curve, api_fire_beam;
 
+/* The arguments of bullet.fire and shot.fire, in their order. */
+enum {
+    FIRE_KIND,
+    FIRE_SPEED,
+    FIRE_PLACE,
+    FIRE_DIR = FIRE_PLACE + PLACE_PARAMS,
+    FIRE_AIM,
+    FIRE_BANK,
+    FIRE_TAG,
+    FIRE_MOTION,
+    FIRE_BY,              /* of a shot */
+    FIRE_DELAY = FIRE_BY, /* of a bullet */
+    FIRE_AROUND,          /* of both */
+    FIRE_VALUES
+};
+
+/* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone. */
+bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s);
+
 /* Properties of what flies, in their order. */
 enum {
     FLIES_X,
@@ -70,6 +89,12 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
+
+/* Folds a call: a hash of the entry's name, and the arguments that were given of v, as they were given. */
+void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n);
+
+/* sys.volley: api_volley.c. */
+int api_volley(lua_State *L, struct board *b, struct api_value *v);
 
 /* What stands behind `of` and the split in the name of an entry in C: of "bullet.fire", "bullet" and '.', "fire"; else
  * NULL. */

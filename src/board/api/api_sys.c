@@ -479,6 +479,8 @@ static const struct api_entry entries[] = {
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
+    { "sys.volley", api_volley, PARAMS(name_req), 1, API_SYS, "function",
+      "fires all of that pattern at once; false, and nothing was done: it takes the loop in Lua" },
     { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },

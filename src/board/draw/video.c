@@ -23,10 +23,11 @@ struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang d
 void video_paint(struct draw_target *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend)
 {
-    if (blend)
-        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
-    else
+    if (!blend)
         blit_sprite(c->fb, img, x, y, bank, flip);
+    else if (c->b->cart.mix[blend - 1] == BLIT_TABLE ||
+             !blit_ramped(c->fb, img, x, y, bank, flip, c->b->cart.mix[blend - 1]))
+        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
 }
 
 static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,

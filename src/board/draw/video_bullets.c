@@ -3,8 +3,9 @@
  *
  * A counting sort lists every kind's bullets in slot order: as destinations (stamp.h) of a picture they all show, which
  * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's
- * edge. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the topmost
- * kinds that are enough to cover it, then, of the others, those that can still be seen.
+ * edge. Those that are turned or animated are drawn in batches of their own pictures. When the overdraw is high,
+ * bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to cover it,
+ * then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -13,6 +14,7 @@
 
 enum {
     BATCH_MIN = 8,    /* fewer are not worth a stamp */
+    BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
     TOP_OVERDRAW =
         10,   /* the topmost kinds that would cover the field so many times are drawn without asking what is visible */
@@ -60,6 +62,7 @@ struct view {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
+    bool clips;         /* what is listed by slot is clipped when it is drawn, so all of it may be listed */
 };
 
 static size_t aligned(size_t n)
@@ -201,7 +204,7 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 }
 
 /* Opens the lists of order[from .. to - 1]. */
-static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y)
+static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y, bool clips)
 {
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
 
@@ -223,8 +226,8 @@ static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const 
         y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
     }
     if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct view){ fb, x, y, 1, 1, 0, 0 };
-    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1 };
+        return (struct view){ fb, x, y, 1, 1, 0, 0, clips };
+    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, clips };
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
@@ -279,7 +282,9 @@ static void list_some(struct lists *l, const struct bullets *s, const struct vie
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         struct cursor *cursor = &l->cursor[s->kind[i]];
-        if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+        if (t->clips && l->by_slot[s->kind[i]])
+            l->list[cursor->next++] = STAMP_OTHER | i;
+        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
             l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
                                       (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
                                       (uint32_t)fx_floor(s->x[i]) + cursor->from;
@@ -295,8 +300,16 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct vi
     const uint16_t *kinds = s->kind + first;
     uint32_t *list = l->list, at[SLOTS_BLOCK];
 
-    if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
+    if ((l->some_by_slot && !t->clips) || ~s->s.used[block] ||
+        !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
         return false;
+    if (l->some_by_slot) {
+        for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
+            struct cursor *cursor = &l->cursor[kinds[k]];
+            list[cursor->next++] = l->by_slot[kinds[k]] ? STAMP_OTHER | (first + k) : at[k] + cursor->from;
+        }
+        return true;
+    }
     for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
         struct cursor *cursor = &l->cursor[kinds[k]];
         list[cursor->next++] = at[k] + cursor->from;
@@ -360,6 +373,51 @@ static void draw_dest(struct draw_target *c, const struct style *style, uint32_t
     blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
 }
 
+static enum blit_mix mix_of(const struct draw_target *c, const struct style *style)
+{
+    return style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
+}
+
+/* The pixels of bullet i's picture. */
+static const uint8_t *pixels_of(const struct draw_target *c, const struct style *style, const struct lists *l,
+                                const struct bullets *s, uint32_t i)
+{
+    const struct sprite *pic = style->pic;
+    uint32_t turn;
+
+    if (pic->frames > 1 || style->spin || !style->turns)
+        return image_of(c, l, s, i).pix;
+    turn = (uint32_t)(((uint64_t)s->dir[i] * pic->rotations + (1u << 31)) >> 32);
+    return pic->pix + (size_t)(turn < pic->rotations ? turn : 0) * pic->pitch * pic->h;
+}
+
+/* Bullets listed by slot that are opaque, or mixed by a rule: all that need no clipping in batches. */
+static void draw_batches(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                         const struct style *style, const uint32_t *list, uint32_t n)
+{
+    const struct sprite *pic = style->pic;
+    const struct stamp_corners safe = stamp_corners(c->fb, pic->w, pic->h);
+    const enum blit_mix mix = mix_of(c, style);
+    struct blit_item items[BATCH];
+    size_t held = 0;
+
+    for (uint32_t k = 0; k < n; k++) {
+        const uint32_t i = list[k] & (STAMP_OTHER - 1);
+        const int x = fx_floor(s->x[i]) + t->x - pic->ox, y = fx_floor(s->y[i]) + t->y - pic->oy;
+        const bool whole = (uint32_t)(x - safe.x0) < safe.wide && (uint32_t)(y - safe.y0) < safe.high;
+        if (whole)
+            items[held++] = (struct blit_item){ pixels_of(c, style, l, s, i),
+                                                c->fb->pix + (ptrdiff_t)y * c->fb->pitch + x, s->bank[i] };
+        if (held == BATCH || !whole) {
+            blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
+            held = 0;
+        }
+        if (!whole)
+            draw_other(c, s, l, t, i);
+    }
+    blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
+}
+
 static void draw_kind(struct draw_target *c, const struct bullets *s, struct lists *l, const struct view *t,
                       uint16_t kind)
 {
@@ -368,6 +426,10 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, struct lis
     uint32_t n = listed(l, kind);
     bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, style, n);
 
+    if (!style->alike && mix_of(c, style) != BLIT_TABLE) {
+        draw_batches(c, s, l, t, style, list, n);
+        return;
+    }
     for (uint32_t k = 0; k < n; k++) {
         if (stamped)
             k += (uint32_t)stamp_over(c->fb, &l->stamp, list + k, n - k);
@@ -382,7 +444,7 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, struct lis
 
 static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
-    struct view t = open_view(l, 0, l->kinds, c->fb, c->x, c->y);
+    struct view t = open_view(l, 0, l->kinds, c->fb, c->x, c->y, true);
 
     list_all(l, s, &t);
     for (uint32_t o = 0; o < l->kinds; o++)
@@ -480,14 +542,14 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
-    t = open_view(l, top, l->kinds, &layer.fb, 0, 0);
+    t = open_view(l, top, l->kinds, &layer.fb, 0, 0, false);
     list_open(l, s, &t);
     drawn = layer_kinds(c, &layer, s, l, &t, top, l->kinds);
     stamp_layer_map(&layer);
     if (!layer.covered && top > 0) {
         struct stamp_cells cells;
         find_cells(&layer, l, top, &cells);
-        t = open_view(l, 0, top, &layer.fb, 0, 0);
+        t = open_view(l, 0, top, &layer.fb, 0, 0, false);
         list_seen(l, s, &t, &cells);
         drawn += layer_kinds(c, &layer, s, l, &t, 0, top);
     }

@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../../fb/blit.h"
 #include "../../../fb/text.h"
 #include "../../snd/tune.h"
 
@@ -68,6 +69,19 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
     return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
+/* The rule that makes this table. */
+static uint8_t rule_of(const uint8_t table[CART_BLEND])
+{
+    for (uint8_t rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
+        int i = 0;
+        while (i < CART_BLEND && table[i] == blit_ramp(rule, (uint8_t)(i >> 8), (uint8_t)i))
+            i++;
+        if (i == CART_BLEND)
+            return rule;
+    }
+    return BLIT_TABLE;
+}
+
 static bool open_blends(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
@@ -81,6 +95,7 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
             return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
                            CART_BLEND);
         c->blend[i] = l.data;
+        c->mix[i] = rule_of(l.data);
     }
     return true;
 }

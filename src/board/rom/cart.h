@@ -64,6 +64,7 @@ struct cart {
     int first_lang, langs;
     int first_map, maps;
     const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
+    uint8_t mix[CART_MAX_BLENDS];          /* enum blit_mix: the rule that makes the same table, or BLIT_TABLE */
     const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
     int first_face, faces;

@@ -85,7 +85,7 @@ struct art_palette {
 
 struct art_blend {
     char name[ART_NAME];
-    int32_t mix; /* percent of the upper colour, 1 to 99; 0: the sum */
+    int32_t mix; /* percent of the upper colour, 1 to 99; 0: the sum; -1, -2, -3: of ramps, add, half, max */
 };
 
 struct art_font {

@@ -491,10 +491,26 @@ static void read_palettes(const struct at *root, struct art *art)
     lua_pop(a.lua, 1);
 }
 
-/* "add", or { mix = percent }. */
+/* The number of the rule for ramps that is on top; popped. */
+static int32_t read_ramp(const struct at *a)
+{
+    static const char *const rules[] = { "add", "half", "max" };
+    char path[MAX_PATH];
+
+    path_of(a, "ramp", path);
+    for (int32_t i = 0; i < 3; i++)
+        if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), rules[i]) == 0) {
+            lua_pop(a->lua, 1);
+            return -1 - i;
+        }
+    bad(a->lua, path, "expected \"add\", \"half\" or \"max\", got %s", got(a->lua));
+    return 0;
+}
+
+/* "add", { mix = percent } or { ramp = rule }. */
 static int32_t read_blend(const struct at *a, const char *name)
 {
-    static const char *const names[] = { "mix", NULL };
+    static const char *const names[] = { "mix", "ramp", NULL };
     char path[MAX_PATH];
     struct at one;
     int32_t mix = 0;
@@ -506,11 +522,16 @@ static int32_t read_blend(const struct at *a, const char *name)
         return 0;
     }
     if (!lua_istable(a->lua, -1))
-        bad(a->lua, path, "expected \"add\" or { mix = percent }, got %s", got(a->lua));
+        bad(a->lua, path, "expected \"add\", { mix = percent } or { ramp = rule }, got %s", got(a->lua));
     lua_pop(a->lua, 1);
     get_table(a, name, &one);
     only(&one, names);
-    need_whole(&one, "mix", 1, 99, &mix);
+    if (get(&one, "ramp")) {
+        mix = read_ramp(&one);
+        if (get(&one, "mix"))
+            bad(a->lua, path, "expected mix or ramp, got both");
+    } else
+        need_whole(&one, "mix", 1, 99, &mix);
     lua_pop(a->lua, 1);
     return mix;
 }

@@ -133,8 +133,7 @@ int32_t emit_fire(struct board *b, bool shot, struct bullet_shape *s, int64_t pa
     return i;
 }
 
-/* n more that a full pool refused. */
-static void refuse(struct board *b, bool shot, uint64_t n)
+void emit_refuse(struct board *b, bool shot, uint64_t n)
 {
     struct slots *s = shot ? &b->shots.s : &b->bullets.s;
 
@@ -145,14 +144,51 @@ static void refuse(struct board *b, bool shot, uint64_t n)
     s->refused += (uint32_t)(n - 1);
 }
 
+void emit_turn(struct emit_figure *f)
+{
+    ang a = 0;
+
+    trig_from_degrees(f->dir, &a);
+    f->cos30 = trig_cos30(a);
+    f->sin30 = trig_sin30(a);
+}
+
+void emit_way(const struct emit_figure *f, int32_t i, struct emit_way *out)
+{
+    const double part = f->n > 1 ? (double)i / (double)(f->n - 1) : 0;
+    double aside;
+
+    *out = (struct emit_way){ .dir = f->dir, .speed = f->speed };
+    switch (f->pattern) {
+    case EMIT_RING:
+        out->dir = f->dir + (double)(360 * i) / (double)f->n;
+        break;
+    case EMIT_FAN:
+        out->dir = (f->n > 1 ? f->dir - f->size / 2 : f->dir) + f->size * part;
+        break;
+    case EMIT_ARC:
+        out->dir = f->dir + f->size * part;
+        break;
+    case EMIT_STACK:
+        out->speed = f->speed + (f->size - f->speed) * part;
+        break;
+    case EMIT_LINE:
+        aside = f->n > 1 ? f->size * (part - 0.5) : 0;
+        out->dx = -(aside * (f->sin30 / 1073741824.0));
+        out->dy = aside * (f->cos30 / 1073741824.0);
+        break;
+    default:
+        break;
+    }
+}
+
 /* What one emission fires: what all of it have, and what the next has. */
 struct volley {
     struct motion_emit e;
     struct bullet_shape shape;
-    fx x, y;    /* from where */
-    double dir; /* degrees */
+    struct emit_figure f;
+    fx x, y; /* from where */
     bool aim;
-    fx cos30, sin30; /* of a line: of its direction */
 };
 
 static fx nearest(double v)
@@ -168,16 +204,13 @@ static void settle_line(struct board *b, const struct emission *m, struct volley
 {
     const struct targets t = board_world(b, v->e.flags & EMIT_SHOTS).targets;
     const ang none = v->e.flags & EMIT_SHOTS ? 0xc0000000u : 0x40000000u;
-    ang a = 0;
 
     if (v->aim) {
         const fx x = nearest((double)m->x / 4294967296.0), y = nearest((double)m->y / 4294967296.0);
-        v->dir = trig_to_degrees(targets_aim(&t, x, y, none)) + v->dir;
+        v->f.dir = trig_to_degrees(targets_aim(&t, x, y, none)) + v->f.dir;
         v->aim = false;
     }
-    trig_from_degrees(v->dir, &a);
-    v->cos30 = trig_cos30(a);
-    v->sin30 = trig_sin30(a);
+    emit_turn(&v->f);
 }
 
 static void load(struct board *b, const struct emission *m, struct volley *v)
@@ -186,7 +219,13 @@ static void load(struct board *b, const struct emission *m, struct volley *v)
     const bool shots = e->flags & EMIT_SHOTS;
 
     v->aim = e->flags & EMIT_AIM;
-    v->dir = e->flags & EMIT_DIR ? e->dir : v->aim ? 0 : trig_to_degrees(m->dir);
+    v->f = (struct emit_figure){ .pattern = e->pattern,
+                                 .n = e->n,
+                                 .dir = e->flags & EMIT_DIR ? e->dir
+                                        : v->aim            ? 0
+                                                            : trig_to_degrees(m->dir),
+                                 .speed = e->speed,
+                                 .size = e->size };
     v->x = (fx)((m->x - (int16_t)m->x) >> PACE_BITS);
     v->y = (fx)((m->y - (int16_t)m->y) >> PACE_BITS);
     v->shape = (struct bullet_shape){ .kind = e->kind,
@@ -202,39 +241,6 @@ static void load(struct board *b, const struct emission *m, struct volley *v)
         settle_line(b, m, v);
 }
 
-/* Degrees and px/frame of bullet i, and how far a line's is from the middle. */
-static void aim_one(const struct volley *v, int32_t i, double *dir, double *speed, double *dx, double *dy)
-{
-    const struct motion_emit *e = &v->e;
-    const double part = e->n > 1 ? (double)i / (double)(e->n - 1) : 0;
-    double aside;
-
-    *dir = v->dir;
-    *speed = e->speed;
-    *dx = *dy = 0;
-    switch (e->pattern) {
-    case EMIT_RING:
-        *dir = v->dir + (double)(360 * i) / (double)e->n;
-        break;
-    case EMIT_FAN:
-        *dir = (e->n > 1 ? v->dir - e->size / 2 : v->dir) + e->size * part;
-        break;
-    case EMIT_ARC:
-        *dir = v->dir + e->size * part;
-        break;
-    case EMIT_STACK:
-        *speed = e->speed + (e->size - e->speed) * part;
-        break;
-    case EMIT_LINE:
-        aside = e->n > 1 ? e->size * (part - 0.5) : 0;
-        *dx = -(aside * (v->sin30 / 1073741824.0));
-        *dy = aside * (v->cos30 / 1073741824.0);
-        break;
-    default:
-        break;
-    }
-}
-
 static fx in_world(fx v)
 {
     return fx_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
@@ -245,18 +251,18 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i)
     const bool shots = v->e.flags & EMIT_SHOTS;
     struct bullet_shape *s = &v->shape;
     struct bullets *pool = shots ? &b->shots : &b->bullets;
-    double dir, speed, dx, dy;
+    struct emit_way w;
 
-    aim_one(v, i, &dir, &speed, &dx, &dy);
-    s->x = in_world(fx_add(v->x, nearest(dx)));
-    s->y = in_world(fx_add(v->y, nearest(dy)));
-    s->speed = nearest(speed);
-    trig_from_degrees(dir, &s->dir);
+    emit_way(&v->f, i, &w);
+    s->x = in_world(fx_add(v->x, nearest(w.dx)));
+    s->y = in_world(fx_add(v->y, nearest(w.dy)));
+    s->speed = nearest(w.speed);
+    trig_from_degrees(w.dir, &s->dir);
     if (v->aim) {
         const struct targets t = board_world(b, shots).targets;
         s->dir += targets_aim(&t, s->x, s->y, shots ? 0xc0000000u : 0x40000000u);
     }
-    const int32_t at = emit_fire(b, shots, s, fx_nearest(speed * 4294967296.0), b->core.clock + 1);
+    const int32_t at = emit_fire(b, shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock + 1);
     for (int k = 0; at != NO_SLOT && k < MAX_VALUES; k++)
         if (v->e.flags & EMIT_VALUES << k && bullets_value(pool, k))
             bullets_value(pool, k)[at] = v->e.value[k];
@@ -275,7 +281,7 @@ static uint32_t fire(struct board *b, const struct emission *m)
         if (i + 1 >= v.e.first && i + 1 <= v.e.last)
             continue;
         if (!fire_one(b, &v, i)) { /* nor will the others find room */
-            refuse(b, v.e.flags & EMIT_SHOTS, left(&v.e, i) - 1);
+            emit_refuse(b, v.e.flags & EMIT_SHOTS, left(&v.e, i) - 1);
             break;
         }
         n++;
@@ -290,8 +296,8 @@ uint64_t emit_run(struct board *b)
 
     for (uint32_t k = 0; k < q->n; k++)
         n += fire(b, &q->list[k]);
-    refuse(b, false, q->over[0]);
-    refuse(b, true, q->over[1]);
+    emit_refuse(b, false, q->over[0]);
+    emit_refuse(b, true, q->over[1]);
     emit_none(b);
     return n;
 }

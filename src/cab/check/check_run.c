@@ -111,6 +111,40 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
     }
 }
 
+/* Brightness as eyes see it, of ITU-R BT.601, in thousandths. */
+static int luminance(const uint8_t rgb[3])
+{
+    return 299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2];
+}
+
+/* The first colour of a bank that is darker than the one before it, or 0: it is a ramp from dark to bright. What it
+ * ends with in black is not used. */
+static int falls_at(const uint8_t *bank)
+{
+    int last = 15, before = 0;
+
+    while (last > 1 && luminance(bank + 3 * last) == 0)
+        last--;
+    for (int k = 1; k <= last; before = luminance(bank + 3 * k), k++)
+        if (luminance(bank + 3 * k) < before)
+            return k;
+    return 0;
+}
+
+/* A blend of ramps mixes places in banks, so the kind's bank must be a ramp. */
+static void note_ramp(void *context, const struct inspect_shape_of *kind)
+{
+    struct run *r = context;
+    int line, at = kind->ramp ? falls_at(cart_palette(&r->cart, "main") + 3 * 16 * kind->bank) : 0;
+
+    if (at == 0)
+        return;
+    const char *file = declared(r->c, kind->of, kind->name, &line);
+    diagnostics_add(&r->c->found, file, line,
+                    "%s \"%s\": its blend, \"%s\", is for ramps, but colour %d of bank %d is darker than colour %d",
+                    kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
+}
+
 /* ---- one run ---- */
 
 /* A line that has a diagnostic already is most likely the reason of the fault. */
@@ -164,8 +198,10 @@ static bool power(struct run *r, const struct board_start *start)
 
     if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
         note_full(r, board_last(r->guard.board));
-        if (!r->measured)
+        if (!r->measured) {
             inspect_kinds(r->guard.board, note_large, r->c);
+            inspect_kinds(r->guard.board, note_ramp, r);
+        }
         r->measured = true;
         return true;
     }

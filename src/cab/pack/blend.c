@@ -81,6 +81,11 @@ static int blended(int under, int over, int mix)
 
 bool blend_make(const uint8_t rgb[CART_PALETTE], int mix, uint8_t table[CART_BLEND])
 {
+    if (mix <= BLEND_RULE) {
+        for (int i = 0; i < CART_BLEND; i++)
+            table[i] = blit_ramp((enum blit_mix)(BLEND_RULE + BLIT_RAMP_ADD - mix), (uint8_t)(i >> 8), (uint8_t)i);
+        return true;
+    }
     struct grid *g = calloc(1, sizeof *g);
 
     if (g == NULL)

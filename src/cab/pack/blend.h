@@ -7,9 +7,13 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "../../../fb/blit.h"
 #include "../../board/rom/cart.h"
 
-enum { BLEND_ADD = 0 };
+enum {
+    BLEND_ADD = 0,
+    BLEND_RULE = -1 /* and below: by the rule BLEND_RULE + BLIT_RAMP_ADD - mix of blit.h, without a look at colours */
+};
 
 /* Fills table[under * 256 + over], for all pairs of palette entries. The colour looked for is the sum of the two, at
  * most 255 a channel, when mix is BLEND_ADD; else mix percent (1 to 99) of `over` and the rest of `under`, each channel

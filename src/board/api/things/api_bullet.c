@@ -339,21 +339,6 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
     }
 
-enum {
-    F_KIND,
-    F_SPEED,
-    F_PLACE,
-    F_DIR = F_PLACE + PLACE_PARAMS,
-    F_AIM,
-    F_BANK,
-    F_TAG,
-    F_MOTION,
-    F_BY,           /* of a shot */
-    F_DELAY = F_BY, /* of a bullet */
-    F_AROUND,       /* of both */
-    F_VALUES
-};
-
 static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"),
                                                 { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
                                                 AROUND };
@@ -368,53 +353,65 @@ ang api_aim(const struct board *b, bool shot, fx x, fx y)
     return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
 }
 
-static int fire(lua_State *L, struct board *b, struct api_value *v, bool shot, const char *entry, uint8_t player)
+/* The player whose shot it is + 1, or 0. */
+static uint8_t shooter(const struct board *b, const struct api_value *v)
 {
-    struct bullets *pool = shot ? &b->shots : &b->bullets;
-    const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
-    enum handle_kind h = shot ? H_SHOT : H_BULLET;
-    struct bullet_shape s = { .speed = v[F_SPEED].f,
-                              .dir = v[F_DIR].a,
-                              .kind = (uint16_t)v[F_KIND].i,
-                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : kinds->bank[v[F_KIND].i],
-                              .motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0,
-                              .fine = v[F_MOTION].given && api_motion_fine(b, (uint16_t)v[F_MOTION].i),
-                              .player = player,
-                              .delay = shot ? 0 : (uint32_t)v[F_DELAY].i,
-                              .by = tasks_serial(b) };
+    const struct api_value *by = v[FIRE_BY].given ? &v[FIRE_BY] : &v[FIRE_PLACE + PLACE_FROM];
 
-    if (!api_place(L, b, entry, v + F_PLACE, &s.x, &s.y)) {
-        lua_pushinteger(L, board_handle(b, h, NO_SLOT));
-        return 1;
+    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
+        return (uint8_t)(handle_slot(by->i) + 1);
+    return 0;
+}
+
+bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s)
+{
+    const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
+    const char *entry = shot ? "shot.fire" : "bullet.fire";
+
+    *s = (struct bullet_shape){ .speed = v[FIRE_SPEED].f,
+                                .dir = v[FIRE_DIR].a,
+                                .kind = (uint16_t)v[FIRE_KIND].i,
+                                .bank = v[FIRE_BANK].given ? (uint8_t)v[FIRE_BANK].i : kinds->bank[v[FIRE_KIND].i],
+                                .motion = v[FIRE_MOTION].given ? (uint16_t)v[FIRE_MOTION].i : 0,
+                                .fine = v[FIRE_MOTION].given && api_motion_fine(b, (uint16_t)v[FIRE_MOTION].i),
+                                .player = shot ? shooter(b, v) : 0,
+                                .delay = shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
+                                .by = tasks_serial(b) };
+    if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
+        return false;
+    if (v[FIRE_TAG].given)
+        s->tag = api_tag(L, entry, v[FIRE_TAG].at);
+    api_check_around(L, shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
+    s->around = v[FIRE_AROUND].given ? v[FIRE_AROUND].i : 0;
+    if (s->player)
+        sound_cue(b, CUE_SHOT, b->player.x[s->player - 1]);
+    return true;
+}
+
+static int fire(lua_State *L, struct board *b, const struct api_value *v, bool shot)
+{
+    struct bullet_shape s;
+    int32_t i = NO_SLOT;
+
+    if (api_flight(L, b, v, shot, &s)) {
+        if (v[FIRE_AIM].i)
+            s.dir = api_aim(b, shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
+        i = emit_fire(b, shot, &s, api_units(true, &v[FIRE_SPEED]), b->core.clock);
     }
-    if (v[F_AIM].i)
-        s.dir = api_aim(b, shot, s.x, s.y) + (v[F_DIR].given ? v[F_DIR].a : 0);
-    if (v[F_TAG].given)
-        s.tag = api_tag(L, entry, v[F_TAG].at);
-    api_check_around(L, pool, entry, &v[F_AROUND]);
-    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
-    int32_t i = emit_fire(b, shot, &s, api_units(true, &v[F_SPEED]), b->core.clock);
     if (i != NO_SLOT)
-        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + F_VALUES);
-    lua_pushinteger(L, board_handle(b, h, i));
+        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_VALUES);
+    lua_pushinteger(L, board_handle(b, shot ? H_SHOT : H_BULLET, i));
     return 1;
 }
 
 static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fire(L, b, v, false, "bullet.fire", 0);
+    return fire(L, b, v, false);
 }
 
 static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value *by = v[F_BY].given ? &v[F_BY] : &v[F_PLACE + PLACE_FROM];
-    uint8_t player = 0;
-
-    if (by->given && handle_kind(by->i) == H_PLAYER && board_alive(b, by->i))
-        player = (uint8_t)(handle_slot(by->i) + 1);
-    if (player)
-        sound_cue(b, CUE_SHOT, b->player.x[player - 1]);
-    return fire(L, b, v, true, "shot.fire", player);
+    return fire(L, b, v, true);
 }
 
 /* ---- groups ---- */

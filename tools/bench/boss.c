@@ -1,0 +1,97 @@
+/*
+ * boss.c - section "boss": a boss fight as games have them, in three sizes, and where its frames go.
+ */
+#include <stdlib.h>
+#include "../../platform/platform.h"
+#include "bench.h"
+
+enum { SIZES = 3, WARM = 400, ROUNDS = 12, FRAMES = 20, SPARKS = 320 };
+
+static const int sizes[SIZES] = { 3000, 10000, 30000 };
+
+struct fight {
+    struct scene scene;
+    uint32_t *shown;
+    struct laps laps;
+    struct samples lap[LAPS], frame;
+    int64_t live; /* bullets, summed over the frames that count */
+};
+
+static void open_fight(struct fight *f, int n)
+{
+    bench_scene(&f->scene,
+                &(struct scene_want){ .does = "boss", .n = n, .bullets = 2 * n, .sparks = SPARKS, .scenery = true });
+    f->shown = calloc((size_t)(f->scene.fb.w * f->scene.fb.h), sizeof *f->shown);
+    if (!f->shown)
+        report_fail("out of memory");
+    for (int k = 0; k < WARM; k++)
+        bench_tick(&f->scene);
+    board_on_phase(f->scene.b, laps_phase, &f->laps);
+}
+
+static void close_fight(struct fight *f)
+{
+    for (int l = 0; l < LAPS; l++)
+        samples_free(&f->lap[l]);
+    samples_free(&f->frame);
+    free(f->shown);
+    scene_close(&f->scene);
+}
+
+static void frame(struct fight *f, bool counts)
+{
+    const struct fb *fb = &f->scene.fb;
+    double sum = 0;
+
+    laps_begin(&f->laps);
+    bench_tick(&f->scene);
+    scene_draw(&f->scene);
+    laps_end(&f->laps, LAP_DRAW);
+    plat_rgb(f->shown, fb->w, fb->pix, fb->pitch, fb->w, fb->h, f->scene.rgb);
+    laps_end(&f->laps, LAP_PRESENT);
+    if (!counts)
+        return;
+    for (int l = 0; l < LAPS; l++) {
+        samples_add(&f->lap[l], f->laps.ns[l]);
+        sum += f->laps.ns[l];
+    }
+    samples_add(&f->frame, sum);
+    f->live += board_live(f->scene.b, "bullets");
+}
+
+static void print_row(struct fight *f)
+{
+    const char *us[LAPS];
+
+    for (int l = 0; l < LAPS; l++)
+        us[l] = report_string("%s", report_figure(samples_median(&f->lap[l]) / 1e3));
+    report_row(false, report_count(f->live / f->frame.n), us[LAP_SCRIPTS], us[LAP_MOTION], us[LAP_HITS], us[LAP_EVENTS],
+               us[LAP_REST], us[LAP_DRAW], us[LAP_PRESENT], samples_figure(&f->frame, 1e3), NULL);
+}
+
+void section_boss(void)
+{
+    static struct fight fights[SIZES];
+
+    for (int i = 0; i < SIZES; i++)
+        open_fight(&fights[i], sizes[i]);
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = 0; i < SIZES; i++)
+            for (int k = 0; k < FRAMES; k++)
+                frame(&fights[i], k > 0); /* the first fetches its board into the caches */
+    report_section("A boss fight");
+    report_text("Microseconds a frame of a fight as games have them: rings of 20 to 200 bullets of 8 to 16 px, four of "
+                "five turned, one of five blended, two of five running a program that turns or drives; a boss, 300 "
+                "sparks, 8 lasers that turn, 64 items, two layers of tiles, a row of text, on 320x240 px. The player "
+                "flies about among it. Live bullets stand in front.");
+    report_table(NULL, "live> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum>");
+    for (int i = 0; i < SIZES; i++)
+        print_row(&fights[i]);
+    report_table_end();
+    for (int i = 0; i < SIZES; i++) {
+        const int64_t live = fights[i].live / fights[i].frame.n;
+        bench_claim(live > sizes[i] * 4 / 5 && live < sizes[i] * 6 / 5 ? NULL : "it has another size",
+                    "the boss fight");
+        close_fight(&fights[i]);
+    }
+}
