@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/pack/mml.h"
-#include "../../src/cab/pack/wav.h"
+#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/sound/wav.h"
 #include "../../src/snd/adpcm.h"
 #include "../../src/snd/pitch.h"
 #include "../../src/snd/tune.h"

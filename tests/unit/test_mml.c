@@ -12,8 +12,8 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/mml.h"
-#include "../../src/cab/pack/wav.h"
+#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/sound/wav.h"
 #include "../../src/snd/adpcm.h"
 #include "../../src/snd/tune.h"
 

@@ -11,7 +11,7 @@
 #include <math.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/mml.h"
+#include "../../src/cab/sound/mml.h"
 #include "../../src/chips/sound/voices.h"
 #include "../../src/snd/adpcm.h"
 #include "../../src/snd/wave.h"

@@ -27,10 +27,10 @@
 #include "lang.h"
 #include "../host/files.h"
 #include "map.h"
-#include "mml.h"
+#include "../sound/mml.h"
 #include "tree.h"
 #include "png.h"
-#include "wav.h"
+#include "../sound/wav.h"
 
 enum { PATH = TREE_PATH };
 
