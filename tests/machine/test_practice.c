@@ -496,8 +496,9 @@ static void test_lists_of_games(void **state)
     list_of_folder("roms/torture", "fast=4\nbombs=2\npower=0\nfirst \nsecond \n"
                                    "twin Twin\ntwin/one \ntwin/two Sign of Two\nfirst:boss \n");
     list_of_folder("examples/first", "ship=3\none \n");
-    list_of_folder("examples/sandbox",
-                   "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \nmoves \ntreasure \nwords \nscenes \nlasers \n");
+    list_of_folder(
+        "examples/sandbox",
+        "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \nmoves \ntreasure \nwords \nscenes \nlasers \nheard \n");
 }
 
 /* What a game without boot.run says. */

@@ -162,6 +162,37 @@ static void test_script(void **state)
     done();
 }
 
+/* On the way to a mark nothing is waited for, and no sound is heard; what was asked last plays there. */
+static void test_skipped(void **state)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s:here" };
+
+    (void)state;
+    m.sound = 1;
+    rig_script(&game, &m,
+               "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
+               "stage.def('s', function()\n"
+               "  music.play('deep')\n"
+               "  sound.play('boom')\n"
+               "  print(music.wait(8), music.wait())\n"
+               "  music.play('tide')\n"
+               "  stage.mark('here')\n"
+               "  print(music.name(), music.beat())\n"
+               "  wait(forever)\n"
+               "end)\n"
+               "boot.run { stages = { 's' }, players = { 'ship' } }");
+    rig_sounds(&game);
+    rig_power(&rig, &game, &start);
+    for (int f = 0; f < 3; f++) {
+        rig_run(&rig, 1);
+        for (int i = 0; i < CUES; i++)
+            assert_int_equal(rig.b->cues.tune[i], 0);
+    }
+    assert_int_equal(rig.b->music.tune, cart_find_tune(&rig.b->cart, "tide") + 1);
+    done();
+}
+
 static void refuses(const char *script, const char *message)
 {
     struct manifest m = rig_manifest();
@@ -294,6 +325,7 @@ int main(void)
         cmocka_unit_test(test_heard_or_not), cmocka_unit_test(test_digest),   cmocka_unit_test(test_beats),
         cmocka_unit_test(test_script),       cmocka_unit_test(test_mistakes), cmocka_unit_test(test_cues),
         cmocka_unit_test(test_pause),        cmocka_unit_test(test_fade),     cmocka_unit_test(test_none),
+        cmocka_unit_test(test_skipped),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

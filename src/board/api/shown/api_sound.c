@@ -203,8 +203,10 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
         api_check(L, "music.wait", &whole, v[ARG_N].at, &n);
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "music.wait", "only a task can wait; start one with task.go");
-    if (skips(b))
-        return api_pass_wait(L, b);
+    if (skips(b)) {
+        const int yields = api_pass_wait(L, b);
+        return yields ? yields : music_beat(L, b, v);
+    }
     lua_settop(L, 0);
     lua_pushinteger(L, b->music.tune);
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music) + n.i);
