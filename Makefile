@@ -39,7 +39,7 @@ HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tool
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
 LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
 
-BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
+BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
@@ -249,7 +249,7 @@ ubsan-short:
 
 # MemorySanitizer sees our code alone: what goes through Lua is looked at by valgrind.
 MSAN := CONFIG=msan CC=clang OPT="-O1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer"
-MSAN_GIVEN := $(patsubst %,build/msan/given/fuzz_%,args bdf bisect config demo game lang nvram png records rom symbols)
+MSAN_GIVEN := $(patsubst %,build/msan/given/fuzz_%,args bdf bisect config demo game lang nvram png records rom sound symbols)
 MSAN_UNIT  := $(patsubst %,build/msan/unit/test_%,keys png records rom stdio)
 msan: given
 	@OUT=$(OUT) tests/machine/uninitialised.sh whole lua

@@ -70,7 +70,7 @@ block() { # FILE: runs it as its kind says
         "$bench/build/curtain" pack "$game" -o "$scratch/game.rom"
         ;;
     *.main-error) # without what rom.lua gives room for
-        sed -i '/^  board = {/,/}, --/d' "$game/rom.lua"
+        sed -i '/^  board = {/,/}, --/d; /^  sounds = {/,/}, --/d' "$game/rom.lua"
         cp "$file" "$game/main.lua"
         run "$game" "" 10 >"$scratch/fault" 2>&1
         told "$file"

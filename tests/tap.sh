@@ -61,7 +61,7 @@ engine_copy() {
     copy=$scratch/copy
     mkdir -p "$copy/src/board/hits"
     ln -s "$PWD/fb" "$copy/fb"
-    ln -s "$PWD/src/base" "$PWD/src/chips" "$copy/src/"
+    ln -s "$PWD/src/base" "$PWD/src/chips" "$PWD/src/snd" "$copy/src/"
     cp src/board/*.h "$copy/src/board"
     ln -s "$PWD/src/board/rom" "$copy/src/board/"
     cp src/board/hits/* "$copy/src/board/hits"
@@ -104,4 +104,9 @@ dart = { sheet = "all", x = 0, y = 0, w = 8, h = 4, rotations = 8 } },
 LUA
     python3 "$repo/tests/cli/png_make.py" "$1/art/all.png" 16 16 ffffff
     cat >"$1/main.lua"
+    grep -q 'music\.' "$1/main.lua" || return 0
+    mkdir -p "$1/music"
+    sed -i 's|^  players = 2,|&\n  music = { tide = { file = "music/tide.mml" } },\n  sounds = SOUNDS,|
+        s|SOUNDS|{ hit = { mml = "t200 @noise E0,60,0,10 o6 c8" } }|' "$1/rom.lua"
+    printf 'A t133.25 @fm v12 o5 L l8 c8d8e8 "drop" t97 f4 e8\n' >"$1/music/tide.mml"
 }

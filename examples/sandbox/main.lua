@@ -8,6 +8,7 @@ require "words"
 require "scenes"
 require "rays"
 require "duel"
+require "heard"
 local try = require "try"
 
 stage.def("try", function()

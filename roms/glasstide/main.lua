@@ -30,7 +30,10 @@ on.phase(function(e, _, _)
   if e.alive then spark.burst { kind = "shock", from = e, speed = 0 } end
 end)
 on.stage(function(_, state) sea.speed(state == "start" and 1.6 or 0.6) end)
-on.game_over(function() sea.speed(0.4) end)
+on.game_over(function()
+  sea.speed(0.4)
+  music.stop { fade = 120 }
+end)
 
 task.go(sea.run)
 boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",

@@ -111,6 +111,19 @@ return {
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
   },
   blends = { ghost = { mix = 50 } },
+  sounds = { -- all of them play by themselves
+    shot  = { mml = "t300 @pulse E0,14,0,5 o6 V44 {c<g}32", priority = 0, limit = 1 },
+    graze = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
+    item  = { mml = "t300 @fm E0,60,0,30 o6 V84 a32>d16", priority = 2 },
+    kill  = { file = "sfx/kill.mml", priority = 3, limit = 2 },
+    menu  = { mml = "t300 @sine E0,40,0,20 o5 V90 e32a16", priority = 5 },
+    bomb  = { file = "sfx/bomb.mml", priority = 6, limit = 1 },
+    hit   = { file = "sfx/hit.mml", priority = 7, limit = 1 },
+  },
+  music = { -- roms/glasstide/music says keys, chords and form
+    tide  = { file = "music/tide.mml", volume = 0.8 },
+    queen = { file = "music/queen.mml" },
+  },
   difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
   players = 2, extends = { 100000, 300000 },
 }

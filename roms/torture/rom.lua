@@ -10,6 +10,12 @@ return {
             pierce = true },
   fonts = { grid = { file = "art/font.png", cell = { 8, 8 }, chars = " !\"#$%&'()*+,-./0123456789", also = "é" } },
   blends = { mist = { mix = 40 } },
+  sounds = {
+    hit = { mml = "t200 @noise E0,60,0,10 o6 c8", limit = 1 },
+    shot = { mml = "t240 @pulse E0,20,0,5 o6 v9 {c<c}32", priority = 0 },
+    knock = { mml = "t300 @sine E0,40,0,5 o3 [c16 r16]4", limit = 4, priority = 7 },
+  },
+  music = { round = { file = "music/round.mml" }, short = { file = "music/short.mml", volume = 0.5 } },
   maps = {
     tiled = { tiles = "art/card.png", rows = { { 1, 2, 0 }, { 3, 4, 1 } } },
     whole = { tiles = "art/card.png", size = 8, rows = { { 9, 10 } } },

@@ -568,8 +568,24 @@ local function items()
   end
 end
 
+local function noises()
+  for n = 0, forever do
+    music.play(n % 3 == 2 and "short" or "round", { fade = n % 4 == 1 and 7 or 0, again = n % 5 == 0 })
+    sound.play("knock", { pan = n % 3 - 1, pitch = n % 9 - 4, volume = 0.75 })
+    local p = player.get(1)
+    if p.alive then sound.play("hit", { from = p }) end
+    board.note(music.wait(1 + n % 3) + music.bar())
+    if n % 4 == 3 then sound.stop("knock") end
+    if n % 6 == 5 then music.stop { fade = n % 12 } end
+    if music.name() == "round" then board.note(music.wait("turn") + #music.marker()) end
+    board.note(music.beat() + music.frames(0.5))
+    if n % 7 == 6 then sound.stop() end
+    wait(3)
+  end
+end
+
 local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures,
-  scenery }
+  scenery, noises }
 
 talk.def("one", { name = "One", faces = { calm = "letter" } })
 talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box", other = "steps" } })

@@ -1,4 +1,5 @@
 -- boss/warning.lua - the band that announces a boss: its title between two rows of WARNING that run to and fro.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local BAND <const> = 8  -- rows
 local OPENS <const> = 16 -- frames the band takes to open, and to close
 local PACE <const> = 3  -- frames a letter
@@ -14,6 +15,7 @@ return function(b)
   local letters = utf8.len(word)
   local row = (word .. "  "):rep(COLS // (letters + 2) + 2)
   local tidy <close> = setmetatable({}, { __close = function() text.clear { col = COL, row = ROW, w = COLS, h = BAND } end })
+  sys.cue("warning")
   for t = 1, b.warning do
     local open = math.min(t, b.warning - t + 1, OPENS)
     local cols, step = COLS * open // OPENS, t // PACE % (letters + 2)

@@ -190,7 +190,10 @@ function page.list(a)
     wait(1) -- the press that opened this list is not meant for it
     idle, age = idle + 1, age + 1
     local step = page.step("up", "down", a.p)
-    if step ~= 0 then chosen, idle = (chosen - 1 + step) % #a.items + 1, 0 end
+    if step ~= 0 then
+      chosen, idle = (chosen - 1 + step) % #a.items + 1, 0
+      sys.cue("menu")
+    end
     if page.accepted(a.p) and not (a.closed and a.closed[chosen]) then
       answer = chosen
       break

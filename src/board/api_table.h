@@ -42,6 +42,8 @@ enum api_type {
     A_BLEND, /* of rom.lua, by name; i is its index + 1, and 0 when it is left out */
     A_FACE,  /* a font of rom.lua, the same way */
     A_MAP,   /* of rom.lua, as A_BLEND */
+    A_SOUND, /* a sound of rom.lua, and a piece of its music, the same way */
+    A_TUNE,
     A_BUTTON,
     A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
     A_EASE,

@@ -11,6 +11,7 @@
 #include "hit.h"
 #include "lasers_run.h"
 #include "options_run.h"
+#include "sound.h"
 #include "../base/host.h"
 
 static const struct column core_columns[] = {
@@ -97,7 +98,10 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(registers_chip, registers, m->registers, 0)                                                                   \
     PART(options_chip, options, m->options, 0)                                                                         \
     PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
-    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)
+    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
+    PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
+    PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
+    PART(voices_chip, voices, m->sound ? VOICE_SLOTS : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -198,7 +202,8 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s, &b->pal.s, &b->option_ways.s };
+    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
+                             &b->music.s, &b->cues.s,   &b->voices.s, &b->option_ways.s };
     for (size_t i = 0; i < sizeof full / sizeof *full; i++)
         full[i]->live = full[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
@@ -553,6 +558,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     b->counts = (struct board_counts){ 0 };
     b->laser_heads.ran = 0;
     const bool stopped = count_stop(b, pads);
+    if (b->voices.s.cap)
+        sound_begin(b);
     if (!b->core.frozen) {
         player_count_down(&b->player);
         if (b->registers.drains)
@@ -570,6 +577,8 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         drop_followers(b);
         if (b->lines.s.live)
             drop_lines(b);
+        if (b->voices.s.cap)
+            sound_end(b);
         b->core.frame++;
         if (!stopped)
             end_frame(b);

@@ -1,5 +1,5 @@
 /*
- * board.h - the machine: RAM x ROM x pads -> RAM, and RAM x ROM -> picture.
+ * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM -> picture, and RAM x ROM -> sound.
  * floor: board
  *
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
@@ -120,9 +120,8 @@ struct board_full {
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
-    char attract[64];     /* the demo lump's name, with REQUEST_ATTRACT */
-    const int16_t *sound; /* 800 stereo frames at 48 kHz, or NULL: silence */
-    const char *log;      /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
+    char attract[64]; /* the demo lump's name, with REQUEST_ATTRACT */
+    const char *log;  /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
                              lines end in \n */
     size_t log_size;
     struct board_marker marker[BOARD_MARKERS];
@@ -159,6 +158,33 @@ size_t board_scratch(const struct board *b);
 /* Draws the picture and its 256 colours (0xRRGGBB); returns how many sprites it drew. Reads b, writes only fb, rgb and
  * scratch. fb is fb_init'ed w x h. */
 uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+
+/* The sound of the frame just ticked: BOARD_SOUND stereo frames of 48 kHz, left first. Reads b, writes only out, so
+ * that leaving it out changes nothing; the same bytes everywhere. tables: board_sound_tables() bytes, aligned to 8,
+ * that board_sound_open has filled (some milliseconds, once; any number of boards may share them); a game that declares
+ * neither sounds nor music is silent and needs none. */
+enum { BOARD_SOUND = 800 };
+bool board_has_sound(const struct board *b);
+size_t board_sound_tables(void);
+void board_sound_open(void *tables);
+void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
+
+/* A board that only plays one sound or piece of music of a ROM, without its scripts, in board_box_size() bytes aligned
+ * to 64: for listening. board_box_play plays sound NAME, or the music of that name; false: there is none. A frame is
+ * one board_box_tick; false: all is over and silent. */
+size_t board_box_size(void);
+struct board *board_box_open(void *ram, const struct rom *rom, char *err, size_t err_size);
+bool board_box_play(struct board *b, const char *name);
+bool board_box_tick(struct board *b);
+
+/* The n-th sound, or piece of music behind them, of a box: its name, and what it is. False: there are no more. */
+struct board_tune {
+    const char *name, *title;
+    bool music, recording, endless;
+    int tracks, priority, limit, marks;
+    size_t bytes;
+};
+bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 
 /* Frames ticked since power-on. */
 uint32_t board_frame(const struct board *b);

@@ -32,6 +32,8 @@
 #include "../chips/shown/screen.h"
 #include "../chips/shown/sparks.h"
 #include "../chips/shown/sprites.h"
+#include "../chips/sound/seq.h"
+#include "../chips/sound/voices.h"
 #include "api_table.h"
 #include "board.h"
 #include "emit.h"
@@ -138,6 +140,9 @@ struct board {
     struct options options;
     struct option_kinds option_kinds;
     struct option_ways option_ways;
+    struct seq music;
+    struct cues cues;
+    struct voices voices;
 };
 
 /* A part: its chip's description, and where the chip's struct stands. */
@@ -146,7 +151,7 @@ struct part {
     size_t at, size; /* of the struct, in struct board */
 };
 enum {
-    PARTS = 35,
+    PARTS = 38,
     PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
 };
 extern const struct part machine_parts[PARTS];

@@ -22,7 +22,8 @@ enum {
     FOR_HEADLESS = FOR_RENDER | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
-    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK
+    FOR_SOUND = 1 << COMMAND_SOUND,
+    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND
 };
 
 static const struct {
@@ -44,6 +45,9 @@ static const struct {
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
+    [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
+                        "list the sounds and the music of a game, or play one: its length and level; with -o into a "
+                        "WAV file" },
     [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
@@ -68,6 +72,7 @@ enum option {
     OPTION_PARTS,
     OPTION_TRACE,
     OPTION_SHEET,
+    OPTION_WAV,
     OPTION_OUT,
     OPTION_NEAREST,
     OPTION_BISECT,
@@ -108,8 +113,9 @@ static const struct {
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK,
-                     "where to write: render: folder (else the current one); pack: ROM file" },
+    [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER, "write the sound of all frames up to the last of --frames" },
+    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
+                     "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
@@ -359,6 +365,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_string(&a->lang, o, value, err, err_size);
     case OPTION_SHEET:
         return set_string(&a->sheet, o, value, err, err_size);
+    case OPTION_WAV:
+        return set_string(&a->wav, o, value, err, err_size);
     case OPTION_OUT:
         return set_string(&a->out, o, value, err, err_size);
     case OPTION_DIP:

@@ -20,6 +20,7 @@ enum command {
     COMMAND_LIST,
     COMMAND_UNPACK,
     COMMAND_CHECK,
+    COMMAND_SOUND,
     COMMAND_HELP,
     COMMAND_VERSION,
     COMMANDS
@@ -45,8 +46,8 @@ struct args {
     enum command command;
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
-    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet; /* NULL: not given */
-    const char *dips[ARGS_MAX_DIPS];                                     /* "NAME=VALUE" */
+    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav; /* NULL: not given */
+    const char *dips[ARGS_MAX_DIPS];                                           /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
     int n_registers;

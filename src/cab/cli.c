@@ -19,6 +19,7 @@
 #include "host/files.h"
 #include "game.h"
 #include "headless.h"
+#include "listen.h"
 #include "host/keys.h"
 #include "host/report.h"
 #include "verify.h"
@@ -238,6 +239,8 @@ static enum result run(int argc, char **argv)
         return unpack(&a);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
+    case COMMAND_SOUND:
+        return listen_run(&a);
     case COMMAND_HELP:
         return help(&a);
     case COMMAND_VERSION:

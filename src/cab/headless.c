@@ -10,6 +10,7 @@
 #include "host/files.h"
 #include "game.h"
 #include "host/report.h"
+#include "host/tape.h"
 #include "run/guard.h"
 #include "pack/png.h"
 #include "demo/trace.h"
@@ -88,6 +89,7 @@ struct studio {
     void *mem, *scratch;
     uint32_t rgb[256];
     struct sheet sheet;
+    struct tape tape;
 };
 
 static uint32_t count_wanted(const struct args *a)
@@ -139,6 +141,7 @@ static void studio_close(struct studio *s)
     free(s->mem);
     free(s->scratch);
     free(s->sheet.rgb);
+    tape_close(&s->tape);
 }
 
 static enum result studio_open(struct studio *s, const struct run *r)
@@ -152,6 +155,8 @@ static enum result studio_open(struct studio *s, const struct run *r)
     if (!s->mem || !s->scratch)
         return report_line(RESULT_HOST, "out of memory");
     fb_init(&s->fb, s->mem, w, h);
+    if (r->a->wav && !tape_open(&s->tape))
+        return report_line(RESULT_HOST, "out of memory");
     if (r->a->sheet && !sheet_open(&s->sheet, count_wanted(r->a), w, h))
         return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
     return RESULT_DONE;
@@ -179,7 +184,7 @@ static enum result picture(struct studio *s, const struct run *r, uint32_t frame
     board_draw(r->guard.board, &s->fb, s->rgb, s->scratch);
     if (s->sheet.rgb)
         sheet_add(&s->sheet, &s->fb, s->rgb);
-    if (r->a->sheet && !r->a->out)
+    if ((r->a->sheet || r->a->wav) && !r->a->out)
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
         return report_line(RESULT_REFUSED, "-o: the path is too long");
@@ -198,8 +203,17 @@ static enum result render_frames(struct studio *s, struct run *r)
         if (f == last || result != RESULT_DONE)
             break;
         result = run_tick(r);
+        if (r->a->wav)
+            tape_add(&s->tape, r->guard.board);
     }
     return result;
+}
+
+static enum result wav_save(struct studio *s, const char *path)
+{
+    char err[1200];
+
+    return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
 static enum result sheet_save(struct studio *s, const char *path)
@@ -231,6 +245,10 @@ enum result headless_render(const struct args *a)
         enum result saved = sheet_save(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
+    if (s.tape.frames > 0) {
+        enum result saved = wav_save(&s, a->wav);
+        result = result == RESULT_DONE ? saved : result;
+    }
     studio_close(&s);
     result = run_close(r, result);
     free(r);
@@ -242,7 +260,7 @@ enum result headless_render(const struct args *a)
 struct hashing {
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* of board_hashes_cached */
-    uint32_t trace;   /* parts to print instead, 1 << part */
+    uint64_t trace;   /* parts to print instead, 1 << part */
 };
 
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
@@ -269,20 +287,20 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
 }
 
 /* Adds the part of that name, or all, to *set; false: there is none. */
-static bool add_part(const struct board *b, const char *name, size_t n, uint32_t *set)
+static bool add_part(const struct board *b, const char *name, size_t n, uint64_t *set)
 {
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
 
     for (int i = 0; i < board_parts(b); i++) {
         const char *part = board_part(b, i);
         bool is = strlen(part) == n && memcmp(part, name, n) == 0;
-        *set |= (uint32_t)(is || all) << i;
+        *set |= (uint64_t)(is || all) << i;
         known |= is;
     }
     return known;
 }
 
-static enum result read_traces(const struct args *a, const struct board *b, uint32_t *set)
+static enum result read_traces(const struct args *a, const struct board *b, uint64_t *set)
 {
     for (int i = 0; i < a->n_traces; i++) {
         for (const char *p = a->traces[i];; p++) {

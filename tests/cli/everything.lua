@@ -240,4 +240,14 @@ task.go(function()
     wait(1)
   end
 end)
+task.go(function()
+  music.play("tide", { fade = 20 })
+  while music.wait("drop") < 40 do
+    sound.play("hit", { volume = 0.5, pan = -0.5, pitch = 3 })
+    board.note(music.bar() + music.beat() + music.frames(2) + #music.marker() + #music.name())
+    if music.wait(3) % 2 == 0 then sound.stop("hit") end
+  end
+  sound.stop()
+  music.stop { fade = 60 }
+end)
 boot.run { stages = { "one" }, players = { "ship" } }

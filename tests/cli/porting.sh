@@ -8,7 +8,7 @@ blocks docs/porting.md
 
 template() {
     "$compiler" -std=c11 -Wall -Wextra -Werror -c platform/template.c -o "$scratch/template.o" &&
-        "$compiler" "$OUT"/src/base/*.o "$OUT"/fb/*.o "$OUT"/src/chips/*.o "$OUT"/src/chips/*/*.o \
+        "$compiler" "$OUT"/src/base/*.o "$OUT"/fb/*.o "$OUT"/src/snd/*.o "$OUT"/src/chips/*.o "$OUT"/src/chips/*/*.o \
             "$OUT"/src/board/*.o "$OUT"/src/board/*/*.o "$OUT"/src/board/*/*/*.o \
             "$OUT"/src/cab/*.o "$OUT"/src/cab/*/*.o \
             "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/rom.o" "$scratch/template.o" \

@@ -3,8 +3,9 @@
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
 . "$(dirname "$0")/../tap.sh"
 
-sources() { find src/base fb src/chips src/board -name '*.c'; }
-linked() { sed -n "s,^LOAD \($OUT/\(src/base\|fb\|src/chips\|src/board\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
+sources() { find src/base fb src/snd src/chips src/board -name '*.c'; }
+below="src/base\|fb\|src/snd\|src/chips\|src/board"
+linked() { sed -n "s,^LOAD \($OUT/\($below\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
 
 all_linked() {
     diff <(sources | sed "s,^,$OUT/,;s,c\$,o," | sort) <(linked | sort)

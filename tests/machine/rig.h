@@ -23,7 +23,9 @@
 #include "../../src/board/api.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/demo/demo.h"
+#include "../../src/cab/sound/mml.h"
 #include "../../src/cab/pack/pack.h"
+#include "../../src/snd/adpcm.h"
 
 /* A game in memory. */
 struct rig_game {
@@ -244,6 +246,51 @@ static inline void rig_maps(struct rig_game *g)
     lumps[n++] = (struct lump){ "map/reef", reef, sizeof reef };
     lumps[n++] = (struct lump){ "map/sea", sea, sizeof sea };
     rig_write(g, lumps, n);
+    free(had.image.bytes);
+}
+
+/* Two sounds, "hit" and "boom" of two tracks, and two pieces of music, "tide" of endless tracks with markers and
+ * changes of tempo, and "deep", which ends; and the recording "bell", which "deep" plays too. For a manifest with
+ * sound. */
+static inline void rig_sounds(struct rig_game *g)
+{
+    enum { MOST = 128 };
+    static const struct {
+        const char *lump, *text;
+    } texts[] = {
+        { "music/deep", "@b sample bell root=60\nA t90 @b o4 v12 c8e8 {c>g}4,8 r2\nB @noise l16 [c r]8" },
+        { "music/tide", "@lead fm ratio=2 depth=3 dull=200 decay=300 sustain=20 release=90 vibrato=30,5.5,100\n"
+                        "A t133.25 @lead v12 o5 L l8 c8d8e8 \"drop\" t97 f8 & g4 e4 p20 c4 v9 {{cde}}4 t133.25 r8 \n"
+                        "B @triangle o3 v14 L c2 g2 \"back\" a4 f4 e8\n"
+                        "C @pulse V40 o4 L [c32r32]8 r1 r8" },
+        { "sound/boom", "A t240 @noise E0,200,0,5 o4 v15 c4\nB @sine E0,200,0,5 v15 {o4c<<c}4" },
+        { "sound/hit", "t200 @noise E0,60,0,10 o6 c8" },
+    };
+    const struct mml_about about = { 255, 4, 2, "" };
+    struct rig_game had = *g;
+    struct lump lumps[MOST];
+    uint8_t *made[8], sample[2048];
+    int16_t wave[1500];
+    char err[256];
+    size_t size;
+    int n = (int)had.image.rom.count, k = 0;
+
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    for (; k < 4; k++) {
+        if (!mml_compile(texts[k].text, strlen(texts[k].text), texts[k].lump, &about, &made[k], &size, err, sizeof err))
+            fail_msg("%s", err);
+        lumps[n++] = (struct lump){ texts[k].lump, made[k], (uint32_t)size };
+    }
+    for (int i = 0; i < 1500; i++)
+        wave[i] = (int16_t)((i * 577 % 1000 - 500) * (1500 - i) / 40);
+    sample_write(sample, wave, 1500, 22050, SAMPLE_ENDS);
+    if (!mml_of_sample(sample, sample_size(1500), &about, &made[k], &size))
+        fail_msg("no recording");
+    lumps[n++] = (struct lump){ "sound/bell", made[k++], (uint32_t)size };
+    rig_write(g, lumps, n);
+    while (k-- > 0)
+        free(made[k]);
     free(had.image.bytes);
 }
 

@@ -394,7 +394,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
         *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
         *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" },
-        *const depths[] = { "back", "front" };
+        *const depths[] = { "back", "front" }, *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -536,6 +536,10 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MAP:
         push_from(L, maps, 2);
+        break;
+    case A_SOUND:
+    case A_TUNE:
+        push_from(L, p->type == A_SOUND ? sounds : tunes, 2);
         break;
     case A_DEPTH:
         push_from(L, depths, 2);
@@ -1157,7 +1161,7 @@ static int setup(void **state)
     m.dips[0].number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = m.bg = m.bodies = m.pierce = 1;
+    m.frozen = m.meet = m.bg = m.bodies = m.pierce = m.sound = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;
@@ -1166,6 +1170,7 @@ static int setup(void **state)
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_maps(&g);
+    rig_sounds(&g);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

@@ -55,6 +55,9 @@ static const struct home homes[] = {
     HOME("options", "chips/options.h", options),
     HOME("option_kinds", "chips/options.h", option_kinds),
     HOME("option_ways", "chips/options.h", option_ways),
+    HOME("music", "chips/sound/seq.h", seq),
+    HOME("cues", "chips/sound/seq.h", cues),
+    HOME("voices", "chips/sound/voices.h", voices),
 };
 
 /* A file without its comments. */
@@ -400,7 +403,9 @@ static void test_flips(void **state)
     m.options = 192;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
+    m.sound = 1;
     rig_script(&g, &m, scene);
+    rig_sounds(&g);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
     assert_true(has_room(r.b));

@@ -497,10 +497,11 @@ static void test_lists_of_games(void **state)
                                    "twin Twin\ntwin/one \ntwin/two Sign of Two\ntwin/end \npair Iris and "
                                    "Opal\npair/shared \npair/own Both\npair/any \nfirst:boss \n");
     list_of_folder("examples/first", "ship=3\none \n");
-    list_of_folder("examples/sandbox",
-                   "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \nmoves \ntreasure \nwords \nscenes \nlasers \nduel "
-                   "\nsisters Iris and Opal\nsisters/both \nsisters/mirror Mirror Sign: Two Rivers\nsisters/dusk Last "
-                   "Sign: The Longest Dusk\n");
+    list_of_folder(
+        "examples/sandbox",
+        "ship=3\nbombs=3\npower=1\ntry \nglow \nlooks \nmoves \ntreasure \nwords \nscenes \nlasers \nduel "
+        "\nheard \nsisters Iris and Opal\nsisters/both \nsisters/mirror Mirror Sign: Two Rivers\nsisters/dusk Last "
+        "Sign: The Longest Dusk\n");
 }
 
 /* What a game without boot.run says. */

@@ -102,7 +102,7 @@ static void test_all_of_the_hash(void **state)
 
 /* ---- bisect ---- */
 
-static void print_trace(const char *name, const char *mode, const struct board *b, uint32_t parts_wanted)
+static void print_trace(const char *name, const char *mode, const struct board *b, uint64_t parts_wanted)
 {
     FILE *f = fopen(file(name), mode);
 
@@ -198,7 +198,7 @@ static void store(uint8_t *p, int width, uint64_t v)
 static void plant(struct rig *r, int part, int64_t slot, const struct column *c, int i, uint8_t *p, struct rng *rng)
 {
     uint64_t was = load(p, c->width), is = was ^ 1ull << rng_below(rng, c->width * 8);
-    uint32_t only = 1u << part;
+    uint64_t only = (uint64_t)1 << part;
 
     store(p, c->width, is);
     print_trace("b", "w", r->b, only);
@@ -237,7 +237,7 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
 
     if (!board_part_hash(r->b, part))
         return 0;
-    print_trace("a", "w", r->b, 1u << part);
+    print_trace("a", "w", r->b, (uint64_t)1 << part);
     assert_int_equal(bisect("a", "a"), RESULT_DONE);
     for (int k = 0; k < chip->count; k++) {
         const struct column *c = &chip->columns[k];
@@ -299,7 +299,7 @@ static void test_first_frame(void **state)
                     x = (uint32_t)r.b->bullets.x[13];
                     r.b->bullets.x[13] ^= 1 << 4;
                 }
-                print_trace(with ? "b" : "a", "a", r.b, UINT32_MAX);
+                print_trace(with ? "b" : "a", "a", r.b, UINT64_MAX);
                 rig_tick(&r, none);
             }
             rig_free(&r);
@@ -323,9 +323,9 @@ static void test_who_lives(void **state)
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
     rig_run(&r, 5);
-    print_trace("a", "w", r.b, UINT32_MAX);
+    print_trace("a", "w", r.b, UINT64_MAX);
     r.b->bullets.s.gen[4] = 9;
-    print_trace("b", "w", r.b, UINT32_MAX);
+    print_trace("b", "w", r.b, UINT64_MAX);
     assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
     snprintf(want, sizeof want, "frame 5 is the first that differs\n  bullets 4 generation: 1 in %s, 9 in %s\n",
              file("a"), file("b"));
@@ -333,7 +333,7 @@ static void test_who_lives(void **state)
     r.b->bullets.s.gen[4] = 1;
     for (uint32_t slot = 0; slot < 20; slot += 19) {
         r.b->bullets.s.used[0] ^= 1ull << slot;
-        print_trace("b", "w", r.b, UINT32_MAX);
+        print_trace("b", "w", r.b, UINT64_MAX);
         r.b->bullets.s.used[0] ^= 1ull << slot;
         assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
         snprintf(want, sizeof want,

@@ -80,7 +80,7 @@ static void test_commands(void **state)
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command((const char *[]){ "play", "render", "hash", "verify", "pack", "list", "unpack",
-                                                        "check", "help", "version" }[i]),
+                                                        "check", "sound", "help", "version" }[i]),
                          i);
     assert_int_equal(args_command("Play"), -1);
 }

@@ -247,7 +247,7 @@ static void test_unknown_names(void **state)
     (void)state;
     entry_refused("board = { bulets = 1 }", "board.bulets: unknown name (did you mean \"bullets\"?)");
     entry_refused("titel = 'x'", "titel: unknown name (did you mean \"title\"?)");
-    entry_refused("zebra = 1, music = 2", "music: unknown name");
+    entry_refused("zebra = 1, muzak = 2", "muzak: unknown name");
     entry_refused("screen = { width = 1 }", "screen.width: unknown name");
     entry_refused("field = { margins = 1 }", "field.margins: unknown name (did you mean \"margin\"?)");
     entry_refused("sheets = { a = { file = 'a', banks = 1 } }",
@@ -257,6 +257,31 @@ static void test_unknown_names(void **state)
     entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown name");
     entry_refused("1", "manifest: expected only names as keys, got 1");
     entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
+}
+
+static void test_sounds(void **state)
+{
+    struct result *r =
+        read_good("return { sounds = { b = { file = 'b.wav', volume = 0.5, limit = 3 }, a = { mml = 'c' } },"
+                  " music = { t = { file = 'm/t.mml', title = 'T' } } }");
+
+    (void)state;
+    assert_true(r->m.sound == 1 && r->art.n_sounds == 2 && r->art.n_tunes == 1);
+    assert_string_equal(r->art.sounds[0].mml, "c");
+    assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].priority == 4);
+    assert_string_equal(r->art.tunes[0].title, "T");
+    free(r);
+    r = read_good("return {}");
+    assert_int_equal(r->m.sound, 0);
+    free(r);
+    entry_refused("sounds = { a = { mml = 'c', volum = 1 } }",
+                  "sounds.a.volum: unknown name (did you mean \"volume\"?)");
+    entry_refused("sounds = { a = {} }", "sounds.a: expected either file=\"sfx/NAME.wav\" (or .mml) or mml=\"...\"");
+    entry_refused("sounds = { a = { mml = 'c', volume = 2 } }",
+                  "sounds.a.volume: expected a number from 0 to 1, got 2");
+    entry_refused("sounds = { a = { mml = 'c', limit = 9 } }",
+                  "sounds.a.limit: expected a whole number from 1 to 8, got 9");
+    entry_refused("music = { a = { file = 'a.wav' } }", "music.a: expected file=\"music/NAME.mml\"");
 }
 
 /* "a.b.c" as "a = { b = { c = v } }". */
@@ -592,8 +617,8 @@ static void test_unpack_refuses(void **state)
     (void)state;
     manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5247 bytes long, expected 5248");
-    for (int format = 0; format < 6; format++) {
+    assert_string_equal(err, "5251 bytes long, expected 5252");
+    for (int format = 0; format < 7; format++) {
         bytes[0] = (uint8_t)format;
         assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 4);
         assert_int_equal(manifest_unpack(bytes, 5232, &m, err, sizeof err), format == 3);
@@ -742,29 +767,18 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),
-        cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors),
-        cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_maps),
-        cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),
-        cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),       cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),           cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_sounds),         cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_texts),          cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_dip_errors),     cmocka_unit_test(test_art_errors),
+        cmocka_unit_test(test_not_a_manifest), cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),   cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_maps),           cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),     cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),          cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),          cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -42,7 +42,8 @@ weigher() {
         cd "$1"
         mkdir -p tools/compare
         [ "$1" = . ] || cmp -s "$here/weigh.c" tools/compare/weigh.c || cp "$here/weigh.c" tools/compare/
-        objects=$(find src/base src/chips src/board fb -name '*.c' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
+        below="src/base $(ls -d src/snd 2>/dev/null) src/chips src/board fb"
+        objects=$(find $below -name '*.c' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
         $CC $FLAGS tools/compare/weigh.c $objects $LIBS -o "$OUT/weigh"
     ) || fail "weigh.c does not build with $1: what it uses of the board is named otherwise there"
     "$1/$OUT/curtain-bare" pack "$tree/$game" -o "$1/$OUT/weigh.rom" >/dev/null

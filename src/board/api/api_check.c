@@ -269,6 +269,26 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
     api_error(L, entry, "map \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
+/* A name of rom.lua's `list`; the number of its place, or 0. */
+static void check_tune(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const bool sound = p->type == A_SOUND;
+    const char *found = NULL, *list = sound ? "sounds" : "music";
+    int best = EDIT_FAR;
+
+    check_type(L, entry, p, at, LUA_TSTRING, sound ? "a sound's name" : "the name of a piece of music");
+    const char *name = lua_tostring(L, at);
+    v->i = (sound ? cart_find_sound(cart, name) : cart_find_tune(cart, name)) + 1;
+    if (v->i > 0)
+        return;
+    for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
+        api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
+    if (!found)
+        api_error(L, entry, "\"%s\" is not in rom.lua's %s", name, list);
+    api_error(L, entry, "\"%s\" is not in rom.lua's %s (did you mean \"%s\"?)", name, list, found);
+}
+
 const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                          *const depths[] = { "back", "front" }, *const aligns[] = { "left", "center", "right" },
@@ -418,6 +438,8 @@ static check *const CHECKS[] = {
     [A_BLEND] = check_blend,
     [A_FACE] = check_face,
     [A_MAP] = check_map,
+    [A_SOUND] = check_tune,
+    [A_TUNE] = check_tune,
     [A_BUTTON] = check_word,
     [A_PAD] = check_pad,
     [A_EASE] = check_word,

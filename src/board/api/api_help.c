@@ -34,6 +34,8 @@ static const char *type_words(const struct api_param *p)
         [A_BLEND] = "name of a blend",
         [A_FACE] = "name of a font",
         [A_MAP] = "name of a map",
+        [A_SOUND] = "name of a sound",
+        [A_TUNE] = "name of a piece of music",
         [A_BUTTON] = "up down left right fire bomb focus special start select",
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",

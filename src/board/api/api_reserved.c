@@ -11,7 +11,7 @@ static const struct {
     char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
-    { "", '.', "sound music test" },
+    { "", '.', "test" },
     { "board", '.', "ask" },
     { "boss.def", '{', "music" },
     { "boss.def phase", '{', "music" },
@@ -64,6 +64,7 @@ static const struct {
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
     { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
+    { "sound music", offsetof(struct manifest, sound), "sounds = { ... } or music = { ... }" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)

@@ -8,6 +8,7 @@
 #include "api_parts.h"
 #include "../events_run.h"
 #include "../lasers_run.h"
+#include "../sound.h"
 
 /* Parameters by place; ARG_: the only one of its entry. */
 enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
@@ -523,6 +524,18 @@ static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
     return 4;
 }
 
+static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL } };
+
+/* Sounds are outside the hash, and so is this call. */
+static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[ARG_NAME].at)) : -1;
+
+    if (sound >= 0)
+        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
+    return 0;
+}
+
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -766,6 +779,7 @@ static const struct api_entry entries[] = {
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
     { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
+    { "sys.cue", sys_cue, PARAMS(cue), 1, API_SYS, NULL, "plays the sound of that name, if the game has one" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

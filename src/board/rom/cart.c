@@ -12,6 +12,7 @@
 #include "../../base/err.h"
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
+#include "../../snd/tune.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
 {
@@ -316,12 +317,43 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+/* The tunes of a folder. */
+static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[128];
+
+    if (n > CART_MAX_TUNES)
+        return err_set(err, err_size, "%d pieces of music or sounds, expected at most %d", n, CART_MAX_TUNES);
+    for (int i = 0; i < n; i++) {
+        rom_lump(c->rom, first + i, &l);
+        if (!tune_open(l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
+static bool open_sounds(struct cart *c, char *err, size_t err_size)
+{
+    static const char *const names[CART_CUES] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
+
+    c->first_tune = range(c->rom, "music/", "music0", &c->tunes);
+    c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
+    for (int i = 0; i < CART_CUES; i++) {
+        const int sound = cart_find_sound(c, names[i]);
+        c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
+    }
+    return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
+           open_tunes(c, c->first_sound, c->sounds, err, err_size);
+}
+
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
            open_blends(cart, err, err_size) && open_langs(cart, err, err_size) && open_faces(cart, err, err_size) &&
-           open_font(cart, err, err_size) && open_sprites(cart, err, err_size) && open_maps(cart, err, err_size);
+           open_font(cart, err, err_size) && open_sprites(cart, err, err_size) && open_maps(cart, err, err_size) &&
+           open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -453,6 +485,73 @@ bool cart_has_glyph(const struct cart *cart, uint32_t code)
         has = face_find(&face, code, &g);
     }
     return has;
+}
+
+static const char *name_in(const struct cart *cart, const char *folder, int lump)
+{
+    struct lump l;
+
+    rom_lump(cart->rom, lump, &l);
+    return l.name + strlen(folder);
+}
+
+static uint32_t place_of(const struct cart *cart, int lump)
+{
+    struct lump l;
+
+    rom_lump(cart->rom, lump, &l);
+    return (uint32_t)(l.data - cart->rom->data);
+}
+
+const char *cart_tune_name(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->tunes);
+    return name_in(cart, "music/", cart->first_tune + i);
+}
+
+uint32_t cart_tune(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->tunes);
+    return place_of(cart, cart->first_tune + i);
+}
+
+int cart_find_tune(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "music/", name, cart->first_tune);
+}
+
+const char *cart_sound_name(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->sounds);
+    return name_in(cart, "sound/", cart->first_sound + i);
+}
+
+uint32_t cart_sound(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->sounds);
+    return place_of(cart, cart->first_sound + i);
+}
+
+int cart_find_sound(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "sound/", name, cart->first_sound);
+}
+
+uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
+{
+    const struct inst i = inst_of(inst);
+    uint32_t from = tune;
+
+    if (i.kind != INST_SAMPLE)
+        return 0;
+    if (i.sample[0]) {
+        const int sound = cart_find_sound(cart, i.sample);
+        if (sound < 0)
+            return 0;
+        from = cart_sound(cart, sound);
+    }
+    const uint32_t at = bytes_get32(cart->rom->data + from + 12);
+    return at ? from + at : 0;
 }
 
 static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,

@@ -18,6 +18,8 @@
  *                         is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all
  *                         tiles in it are solid
  *         demo/X          demos
+ *         music/X         a piece of music: tune.h; a tick reads it
+ *         sound/X         a sound: tune.h, its recording behind it
  *         data/X          text files for rom.text
  */
 #ifndef BOARD_CART_H
@@ -46,8 +48,12 @@ enum {
     CART_MAP_HEADER = 16,
     CART_MAX_MAPS = 1024,
     CART_MAP_SIDE = 16384, /* px of a map */
-    CART_MAP_CELLS = 1 << 20
+    CART_MAP_CELLS = 1 << 20,
+    CART_MAX_TUNES = 1024 /* and so many sounds */
 };
+
+/* Sounds of these names play by themselves. */
+enum cart_cue { CUE_SHOT, CUE_HIT, CUE_GRAZE, CUE_KILL, CUE_ITEM, CUE_BOMB, CUE_WARNING, CUE_MENU, CART_CUES };
 
 struct cart {
     const struct rom *rom;
@@ -62,6 +68,9 @@ struct cart {
     const uint8_t *glyphs;                 /* NULL: no font */
     int n_glyphs;
     int first_face, faces;
+    int first_tune, tunes;
+    int first_sound, sounds;
+    uint32_t cue[CART_CUES]; /* places in the ROM of the sounds that play by themselves; 0: the game has none */
 };
 
 struct sprite {
@@ -112,6 +121,18 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name);
 const char *cart_face_name(const struct cart *cart, int i);
 struct face cart_face(const struct cart *cart, int i);
 int cart_find_face(const struct cart *cart, const char *name);
+
+/* Piece of music i, 0 <= i < tunes, and sound i: its name; its place in the ROM (tune.h); the index of a name, or
+ * -1. */
+const char *cart_tune_name(const struct cart *cart, int i);
+uint32_t cart_tune(const struct cart *cart, int i);
+int cart_find_tune(const struct cart *cart, const char *name);
+const char *cart_sound_name(const struct cart *cart, int i);
+uint32_t cart_sound(const struct cart *cart, int i);
+int cart_find_sound(const struct cart *cart, const char *name);
+
+/* The recording of an instrument, bytes `inst` of the tune at `tune`: its place in the ROM; 0: there is none. */
+uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst);
 
 /* Can the character be shown by a font of the game? A blank can always. */
 bool cart_has_glyph(const struct cart *cart, uint32_t code);

@@ -69,6 +69,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.options", options, 0, MAX_OPTIONS),
     FLAG("board.bodies", bodies),
     FLAG("board.pierce", pierce),
+    FLAG("board.sound", sound),
 };
 
 void manifest_default(struct manifest *m)

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5248,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5252,  /* the lump's size, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -53,6 +53,7 @@ struct manifest {
     int32_t options;              /* that fly at once; 0 unless rom.lua asks for them */
     int32_t bodies;               /* 1: enemies have rates and parts, go round and wander */
     int32_t pierce;               /* 1: shots may go through what they hit */
+    int32_t sound;                /* 1: there are sounds or music */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -74,6 +75,9 @@ enum {
     MAX_ART_CELLS = 1 << 16, /* of all maps whose rows stand in rom.lua */
     MAX_ART_SIZES = 16,      /* of a sprite, beside its own */
     MAX_ART_FONTS = 8,
+    MAX_ART_SOUNDS = 256,
+    MAX_ART_TUNES = 64,
+    ART_MML = 2048,   /* bytes of a sound's MML in rom.lua, with its NUL */
     ART_CHARS = 8192, /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
     ART_FILE = 96
@@ -119,6 +123,14 @@ struct art_map {
     int32_t cells, cols, rows;
 };
 
+/* A sound, or a piece of music: a file, or a sound's MML itself. */
+struct art_sound {
+    char name[ART_NAME], file[ART_FILE]; /* file "": mml */
+    char mml[ART_MML];
+    char title[64];
+    int32_t volume, priority, limit; /* volume: of 255 */
+};
+
 struct art {
     char palette[ART_FILE], font[ART_FILE]; /* "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
@@ -127,9 +139,10 @@ struct art {
     struct art_sheet sheets[MAX_ART_SHEETS];
     struct art_sprite sprites[MAX_ART_SPRITES];
     struct art_map maps[MAX_ART_MAPS];
+    struct art_sound sounds[MAX_ART_SOUNDS], tunes[MAX_ART_TUNES];
     uint16_t cells[MAX_ART_CELLS];                                  /* 0: empty, else a tile's number from 1 on */
     int n_palettes, n_blends, n_fonts, n_sheets, n_sprites, n_maps; /* each ascending by name */
-    int n_cells;
+    int n_cells, n_sounds, n_tunes;
 };
 
 /* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they
@@ -140,7 +153,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 35 };
+enum { MANIFEST_NUMBERS = 36 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */

@@ -828,12 +828,73 @@ static void read_maps(const struct at *root, struct manifest *m, struct art *art
     lua_pop(a.lua, 1);
 }
 
+/* A part of one as a number from 0 to 255. */
+static int32_t get_volume(const struct at *a)
+{
+    char path[MAX_PATH];
+
+    path_of(a, "volume", path);
+    if (!get(a, "volume"))
+        return 255;
+    const lua_Number v = lua_type(a->lua, -1) == LUA_TNUMBER ? lua_tonumber(a->lua, -1) : -1;
+    if (!(v >= 0 && v <= 1))
+        bad(a->lua, path, "expected a number from 0 to 1, got %s", got(a->lua));
+    lua_pop(a->lua, 1);
+    return (int32_t)(v * 255 + 0.5);
+}
+
+/* A sound's file is a recording or MML, a piece of music is MML. */
+static void read_sound(const struct at *a, struct art_sound *s, bool music)
+{
+    static const char *const of_sound[] = { "file", "mml", "volume", "priority", "limit", NULL }, *const of_music[] = {
+        "file", "volume", "title", NULL
+    };
+
+    only(a, music ? of_music : of_sound);
+    s->priority = 4;
+    s->limit = 2;
+    s->volume = get_volume(a);
+    const bool file = get_file(a, "file", s->file), mml = get_text(a, "mml", "MML", s->mml, sizeof s->mml);
+    get_text(a, "title", "a line", s->title, sizeof s->title);
+    get_whole(a, "priority", 0, 7, &s->priority);
+    get_whole(a, "limit", 1, 8, &s->limit);
+    if (music && !(file && ends(s->file, ".mml")))
+        bad(a->lua, a->path, "expected file=\"music/NAME.mml\"");
+    if (file == mml || (file && !ends(s->file, ".mml") && !ends(s->file, ".wav")))
+        bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .mml) or mml=\"...\"");
+}
+
+/* Returns how many there are. */
+static int read_sound_list(const struct at *root, const char *key, struct art_sound *list_, int most)
+{
+    struct at a, one;
+
+    if (!get_table(root, key, &a))
+        return 0;
+    const int n = keys(&a, list_, most, sizeof *list_, ART_NAME);
+    for (int i = 0; i < n; i++) {
+        get_table(&a, list_[i].name, &one);
+        read_sound(&one, &list_[i], strcmp(key, "music") == 0);
+        lua_pop(a.lua, 1);
+    }
+    lua_pop(a.lua, 1);
+    return n;
+}
+
+/* Sounds and music alone switch sound on. */
+static void read_sounds(const struct at *root, struct manifest *m, struct art *art)
+{
+    art->n_sounds = read_sound_list(root, "sounds", art->sounds, MAX_ART_SOUNDS);
+    art->n_tunes = read_sound_list(root, "music", art->tunes, MAX_ART_TUNES);
+    m->sound = m->sound || art->n_sounds > 0 || art->n_tunes > 0;
+}
+
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
     static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
                                          "field",        "board",      "palette", "palettes", "blends",  "font",
                                          "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
-                                         "difficulties", "difficulty", "maps",    NULL };
+                                         "difficulties", "difficulty", "maps",    "sounds",   "music",   NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -847,6 +908,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_sheets(root, art);
     read_sprites(root, art);
     read_maps(root, m, art);
+    read_sounds(root, m, art);
 }
 
 static void too_long(lua_State *lua, lua_Debug *ar)

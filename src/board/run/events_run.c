@@ -14,6 +14,7 @@
 #include "../api.h"
 #include "../hit.h"
 #include "../lasers_run.h"
+#include "../sound.h"
 
 const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
                                      "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
@@ -230,6 +231,7 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
         board_score(b, player - 1, b->enemy_kinds.score[kind]);
     death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
     board_event(b, EV_KILL, h, p);
+    sound_cue(b, CUE_KILL, b->enemies.x[i]);
     b->enemies.hp[i] = 0;
     if (b->items.s.cap)
         enemy_drops(L, b, i);
@@ -465,6 +467,7 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
     else
         b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
+    sound_cue(b, CUE_GRAZE, b->player.x[p]);
     tell(L, e);
 }
 
@@ -522,6 +525,7 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
         return;
     slots_hold(&b->items.s, b->items.taken, i);
     give(L, b, p, b->items.kind[i]);
+    sound_cue(b, CUE_ITEM, b->player.x[p]);
     if (events_push_function(L, b->items.kind[i], "item's on_take")) {
         push_thing(L, e->a);
         push_thing(L, e->b);
@@ -576,6 +580,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
+    sound_cue(b, CUE_HIT, b->player.x[p]);
     b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
     if (!b->player.hit[p])
         events_player_die(b, p);

@@ -204,6 +204,69 @@ static void unused_names(struct check *c)
                             "map \"%s\": no script names it", c->art.maps[i].name);
 }
 
+/* Is "sample NAME" in the bytes? */
+static bool names_sample(const uint8_t *bytes, size_t size, const char *name)
+{
+    const size_t n = strlen(name);
+
+    for (size_t i = 0; i + 7 + n <= size; i++)
+        if (memcmp(bytes + i, "sample ", 7) == 0 && memcmp(bytes + i + 7, name, n) == 0 &&
+            (i + 7 + n == size || bytes[i + 7 + n] <= ' '))
+            return true;
+    return false;
+}
+
+/* Does an instrument of a piece of music play that sound? */
+static bool in_music(struct check *c, const char *name)
+{
+    bool found = false;
+
+    for (int i = 0; i < c->files.n && !found; i++) {
+        uint8_t *bytes;
+        size_t size;
+        if (!ends_with(c->files.name[i], ".mml") || !check_load(c, c->files.name[i], TREE_FILE, &bytes, &size))
+            continue;
+        found = names_sample(bytes, size, name);
+        free(bytes);
+    }
+    return found;
+}
+
+/* Do scripts, or an instrument of a tune, name it? Some play by themselves. */
+static bool sound_used(struct check *c, const char *name)
+{
+    static const char *const own[] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
+
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (strcmp(name, own[i]) == 0)
+            return true;
+    return check_mentioned(c, name) || in_music(c, name);
+}
+
+static void unused_sounds(struct check *c)
+{
+    for (int i = 0; i < c->art.n_sounds; i++)
+        if (!sound_used(c, c->art.sounds[i].name))
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sounds", c->art.sounds[i].name),
+                            "sound \"%s\": no script names it", c->art.sounds[i].name);
+    for (int i = 0; i < c->art.n_tunes; i++)
+        if (!check_mentioned(c, c->art.tunes[i].name))
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "music", c->art.tunes[i].name),
+                            "music \"%s\": no script names it", c->art.tunes[i].name);
+}
+
+/* Is it a file of rom.lua's sounds or music? */
+static bool sound_file(const struct check *c, const char *path)
+{
+    for (int i = 0; i < c->art.n_sounds; i++)
+        if (strcmp(path, c->art.sounds[i].file) == 0)
+            return true;
+    for (int i = 0; i < c->art.n_tunes; i++)
+        if (strcmp(path, c->art.tunes[i].file) == 0)
+            return true;
+    return false;
+}
+
 static bool picture_used(const struct check *c, const char *path)
 {
     bool used = strcmp(path, c->art.palette) == 0 || strcmp(path, c->art.font) == 0;
@@ -224,6 +287,8 @@ static void unused_files(struct check *c, bool texts)
     for (int i = 0; i < c->files.n; i++) {
         const char *path = c->files.name[i];
         if (ends_with(path, ".png") && !picture_used(c, path))
+            diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
+        if ((ends_with(path, ".wav") || ends_with(path, ".mml")) && !sound_file(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
         if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
             diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
@@ -262,5 +327,7 @@ void check_unused(struct check *c)
         unused_scripts(c);
     if (whole)
         unused_names(c);
+    if (whole)
+        unused_sounds(c);
     unused_files(c, whole && !is_dynamic(c, "rom", "text"));
 }

@@ -124,6 +124,14 @@ void diagnostics_sort(struct diagnostics *f)
     f->n = n;
 }
 
+/* Does it begin with a column, as of MML? */
+static bool has_column(const char *text)
+{
+    size_t n = strspn(text, "0123456789");
+
+    return n > 0 && text[n] == ':';
+}
+
 void diagnostics_print(const struct diagnostics *f, void (*line)(const char *))
 {
     char text[2 * TEXT];
@@ -131,7 +139,8 @@ void diagnostics_print(const struct diagnostics *f, void (*line)(const char *))
     for (int i = 0; i < f->n; i++) {
         const struct diagnostic *one = &f->list[i];
         if (one->line > 0)
-            snprintf(text, sizeof text, "%s:%d: %s", one->file, one->line, one->text);
+            snprintf(text, sizeof text, "%s:%d:%s%s", one->file, one->line, has_column(one->text) ? "" : " ",
+                     one->text);
         else
             snprintf(text, sizeof text, "%s: %s", one->file, one->text);
         clean_line(text);

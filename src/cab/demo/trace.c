@@ -111,7 +111,7 @@ static void visit(void *context, const struct slots_value *v)
     put_value(t, v->value, v->width);
 }
 
-void trace_frame(FILE *out, const struct board *b, uint32_t parts)
+void trace_frame(FILE *out, const struct board *b, uint64_t parts)
 {
     struct trace t = { .out = out, .frame = board_frame(b) };
 

@@ -19,6 +19,6 @@
 #include "../../board/board.h"
 
 /* Prints these parts (1 << part) of the board as it is now. */
-void trace_frame(FILE *out, const struct board *b, uint32_t parts);
+void trace_frame(FILE *out, const struct board *b, uint64_t parts);
 
 #endif

@@ -7,8 +7,10 @@
  */
 #include "speaker.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../board/board.h"
 
 void speaker_stretch(const int16_t last[2], const int16_t *in, int16_t *out, int n)
 {
@@ -28,11 +30,27 @@ static int block_length(int waiting)
     return SPEAKER_BLOCK + n;
 }
 
-void speaker_play(struct speaker *s, const int16_t *sound)
+/* The tables are made when they are first needed. */
+static bool ready(struct speaker *s, const struct board *b)
+{
+    if (s->muted || !board_has_sound(b))
+        return false;
+    if (!s->tables && (s->tables = malloc(board_sound_tables())) != NULL)
+        board_sound_open(s->tables);
+    return s->tables != NULL;
+}
+
+void speaker_close(struct speaker *s)
+{
+    free(s->tables);
+    s->tables = NULL;
+}
+
+void speaker_play(struct speaker *s, const struct board *b)
 {
     static const int16_t silence[2 * SPEAKER_BLOCK];
     int16_t loud[2 * SPEAKER_BLOCK], out[2 * (SPEAKER_BLOCK + SPEAKER_STRETCH)];
-    if (s->muted || !sound)
+    if (!ready(s, b))
         return;
     int waiting = plat_sound(silence, 0);
     if (waiting < 0)
@@ -40,8 +58,9 @@ void speaker_play(struct speaker *s, const int16_t *sound)
     if (waiting == 0)
         for (int i = 1; i < SPEAKER_AHEAD / SPEAKER_BLOCK; i++)
             plat_sound(silence, SPEAKER_BLOCK);
+    board_sound(b, s->tables, loud);
     for (int i = 0; i < 2 * SPEAKER_BLOCK; i++)
-        loud[i] = (int16_t)(sound[i] * s->volume / 100);
+        loud[i] = (int16_t)(loud[i] * s->volume / 100);
     int n = waiting ? block_length(waiting) : SPEAKER_BLOCK;
     speaker_stretch(s->last, loud, out, n);
     memcpy(s->last, loud + 2 * (SPEAKER_BLOCK - 1), sizeof s->last);

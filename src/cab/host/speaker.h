@@ -19,12 +19,15 @@ struct speaker {
     int volume; /* percent */
     bool muted;
     int16_t last[2]; /* of the block before */
+    void *tables;    /* of board_sound, once there is something to play; malloc */
 };
 
 /* in: SPEAKER_BLOCK frames after `last`; out: n frames of the same sound, n at most SPEAKER_BLOCK + SPEAKER_STRETCH. */
 void speaker_stretch(const int16_t last[2], const int16_t *in, int16_t *out, int n);
 
-/* Plays a tick's sound, NULL: none. */
-void speaker_play(struct speaker *s, const int16_t *sound);
+/* Plays the sound of the frame that the board has just ticked. */
+struct board;
+void speaker_play(struct speaker *s, const struct board *b);
+void speaker_close(struct speaker *s);
 
 #endif

@@ -19,6 +19,7 @@
 #include "../../board/rom/cart.h"
 #include "../../board/script.h"
 #include "../../board/std.h"
+#include "../../snd/tune.h"
 #include "art.h"
 #include "blend.h"
 #include "bdf.h"
@@ -26,8 +27,10 @@
 #include "lang.h"
 #include "../host/files.h"
 #include "map.h"
+#include "../sound/mml.h"
 #include "tree.h"
 #include "png.h"
+#include "../sound/wav.h"
 
 enum { PATH = TREE_PATH };
 
@@ -415,6 +418,104 @@ static bool add_map(struct packer *p, const struct art_map *m)
                : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
 }
 
+/* A file that rom.lua names, whole. */
+static bool load_named(struct packer *p, const char *file, size_t most, uint8_t **data, size_t *size)
+{
+    if (!tree_portable(file))
+        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+    if (!tree_has(&p->files, file))
+        return refuse_missing(p, file);
+    return load_in(p, file, most, data, size);
+}
+
+/* The tune of a recording. */
+static bool compile_wav(struct packer *p, const struct art_sound *s, const struct mml_about *about, uint8_t **tune,
+                        size_t *size)
+{
+    uint8_t *data, *sample;
+    size_t n, sample_size;
+    char why[256];
+
+    if (!load_named(p, s->file, TREE_FILE, &data, &n))
+        return false;
+    bool good = wav_read(data, n, &sample, &sample_size, why, sizeof why);
+    free(data);
+    if (!good)
+        return err_set(p->err, p->err_size, "%s: %s", s->file, why);
+    good = mml_of_sample(sample, sample_size, about, tune, size);
+    free(sample);
+    return good ? true : err_set(p->err, p->err_size, "out of memory");
+}
+
+/* The tune of a text: a file's, or one in rom.lua. */
+static bool compile_mml(struct packer *p, const struct art_sound *s, const char *list, const struct mml_about *about,
+                        uint8_t **tune, size_t *size)
+{
+    char place[64];
+    uint8_t *text;
+    size_t n;
+
+    if (s->file[0] == '\0') {
+        snprintf(place, sizeof place, "rom.lua: %s.%s.mml", list, s->name);
+        return mml_compile(s->mml, strlen(s->mml), place, about, tune, size, p->err, p->err_size);
+    }
+    if (!load_named(p, s->file, MML_FILE, &text, &n))
+        return false;
+    tree_drop_bom(text, &n);
+    bool good = mml_compile((const char *)text, n, s->file, about, tune, size, p->err, p->err_size);
+    free(text);
+    return good;
+}
+
+/* Is the sound of that name a recording? */
+static bool is_recording(const struct packer *p, const char *name)
+{
+    for (int i = 0; i < p->art.n_sounds; i++)
+        if (strcmp(p->art.sounds[i].name, name) == 0)
+            return ends_with(p->art.sounds[i].file, ".wav");
+    return false;
+}
+
+/* Instruments name recordings of `sounds`. */
+static bool check_recordings(struct packer *p, const struct art_sound *s, const uint8_t *tune)
+{
+    const struct tune t = tune_of(tune);
+
+    for (int i = 0; i < t.insts; i++) {
+        const struct inst inst = inst_of(tune_inst(&t, i));
+        if (inst.sample[0] && !is_recording(p, inst.sample))
+            return err_set(p->err, p->err_size, "%s: sample \"%s\" is no recording (a .wav) of rom.lua's sounds",
+                           s->file[0] ? s->file : s->name, inst.sample);
+    }
+    return true;
+}
+
+static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
+{
+    const struct mml_about about = { s->volume, s->priority, s->limit, s->title };
+    uint8_t *tune;
+    size_t size;
+
+    if (!(ends_with(s->file, ".wav") ? compile_wav(p, s, &about, &tune, &size)
+                                     : compile_mml(p, s, music ? "music" : "sounds", &about, &tune, &size)))
+        return false;
+    if (check_recordings(p, s, tune))
+        return add(p, music ? "music/" : "sound/", s->name, tune, size);
+    free(tune);
+    return false;
+}
+
+static bool add_sounds(struct packer *p)
+{
+    for (int i = 0; i < p->art.n_sounds; i++)
+        if (!add_sound(p, &p->art.sounds[i], false))
+            return false;
+    for (int i = 0; i < p->art.n_tunes; i++)
+        if (!add_sound(p, &p->art.tunes[i], true))
+            return false;
+    return true;
+}
+
 static bool add_art(struct packer *p)
 {
     if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
@@ -656,7 +757,7 @@ static bool gather(struct packer *p)
 {
     if (!tree_walk(p->dir, &p->files, p->err, p->err_size))
         return false;
-    return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && add_art(p);
+    return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && add_art(p) && add_sounds(p);
 }
 
 bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size)

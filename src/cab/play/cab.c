@@ -163,6 +163,7 @@ static void finish(void)
     practice_close(&cab.practice);
     if (cab_fault())
         cab.result = RESULT_REFUSED;
+    speaker_close(&cab.speaker);
     bool good = session_close(&cab.session);
     cab.result = good || cab.result != RESULT_DONE ? cab.result : RESULT_HOST;
     if (!good)
@@ -216,6 +217,7 @@ static enum result refuse(enum result result, const char *what)
 {
     cab_say("curtain: %s: %s", cab_game(), what);
     practice_close(&cab.practice);
+    speaker_close(&cab.speaker);
     session_close(&cab.session);
     cab_picture_close(&cab.picture);
     free(cab.nvram);

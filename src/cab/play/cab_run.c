@@ -97,10 +97,10 @@ void cab_log_lines(const struct board_out *out)
     }
 }
 
-static void play_sound(const struct board_out *out)
+static void play_sound(const struct board *b)
 {
     if (!cab.quiet)
-        speaker_play(&cab.speaker, out->sound);
+        speaker_play(&cab.speaker, b);
 }
 
 void cab_report_fault(void)
@@ -160,7 +160,8 @@ static void attract_tick(void)
         return;
     }
     demo_pads(&cab.attract, board_frame(b), pads);
-    play_sound(guard_tick(&cab.attract_guard, pads));
+    guard_tick(&cab.attract_guard, pads);
+    play_sound(b);
 }
 
 /* ---- forward ---- */
@@ -171,7 +172,7 @@ static void handle_output(void)
     const struct board_out *out = board_last(cab_live());
 
     cab_log_lines(out);
-    play_sound(out);
+    play_sound(cab_live());
     practice_after_tick(&cab.practice, out);
     if (out->fault)
         cab_report_fault();

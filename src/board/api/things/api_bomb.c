@@ -4,6 +4,7 @@
 #include <string.h>
 #include "../../../base/edit.h"
 #include "../../events_run.h"
+#include "../../sound.h"
 #include "../api_parts.h"
 
 /* Registry: a list of bombs, struct bomb, with their run under their number below 0, and their numbers by name. Only a
@@ -140,6 +141,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
     lua_rawgeti(L, -1, -i);
     lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)p));
     tasks_start(b, L, s->bomb[p], 1);
+    sound_cue(b, CUE_BOMB, b->player.x[p]);
     board_event(b, EV_BOMB, board_handle(b, H_PLAYER, (int32_t)p), late);
     lua_settop(L, top);
     return true;

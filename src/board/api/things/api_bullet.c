@@ -8,6 +8,7 @@
 #include "../../../base/edit.h"
 #include "../api_parts.h"
 #include "../../events_run.h"
+#include "../../sound.h"
 
 /* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
 static int64_t q32(double v)
@@ -407,6 +408,8 @@ bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool s
         s->tag = api_tag(L, entry, v[FIRE_TAG].at);
     api_check_around(L, shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
     s->around = v[FIRE_AROUND].given ? v[FIRE_AROUND].i : 0;
+    if (s->player)
+        sound_cue(b, CUE_SHOT, b->player.x[s->player - 1]);
     return true;
 }
 

@@ -1,0 +1,345 @@
+/*
+ * sound.c - see sound.h, and board_sound of board.h. The sequencers say what happens to which voice; here it is done
+ * with the instruments of the ROM.
+ */
+#include "../sound.h"
+
+#include <string.h>
+
+static const uint8_t *rom(const struct board *b)
+{
+    return b->cart.rom->data;
+}
+
+/* A volume of 127 is a third of full scale, so that some voices together stay below the limiter. */
+static uint16_t loud(int volume, int of, int tune_volume)
+{
+    const int64_t third = VOICE_LOUD / 3;
+
+    return (uint16_t)(third * volume * volume / (TUNE_LOUD * TUNE_LOUD) * of / 256 * tune_volume / 255);
+}
+
+/* What a sequencer's event does, of whichever of the two. */
+struct part_played {
+    struct board *b;
+    uint32_t tune; /* its place in the ROM */
+    int voice;
+    uint16_t vol;
+    uint8_t pan, inst;
+    int32_t pitch; /* higher */
+    uint32_t tempo;
+};
+
+static void begin_note(const struct part_played *g, int32_t pitch, int sample)
+{
+    const struct tune t = tune_of(rom(g->b) + g->tune);
+
+    if (g->inst >= t.insts)
+        return;
+    const uint8_t *inst = tune_inst(&t, g->inst);
+    const struct voice_note n = { (uint32_t)(inst - rom(g->b)), cart_recording(&g->b->cart, g->tune, inst), pitch,
+                                  g->vol, g->pan };
+    voices_note(&g->b->voices, rom(g->b), g->voice, &n, sample);
+}
+
+static void play_part(const struct part_played *g, const struct tune_played *p, int sample)
+{
+    struct voices *v = &g->b->voices;
+    const int32_t pitch = p->value * (PITCH_ONE / 256) + g->pitch;
+
+    switch (p->event) {
+    case TUNE_NOTE:
+        begin_note(g, pitch, sample);
+        break;
+    case TUNE_SLUR:
+        voices_slur(v, rom(g->b), g->voice, pitch);
+        break;
+    case TUNE_GLIDE:
+        voices_glide(v, g->voice, pitch, (int32_t)((int64_t)p->more * TUNE_TICK / ((int64_t)SND_FRAME * g->tempo)));
+        break;
+    case TUNE_OFF:
+    case TUNE_END:
+        voices_off(v, g->voice, sample);
+        break;
+    case TUNE_VOLUME:
+    case TUNE_PLACE:
+        voices_set(v, g->voice, g->vol, g->pan);
+        break;
+    default:
+        break;
+    }
+}
+
+static void play_music(void *context, int track, const struct tune_played *p, int sample)
+{
+    struct board *b = context;
+    const struct seq *s = &b->music;
+    const uint32_t at = cart_tune(&b->cart, s->tune - 1);
+    const struct part_played g = { b,
+                                   at,
+                                   track,
+                                   loud(s->volume[track + 1], 256, tune_of(rom(b) + at).volume),
+                                   s->pan[track + 1],
+                                   s->inst[track + 1],
+                                   0,
+                                   s->tempo };
+
+    play_part(&g, p, sample);
+}
+
+static uint8_t side(int pan)
+{
+    return (uint8_t)(pan < 0 ? 0 : pan > 2 * TUNE_PAN ? 2 * TUNE_PAN : pan);
+}
+
+static void play_cue(void *context, int slot, const struct tune_played *p, int sample)
+{
+    struct board *b = context;
+    const struct cues *c = &b->cues;
+    const struct tune t = tune_of(rom(b) + c->tune[slot]);
+    const struct part_played g = { b,
+                                   c->tune[slot],
+                                   VOICES_MUSIC + slot,
+                                   loud(c->volume[slot], c->loud[slot], t.volume),
+                                   side(c->pan[slot] + c->place[slot]),
+                                   c->inst[slot],
+                                   c->pitch[slot],
+                                   t.tempo };
+
+    play_part(&g, p, sample);
+}
+
+static void cut_music(struct board *b)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        voices_cut(&b->voices, i, 0);
+}
+
+static void start_music(struct board *b, uint16_t index)
+{
+    struct tune t = { 0 };
+
+    cut_music(b);
+    if (index)
+        t = tune_of(rom(b) + cart_tune(&b->cart, index - 1));
+    seq_start(&b->music, index, &t);
+}
+
+/* What is left of the music's gain at the end of this frame. */
+static uint16_t gain(const struct board *b)
+{
+    const struct seq *s = &b->music;
+
+    if (b->core.frozen > 0)
+        return 0;
+    return (uint16_t)(s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN);
+}
+
+/* A frame of the music, unless a pause holds it. */
+static void step_music(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    if (b->core.frozen > 0)
+        return;
+    if (s->fade_over && s->fade == 0)
+        start_music(b, s->next);
+    if (s->fade)
+        s->fade--;
+    if (s->tune) {
+        const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+        seq_step(s, &t, play_music, b);
+    }
+}
+
+void sound_begin(struct board *b)
+{
+    voices_step(&b->voices, rom(b));
+}
+
+void sound_end(struct board *b)
+{
+    step_music(b);
+    cues_step(&b->cues, rom(b), play_cue, b);
+    b->voices.gain1 = gain(b);
+}
+
+/* ---- what is asked for ---- */
+
+void sound_play(struct board *b, const struct cue *cue)
+{
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame);
+
+    for (int i = 0; i < CUES; i++)
+        if (ended >> i & 1)
+            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+}
+
+void sound_stop(struct board *b, uint32_t tune)
+{
+    const uint32_t ended = cues_stop(&b->cues, tune);
+
+    for (int i = 0; i < CUES; i++)
+        if (ended >> i & 1)
+            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+}
+
+int16_t sound_place(const struct board *b, fx x)
+{
+    const int64_t half = (int64_t)b->cart.m.field_w << 15;
+    int64_t place = (x - half) * TUNE_PAN * 2 / (3 * half);
+
+    place = place > TUNE_PAN ? TUNE_PAN : place < -TUNE_PAN ? -TUNE_PAN : place;
+    return (int16_t)place;
+}
+
+void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
+{
+    sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
+}
+
+void sound_music(struct board *b, int tune, int32_t fade, bool again)
+{
+    struct seq *s = &b->music;
+    const uint16_t index = (uint16_t)(tune + 1);
+
+    if (s->tune == index && !s->fade_over && !again)
+        return;
+    if (!s->tune || fade == 0) {
+        start_music(b, index);
+        return;
+    }
+    sound_music_stop(b, fade);
+    s->next = index;
+}
+
+void sound_music_stop(struct board *b, int32_t fade)
+{
+    struct seq *s = &b->music;
+
+    if (!s->tune)
+        return;
+    if (fade == 0) {
+        start_music(b, 0);
+        return;
+    }
+    s->next = 0;
+    s->fade = s->fade_over = (uint16_t)fade;
+}
+
+/* ---- the frame's samples ---- */
+
+bool board_has_sound(const struct board *b)
+{
+    return b->voices.s.cap > 0;
+}
+
+size_t board_sound_tables(void)
+{
+    return sizeof(struct snd_tables);
+}
+
+void board_sound_open(void *tables)
+{
+    snd_tables_make(tables);
+}
+
+void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND])
+{
+    if (board_has_sound(b))
+        voices_mix(&b->voices, rom(b), tables, out);
+    else
+        memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
+}
+
+/* ---- a box ---- */
+
+static size_t aligned(size_t n)
+{
+    return (n + 63) / 64 * 64;
+}
+
+static const struct {
+    const struct chip *chip;
+    size_t at;
+    uint32_t cap;
+} box_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
+                  { &cues_chip, offsetof(struct board, cues), CUES },
+                  { &voices_chip, offsetof(struct board, voices), VOICE_SLOTS } };
+
+enum { BOX_PARTS = sizeof box_parts / sizeof *box_parts };
+
+size_t board_box_size(void)
+{
+    size_t n = aligned(sizeof(struct board));
+
+    for (int i = 0; i < BOX_PARTS; i++)
+        n += (size_t)slots_size(box_parts[i].chip, box_parts[i].cap, 0);
+    return n;
+}
+
+struct board *board_box_open(void *ram, const struct rom *rom_, char *err, size_t err_size)
+{
+    struct board *b = ram;
+    uint8_t *next = (uint8_t *)ram + aligned(sizeof *b);
+
+    memset(ram, 0, board_box_size());
+    if (!cart_open(&b->cart, rom_, err, err_size))
+        return NULL;
+    for (int i = 0; i < BOX_PARTS; i++) {
+        struct slots *s = (struct slots *)(void *)((uint8_t *)b + box_parts[i].at);
+        slots_layout(box_parts[i].chip, s, box_parts[i].cap, 0, &next);
+        s->live = s->cap;
+    }
+    return b;
+}
+
+bool board_box_play(struct board *b, const char *name)
+{
+    const int sound = cart_find_sound(&b->cart, name), tune = cart_find_tune(&b->cart, name);
+
+    if (sound >= 0)
+        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
+    else if (tune >= 0)
+        sound_music(b, tune, 0, true);
+    return sound >= 0 || tune >= 0;
+}
+
+bool board_box_tick(struct board *b)
+{
+    bool busy = false;
+
+    sound_begin(b);
+    sound_end(b);
+    b->core.frame++;
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        busy = busy || voices_busy(&b->voices, i);
+    for (int i = 0; i < CUES; i++)
+        busy = busy || b->cues.tune[i];
+    for (int i = 0; i < SEQ_SLOTS; i++)
+        busy = busy || b->music.at[i];
+    return busy;
+}
+
+bool board_box_tune(const struct board *b, int n, struct board_tune *out)
+{
+    const bool music = n >= b->cart.sounds;
+    const int i = music ? n - b->cart.sounds : n;
+    struct lump l;
+
+    if (music && i >= b->cart.tunes)
+        return false;
+    rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
+    const struct tune t = tune_of(l.data);
+    *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
+                                tune_title(&t),
+                                music,
+                                tune_recording(&t),
+                                tune_endless(&t),
+                                t.tracks,
+                                t.priority,
+                                t.limit,
+                                t.marks,
+                                l.size };
+    return true;
+}

@@ -1,0 +1,82 @@
+/*
+ * tape.c - see tape.h.
+ */
+#include "tape.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/err.h"
+#include "../../board/board.h"
+#include "files.h"
+
+enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND, MOST = 1 << 30 };
+
+bool tape_open(struct tape *t)
+{
+    *t = (struct tape){ .tables = malloc(board_sound_tables()), .room = 1 << 20 };
+    t->bytes = malloc(t->room);
+    t->n = WAVE_HEADER;
+    t->failed = t->tables == NULL || t->bytes == NULL;
+    if (!t->failed)
+        board_sound_open(t->tables);
+    return !t->failed;
+}
+
+void tape_close(struct tape *t)
+{
+    free(t->tables);
+    free(t->bytes);
+    *t = (struct tape){ 0 };
+}
+
+static bool has_room(struct tape *t)
+{
+    uint8_t *more;
+
+    if (t->failed || t->n + BLOCK_BYTES <= t->room)
+        return !t->failed;
+    more = t->room < MOST ? realloc(t->bytes, t->room * 2) : NULL;
+    t->failed = more == NULL;
+    if (more) {
+        t->bytes = more;
+        t->room *= 2;
+    }
+    return more != NULL;
+}
+
+void tape_add(struct tape *t, const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+
+    if (!has_room(t))
+        return;
+    board_sound(b, t->tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++, t->n += 2)
+        bytes_put16(t->bytes + t->n, (uint16_t)sound[i]);
+    t->frames += BOARD_SOUND;
+}
+
+/* Two channels of 16 bits. */
+static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
+{
+    memcpy(out, "RIFF....WAVEfmt ", 16);
+    bytes_put32(out + 4, 36 + 4 * frames);
+    bytes_put32(out + 16, 16);
+    bytes_put16(out + 20, 1);
+    bytes_put16(out + 22, 2);
+    bytes_put32(out + 24, WAVE_RATE);
+    bytes_put32(out + 28, 4 * WAVE_RATE);
+    bytes_put16(out + 32, 4);
+    bytes_put16(out + 34, 16);
+    memcpy(out + 36, "data", 4);
+    bytes_put32(out + 40, 4 * frames);
+}
+
+bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
+{
+    if (t->failed)
+        return err_set(err, err_size, "%s: out of memory", path);
+    wave_header(t->bytes, t->frames);
+    return files_save(path, t->bytes, t->n, err, err_size);
+}

@@ -1,0 +1,13 @@
+/*
+ * listen.h - `curtain sound`: the sounds and the music of a game, listed, measured, written.
+ * floor: cab
+ */
+#ifndef CAB_LISTEN_H
+#define CAB_LISTEN_H
+
+#include "args.h"
+#include "host/result.h"
+
+enum result listen_run(const struct args *a);
+
+#endif

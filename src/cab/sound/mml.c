@@ -1,0 +1,413 @@
+/*
+ * mml.c - see mml.h: the lines of a file, macros, echoes. A track's lines are written out with their macros into one
+ * text, each character with its place in the file, so that every message names that.
+ */
+#include "mml_parts.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../base/err.h"
+#include "../../snd/adpcm.h"
+#include "../../snd/pitch.h"
+
+void mml_bad(struct mml *m, uint32_t at, const char *format, ...)
+{
+    int line = 1, column = 1;
+    va_list args;
+
+    for (uint32_t i = 0; i < at && i < m->n; i++, column++)
+        if (m->text[i] == '\n') {
+            line++;
+            column = 0;
+        }
+    int n = snprintf(m->err, m->err_size, "%s:%d:%d: ", m->file, line, column);
+    va_start(args, format);
+    if (n > 0 && (size_t)n < m->err_size)
+        vsnprintf(m->err + n, m->err_size - (size_t)n, format, args);
+    va_end(args);
+    longjmp(m->out, 1);
+}
+
+void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more)
+{
+    if (t->n == t->room) {
+        const uint32_t room = t->room ? 2 * t->room : 256;
+        struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
+        if (bigger == NULL)
+            mml_bad(m, 0, "out of memory");
+        t->events = bigger;
+        t->room = room;
+    }
+    if (++m->events > MML_EVENTS)
+        mml_bad(m, 0, "more than %d notes and settings, loops written out", (int)MML_EVENTS);
+    t->events[t->n] = (struct mml_event){ tick, t->n, (uint8_t)event, (uint16_t)value, (uint16_t)more };
+    t->n++;
+}
+
+/* ---- the lines of the file ---- */
+
+static bool blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* The end of the line at `at`, without a comment. */
+static uint32_t line_end(const struct mml *m, uint32_t at)
+{
+    bool quoted = false;
+
+    for (; at < m->n && m->text[at] != '\n'; at++) {
+        if (m->text[at] == '"')
+            quoted = !quoted;
+        if (m->text[at] == ';' && !quoted)
+            break;
+    }
+    return at;
+}
+
+static uint32_t next_line(const struct mml *m, uint32_t at)
+{
+    while (at < m->n && m->text[at] != '\n')
+        at++;
+    return at + 1;
+}
+
+static uint32_t skip_blanks(const struct mml *m, uint32_t at, uint32_t end)
+{
+    while (at < end && blank(m->text[at]))
+        at++;
+    return at;
+}
+
+/* The name at *at, which moves behind it. */
+static void read_name(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
+{
+    const uint32_t from = *at;
+
+    while (*at < end && mml_name_char(m->text[*at]))
+        ++*at;
+    if (*at == from || *at - from >= MML_NAME)
+        mml_bad(m, from, "expected %s of 1 to %d letters, digits and _", what, MML_NAME - 1);
+    memset(out, 0, MML_NAME);
+    memcpy(out, m->text + from, *at - from);
+}
+
+/* Is the line one of a track: letters A to P, then a blank? A text of one line may have none: it is track A's. */
+static bool track_line(const struct mml *m, uint32_t at, uint32_t end, uint32_t *tracks, uint32_t *body)
+{
+    uint32_t p = at;
+
+    *tracks = 0;
+    while (p < end && m->text[p] >= 'A' && m->text[p] <= 'P')
+        *tracks |= 1u << (m->text[p++] - 'A');
+    *body = p;
+    if (p > at && (p == end || blank(m->text[p])))
+        return true;
+    *tracks = 1;
+    *body = at;
+    return memchr(m->text, '\n', m->n) == NULL && at < end && m->text[at] != '#' && m->text[at] != '!';
+}
+
+static void read_macro(struct mml *m, uint32_t at, uint32_t end)
+{
+    char name[MML_NAME];
+    uint32_t p = at + 1;
+
+    read_name(m, &p, end, name, "a macro's name");
+    for (int i = 0; i < m->n_macros; i++)
+        if (strcmp(m->macros[i].name, name) == 0)
+            mml_bad(m, at, "the macro \"%s\" is there twice", name);
+    if (m->n_macros == MML_NAMES)
+        mml_bad(m, at, "more than %d macros", (int)MML_NAMES);
+    memcpy(m->macros[m->n_macros].name, name, MML_NAME);
+    m->macros[m->n_macros].from = p;
+    m->macros[m->n_macros++].to = end;
+}
+
+static bool is_word(const struct mml *m, uint32_t at, uint32_t end, const char *word)
+{
+    const size_t n = strlen(word);
+
+    return end - at >= n && memcmp(m->text + at, word, n) == 0 && (end - at == n || blank(m->text[at + n]));
+}
+
+static void read_title(struct mml *m, uint32_t at, uint32_t end)
+{
+    while (end > at && blank(m->text[end - 1]))
+        end--;
+    if (end - at >= TUNE_TITLE)
+        mml_bad(m, at, "expected a title of at most %d bytes", TUNE_TITLE - 1);
+    for (uint32_t i = at; i < end; i++)
+        if ((unsigned char)m->text[i] < 32 || m->text[i] == 127)
+            mml_bad(m, i, "a control character in the title");
+    memset(m->title, 0, sizeof m->title);
+    memcpy(m->title, m->text + at, end - at);
+}
+
+/* #echo B=A,8,-3 is done when the tracks are there. */
+static void read_directive(struct mml *m, uint32_t at, uint32_t end)
+{
+    uint32_t p = at + 1;
+
+    if (is_word(m, p, end, "title")) {
+        read_title(m, skip_blanks(m, p + 5, end), end);
+    } else if (is_word(m, p, end, "bar")) {
+        p = skip_blanks(m, p + 3, end);
+        m->bar = (int)(mml_decimal(m, &p, end, "beats a bar", 1000, 16000) / 1000);
+    } else if (!is_word(m, p, end, "echo")) {
+        mml_bad(m, at, "expected #title, #bar or #echo");
+    }
+}
+
+/* Instruments, macros and what stands behind #. */
+static void read_lines(struct mml *m)
+{
+    uint32_t tracks, body;
+
+    for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
+        const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
+        if (first == end || track_line(m, first, end, &tracks, &body))
+            continue;
+        if (m->text[first] == '@')
+            mml_read_inst(m, first, end);
+        else if (m->text[first] == '!')
+            read_macro(m, first, end);
+        else if (m->text[first] == '#')
+            read_directive(m, first, end);
+        else
+            mml_bad(m, first, "expected a track (A to P and a blank), @instrument, !macro, # or ;");
+    }
+}
+
+/* ---- a track written out ---- */
+
+static void put(struct mml *m, char c, uint32_t from)
+{
+    if (m->line.n == MML_WIDE)
+        mml_bad(m, from, "a track longer than %d characters, macros written out", (int)MML_WIDE);
+    m->line.text[m->line.n] = c;
+    m->line.from[m->line.n++] = from;
+}
+
+static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth);
+
+static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
+{
+    char name[MML_NAME];
+    const char *near = NULL;
+    int best = EDIT_FAR;
+    uint32_t p = at + 1;
+
+    read_name(m, &p, end, name, "a macro's name");
+    if (depth == MML_DEPTH)
+        mml_bad(m, at, "more than %d macros one in another (does \"%s\" name itself?)", (int)MML_DEPTH, name);
+    for (int i = 0; i < m->n_macros; i++) {
+        if (strcmp(m->macros[i].name, name) == 0) {
+            write_out(m, m->macros[i].from, m->macros[i].to, depth + 1);
+            return p;
+        }
+        const int d = edit_distance(name, m->macros[i].name);
+        if (d < best) {
+            best = d;
+            near = m->macros[i].name;
+        }
+    }
+    if (near)
+        mml_bad(m, at, "there is no macro \"%s\" (did you mean \"%s\"?)", name, near);
+    mml_bad(m, at, "there is no macro \"%s\"", name);
+}
+
+static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth)
+{
+    bool quoted = false;
+
+    while (at < end) {
+        const char c = m->text[at];
+        if (c == '!' && !quoted) {
+            at = write_macro(m, at, end, depth);
+            continue;
+        }
+        quoted = quoted != (c == '"');
+        put(m, c, at++);
+    }
+    put(m, ' ', end);
+}
+
+static void read_tracks(struct mml *m)
+{
+    uint32_t tracks, body;
+
+    for (int i = 0; i < TUNE_TRACKS; i++) {
+        m->line.n = 0;
+        for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
+            const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
+            if (!track_line(m, first, end, &tracks, &body) || !(tracks >> i & 1))
+                continue;
+            m->tracks[i].used = true;
+            write_out(m, body, end, 0);
+        }
+        if (m->tracks[i].used)
+            mml_read_track(m, &m->tracks[i]);
+    }
+}
+
+/* ---- echoes ---- */
+
+/* A copy of a track, so many ticks later and softer. */
+static void copy_track(struct mml *m, struct mml_track *to, const struct mml_track *from, uint32_t later, int louder)
+{
+    to->used = true;
+    for (uint32_t i = 0; i < from->n; i++) {
+        const struct mml_event *e = &from->events[i];
+        int value = e->value;
+        if (e->event == TUNE_VOLUME) {
+            value += louder * 8;
+            value = value < 0 ? 0 : value > TUNE_LOUD ? TUNE_LOUD : value;
+        }
+        mml_add(m, to, e->tick + later, (enum tune_event)e->event, value, e->more);
+    }
+    to->loop = from->loop < 0 ? -1 : from->loop + later;
+    to->loop_from = from->loop_from;
+    to->end = from->end + later;
+}
+
+static int read_letter(struct mml *m, uint32_t *at, uint32_t end)
+{
+    if (*at >= end || m->text[*at] < 'A' || m->text[*at] > 'P')
+        mml_bad(m, *at, "expected a track, A to P");
+    return m->text[(*at)++] - 'A';
+}
+
+static void expect(struct mml *m, uint32_t *at, uint32_t end, char c)
+{
+    if (*at >= end || m->text[*at] != c)
+        mml_bad(m, *at, "expected #echo B=A,8,-3: track B is track A an 8th later and 3 softer");
+    ++*at;
+}
+
+static void read_echoes(struct mml *m)
+{
+    for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
+        const uint32_t end = line_end(m, at);
+        uint32_t p = skip_blanks(m, at, end);
+        if (p == end || m->text[p] != '#' || !is_word(m, p + 1, end, "echo"))
+            continue;
+        p = skip_blanks(m, p + 5, end);
+        const int to = read_letter(m, &p, end);
+        expect(m, &p, end, '=');
+        const int from = read_letter(m, &p, end);
+        expect(m, &p, end, ',');
+        const int64_t length = mml_decimal(m, &p, end, "a note's length", 1000, 64000) / 1000;
+        expect(m, &p, end, ',');
+        const int64_t louder = mml_decimal(m, &p, end, "how much louder, of 16,", -15000, 15000) / 1000;
+        if (m->tracks[to].used || !m->tracks[from].used || 4 * TUNE_QUARTER % length != 0)
+            mml_bad(m, at,
+                    m->tracks[to].used ? "track %c has notes of its own"
+                                       : "track %c: no notes to echo, or a length "
+                                         "that is no whole number of ticks",
+                    'A' + to);
+        copy_track(m, &m->tracks[to], &m->tracks[from], (uint32_t)(4 * TUNE_QUARTER / length), (int)louder);
+    }
+}
+
+/* ---- all ---- */
+
+static bool any_track(const struct mml *m)
+{
+    for (int i = 0; i < TUNE_TRACKS; i++)
+        if (m->tracks[i].used)
+            return true;
+    return false;
+}
+
+static void compile(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
+{
+    for (uint32_t i = 0; i < m->n; i++)
+        if (m->text[i] == '\0')
+            mml_bad(m, i, "expected text, got a byte 0");
+    read_lines(m);
+    read_tracks(m);
+    read_echoes(m);
+    if (!any_track(m))
+        mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
+    mml_make(m, about, NULL, 0, out, size);
+}
+
+static struct mml *begin(const char *file, char *err, size_t err_size)
+{
+    struct mml *m = calloc(1, sizeof *m);
+
+    if (m == NULL)
+        return NULL;
+    m->file = file;
+    m->err = err;
+    m->err_size = err_size;
+    m->bar = 4;
+    m->conductor.loop = -1;
+    for (int i = 0; i < TUNE_TRACKS; i++)
+        m->tracks[i].loop = -1;
+    m->line.text = malloc(MML_WIDE);
+    m->line.from = malloc(MML_WIDE * sizeof *m->line.from);
+    return m;
+}
+
+static void end(struct mml *m)
+{
+    for (int i = 0; i < TUNE_TRACKS; i++)
+        free(m->tracks[i].events);
+    free(m->conductor.events);
+    free(m->line.text);
+    free(m->line.from);
+    free(m);
+}
+
+bool mml_compile(const char *text, size_t n, const char *file, const struct mml_about *about, uint8_t **out,
+                 size_t *size, char *err, size_t err_size)
+{
+    struct mml *m = begin(file, err, err_size);
+
+    *out = NULL;
+    if (m == NULL || m->line.text == NULL || m->line.from == NULL || n > MML_FILE) {
+        if (m)
+            end(m);
+        return n > MML_FILE ? err_set(err, err_size, "%s: longer than %d bytes", file, MML_FILE)
+                            : err_set(err, err_size, "out of memory");
+    }
+    m->text = text;
+    m->n = n;
+    if (setjmp(m->out) == 0)
+        compile(m, about, out, size);
+    end(m);
+    return *out != NULL;
+}
+
+/* At 6,000 quarter notes in hundredths a tick is 100 samples. */
+enum { RECORDING_TEMPO = 6000, RECORDING_ROOT = 60 };
+
+bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *about, uint8_t **out, size_t *size)
+{
+    const struct sample s = sample_of(sample);
+    char err[64];
+    struct mml *m = begin("", err, sizeof err);
+
+    *out = NULL;
+    if (m == NULL)
+        return false;
+    if (setjmp(m->out) == 0) {
+        const uint64_t ticks = ((uint64_t)s.n * SND_RATE / s.rate * RECORDING_TEMPO + TUNE_TICK - 1) / TUNE_TICK;
+        struct mml_track *t = &m->tracks[0];
+        m->insts[m->n_insts++] =
+            (struct inst){ .kind = INST_SAMPLE, .sustain = 32767, .release = 480, .root = RECORDING_ROOT * PITCH_ONE };
+        t->used = true;
+        mml_add(m, t, 0, TUNE_VOLUME, TUNE_LOUD, 0);
+        mml_add(m, t, 0, TUNE_NOTE, RECORDING_ROOT * 256, 0);
+        t->end = s.loop == SAMPLE_ENDS ? (uint32_t)ticks : MML_TICKS;
+        mml_add(m, &m->conductor, 0, TUNE_TEMPO, RECORDING_TEMPO, 0);
+        mml_make(m, about, sample, n, out, size);
+    }
+    end(m);
+    return *out != NULL;
+}

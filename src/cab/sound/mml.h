@@ -1,0 +1,28 @@
+/*
+ * mml.h - music and sounds as their author writes them, compiled to a tune (tune.h). docs/sound.md has the language.
+ * floor: cab
+ */
+#ifndef CAB_MML_H
+#define CAB_MML_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { MML_FILE = 1 << 20 /* bytes */ };
+
+/* What rom.lua says of it. */
+struct mml_about {
+    int volume, priority, limit; /* of 255 */
+    const char *title;           /* "": what the text says */
+};
+
+/* Compiles the n bytes; file is their name for messages. *out (free it) is a tune that tune_open takes. False and one
+ * sentence, "music/tide.mml:12:7: ..." */
+bool mml_compile(const char *text, size_t n, const char *file, const struct mml_about *about, uint8_t **out,
+                 size_t *size, char *err, size_t err_size);
+
+/* A tune that plays a recording once: the bytes of a sample (adpcm.h). */
+bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *about, uint8_t **out, size_t *size);
+
+#endif

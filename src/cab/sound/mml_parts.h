@@ -1,0 +1,102 @@
+/*
+ * mml_parts.h - what the files of the MML compiler share: mml.c (lines, macros), mml_inst.c (instruments), mml_track.c
+ * (a track's commands), mml_tune.c (the bytes).
+ * floor: cab
+ */
+#ifndef CAB_MML_PARTS_H
+#define CAB_MML_PARTS_H
+
+#include <setjmp.h>
+#include "../../snd/tune.h"
+#include "mml.h"
+
+enum {
+    MML_NAME = 32,
+    MML_NAMES = 128,      /* instruments of the text, and so many macros */
+    MML_WIDE = 1 << 20,   /* characters of a track, macros written out */
+    MML_EVENTS = 1 << 18, /* of all tracks */
+    MML_TICKS = 480 * 4 * 4096,
+    MML_DEPTH = 8 /* of macros in macros, of loops in loops */
+};
+
+struct mml_event {
+    uint32_t tick;
+    uint32_t order; /* in which it was written */
+    uint8_t event;
+    uint16_t value, more;
+};
+
+/* A track's text: macros written out, each character with its place in the file. */
+struct mml_line {
+    char *text;     /* malloc; MML_WIDE */
+    uint32_t *from; /* malloc */
+    uint32_t n;
+};
+
+struct mml_track {
+    bool used;
+    struct mml_event *events; /* malloc */
+    uint32_t n, room;
+    int64_t loop; /* tick; -1: none */
+    uint32_t loop_from, end;
+};
+
+struct mml {
+    const char *text;
+    size_t n;
+    const char *file;
+    char *err;
+    size_t err_size;
+    jmp_buf out; /* to where an error leaves */
+    struct {
+        char name[MML_NAME];
+        struct inst inst;
+    } named[MML_NAMES];
+    struct {
+        char name[MML_NAME];
+        uint32_t from, to;
+    } macros[MML_NAMES];
+    int n_named, n_macros;
+    struct inst insts[TUNE_INSTS]; /* that notes use */
+    int n_insts;
+    char marks[TUNE_MARKS][TUNE_NAME];
+    int n_marks;
+    char title[TUNE_TITLE];
+    int bar;
+    struct mml_line line;
+    struct mml_track tracks[TUNE_TRACKS], conductor;
+    uint32_t events;
+};
+
+/* Ends the compiling with a sentence about the place `at` of the file. */
+_Noreturn void mml_bad(struct mml *m, uint32_t at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+static inline bool mml_name_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/* The instrument of that name, declared or built in; false: there is none. */
+bool mml_find_inst(const struct mml *m, const char *name, struct inst *out);
+
+/* Reads what stands behind @name in a line of its own, [at, end) of the file. */
+void mml_read_inst(struct mml *m, uint32_t at, uint32_t end);
+
+/* A number with three decimals at *at, below end, in thousandths; *at moves behind it. */
+int64_t mml_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi);
+
+/* Milliseconds in thousandths to samples; a step of so many thousandths of a hertz in 2^-32 turns a sample. */
+uint32_t mml_samples(int64_t thousandths);
+uint32_t mml_hertz(int64_t thousandths);
+
+/* Adds an event. */
+void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more);
+
+/* Reads m->line into a track. */
+void mml_read_track(struct mml *m, struct mml_track *t);
+
+/* The tune of what was read. */
+void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
+              size_t *size);
+
+#endif

@@ -1,0 +1,653 @@
+/*
+ * mml_track.c - the commands of a track, read from its written-out text. Loops are played out here: the board reads
+ * events one after the other, and knows no loop but the endless one.
+ */
+#include "mml_parts.h"
+
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../snd/pitch.h"
+
+enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7 };
+
+struct loop {
+    uint32_t begin, end, exit; /* end: behind ]n, 0: not known yet */
+    int left;                  /* passes, with this one; 0: the first pass */
+};
+
+struct reader {
+    struct mml *m;
+    struct mml_track *t;
+    uint32_t p; /* in m->line */
+    uint32_t tick;
+    struct inst inst; /* that was chosen */
+    int inst_now;     /* that the track plays, -1: none yet */
+    int octave, transpose, volume, pan;
+    int detune; /* 256ths of a semitone */
+    int accidental[KEYS];
+    uint32_t length;
+    int gate;     /* eighths */
+    uint32_t cut; /* ticks */
+    int last;     /* pitch, -1: no note yet */
+    bool slurred; /* the note before goes on */
+    struct loop loops[MML_DEPTH];
+    int depth;
+    uint32_t group_total, group_n, group_k; /* of {{ }}; n 0: none */
+};
+
+/* ---- characters ---- */
+
+static char peek(const struct reader *r)
+{
+    return r->p < r->m->line.n ? r->m->line.text[r->p] : '\0';
+}
+
+static char peek_at(const struct reader *r, uint32_t k)
+{
+    return r->p + k < r->m->line.n ? r->m->line.text[r->p + k] : '\0';
+}
+
+static uint32_t place(const struct reader *r, uint32_t p)
+{
+    const struct mml_line *l = &r->m->line;
+
+    return l->n == 0 ? 0 : l->from[p < l->n ? p : l->n - 1];
+}
+
+#define BAD(r, at, ...) mml_bad((r)->m, place(r, at), __VA_ARGS__)
+
+static void skip(struct reader *r)
+{
+    while (peek(r) == ' ' || peek(r) == '\t' || peek(r) == '\r' || peek(r) == '|')
+        r->p++;
+}
+
+static bool digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* A whole number, with + or - before it where lo is below 0. */
+static int number(struct reader *r, const char *what, int lo, int hi)
+{
+    const uint32_t from = r->p;
+    const bool minus = lo < 0 && peek(r) == '-';
+    int64_t v = 0;
+
+    if (minus || (lo < 0 && peek(r) == '+'))
+        r->p++;
+    if (!digit(peek(r)))
+        BAD(r, from, "expected %s, a number from %d to %d", what, lo, hi);
+    while (digit(peek(r))) {
+        v = v > 1000000 ? v : v * 10 + (peek(r) - '0');
+        r->p++;
+    }
+    v = minus ? -v : v;
+    if (v < lo || v > hi)
+        BAD(r, from, "expected %s, a number from %d to %d, got %lld", what, lo, hi, (long long)v);
+    return (int)v;
+}
+
+/* A number with decimals, in hundredths. */
+static int hundredths(struct reader *r, const char *what, int lo, int hi)
+{
+    const uint32_t from = r->p;
+    int v = number(r, what, 0, hi / 100) * 100;
+
+    if (peek(r) == '.') {
+        r->p++;
+        for (int unit = 10; digit(peek(r)); unit /= 10, r->p++)
+            v += (peek(r) - '0') * unit;
+    }
+    if (v < lo || v > hi)
+        BAD(r, from, "expected %s from %g to %g", what, lo / 100.0, hi / 100.0);
+    return v;
+}
+
+/* ---- lengths ---- */
+
+/* 4, 4., %120, or nothing: the usual one. */
+static uint32_t one_length(struct reader *r)
+{
+    const uint32_t from = r->p;
+    uint32_t ticks = r->length;
+
+    if (peek(r) == '%') {
+        r->p++;
+        ticks = (uint32_t)number(r, "ticks", 1, MML_TICKS);
+    } else if (digit(peek(r))) {
+        const int n = number(r, "a length", 1, WHOLE);
+        if (WHOLE % n != 0)
+            BAD(r, from, "a length of 1/%d is no whole number of ticks (%d a whole note); {{ }} divides by any number",
+                n, WHOLE);
+        ticks = WHOLE / (uint32_t)n;
+    }
+    for (uint32_t dot = ticks; peek(r) == '.'; r->p++) {
+        if (dot % 2 != 0)
+            BAD(r, r->p, "no dot: half of %u ticks is no whole number", (unsigned)dot);
+        dot /= 2;
+        ticks += dot;
+    }
+    return ticks;
+}
+
+/* With ties: 4^8 and 4&8. */
+static uint32_t length(struct reader *r)
+{
+    uint32_t ticks = one_length(r);
+
+    while (peek(r) == '^' || (peek(r) == '&' && (digit(peek_at(r, 1)) || peek_at(r, 1) == '%'))) {
+        r->p++;
+        ticks += one_length(r);
+    }
+    return ticks;
+}
+
+static void advance(struct reader *r, uint32_t ticks, uint32_t from)
+{
+    r->tick += ticks;
+    if (r->tick > MML_TICKS)
+        BAD(r, from, "longer than %d whole notes", MML_TICKS / WHOLE);
+}
+
+/* The length of what has just been read; in {{ }} its share. */
+static uint32_t lasting(struct reader *r, uint32_t from)
+{
+    if (r->group_n == 0)
+        return length(r);
+    if (digit(peek(r)) || peek(r) == '%' || peek(r) == '.' || peek(r) == '^')
+        BAD(r, from, "a note of {{ }} has no length of its own");
+    const uint32_t k = r->group_k++;
+    return r->group_total * (k + 1) / r->group_n - r->group_total * k / r->group_n;
+}
+
+/* ---- notes ---- */
+
+static void event(struct reader *r, uint32_t tick, enum tune_event e, int value, int more)
+{
+    mml_add(r->m, r->t, tick, e, value, more);
+}
+
+/* The track plays the instrument that was chosen. */
+static void use_inst(struct reader *r, uint32_t from)
+{
+    struct mml *m = r->m;
+    int i = 0;
+
+    while (i < m->n_insts && memcmp(&m->insts[i], &r->inst, sizeof r->inst) != 0)
+        i++;
+    if (i == TUNE_INSTS)
+        BAD(r, from, "more than %d instruments; each vibrato and envelope makes one of its own", (int)TUNE_INSTS);
+    if (i == m->n_insts)
+        m->insts[m->n_insts++] = r->inst;
+    if (i != r->inst_now)
+        event(r, r->tick, TUNE_INST, i, 0);
+    r->inst_now = i;
+}
+
+/* The pitch of the note at p, in 256ths; p moves behind its signs. */
+static int pitch(struct reader *r)
+{
+    static const int semitones[KEYS] = { 9, 11, 0, 2, 4, 5, 7 }; /* a to g */
+    const uint32_t from = r->p;
+    const int key = peek(r) - 'a';
+    int v = semitones[key] + r->accidental[key];
+
+    for (r->p++;; r->p++) {
+        if (peek(r) == '+' || peek(r) == '#')
+            v++;
+        else if (peek(r) == '-')
+            v--;
+        else if (peek(r) == '=')
+            v = semitones[key];
+        else
+            break;
+    }
+    v = (12 * (r->octave + 1) + v + r->transpose) * 256 + r->detune;
+    if (v < 0 || v > PITCH_MOST / 256)
+        BAD(r, from, "the note is too %s", v < 0 ? "low" : "high");
+    return v;
+}
+
+static bool slurs_on(struct reader *r)
+{
+    skip(r);
+    if (peek(r) != '&')
+        return false;
+    r->p++;
+    return true;
+}
+
+/* When a note of so many ticks is let go. */
+static uint32_t gated(const struct reader *r, uint32_t ticks)
+{
+    uint32_t n = ticks * (uint32_t)r->gate / 8;
+
+    n = n > r->cut ? n - r->cut : 1;
+    return n < ticks ? n : ticks;
+}
+
+/* A note of that pitch; to: where it slides after `delay` ticks, or -1. */
+static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay, uint32_t from)
+{
+    const bool slur = r->slurred;
+
+    use_inst(r, from);
+    event(r, r->tick, slur ? TUNE_SLUR : TUNE_NOTE, v, 0);
+    if (to >= 0)
+        event(r, r->tick + delay, TUNE_GLIDE, to, (int)(ticks - delay > 65535 ? 65535 : ticks - delay));
+    r->slurred = slurs_on(r);
+    if (!r->slurred)
+        event(r, r->tick + gated(r, ticks), TUNE_OFF, 0, 0);
+    r->last = v;
+    advance(r, ticks, from);
+}
+
+static void note(struct reader *r)
+{
+    const uint32_t from = r->p;
+    const int v = pitch(r);
+
+    play(r, v, lasting(r, from), -1, 0, from);
+}
+
+static void again(struct reader *r)
+{
+    const uint32_t from = r->p++;
+
+    if (r->last < 0)
+        BAD(r, from, "x repeats the note before, and there is none");
+    play(r, r->last, lasting(r, from), -1, 0, from);
+}
+
+static void rest(struct reader *r)
+{
+    const uint32_t from = r->p++, ticks = lasting(r, from);
+
+    if (r->slurred)
+        event(r, r->tick, TUNE_OFF, 0, 0);
+    r->slurred = false;
+    advance(r, ticks, from);
+}
+
+static void step_octave(struct reader *r, int by)
+{
+    r->octave += by;
+    if (r->octave < -1 || r->octave > 9)
+        BAD(r, r->p, "the octave is too %s", by < 0 ? "low" : "high");
+}
+
+static bool is_note(char c)
+{
+    return c >= 'a' && c <= 'g';
+}
+
+/* {c>g}4,8: c slides to g within a quarter, after an eighth. */
+static void slide(struct reader *r)
+{
+    const uint32_t from = r->p++;
+    int v[2], n = 0;
+
+    for (skip(r); peek(r) != '}'; skip(r)) {
+        if (is_note(peek(r)) && n < 2)
+            v[n++] = pitch(r);
+        else if (peek(r) == '>' || peek(r) == '<')
+            step_octave(r, r->m->line.text[r->p++] == '>' ? 1 : -1);
+        else if (peek(r) == 'o')
+            r->p++, r->octave = number(r, "an octave", 0, 9);
+        else
+            BAD(r, from, "expected { and two notes }, as {c>g}4");
+    }
+    r->p++;
+    if (n < 2)
+        BAD(r, from, "expected { and two notes }, as {c>g}4");
+    const uint32_t ticks = length(r);
+    uint32_t delay = 0;
+    if (peek(r) == ',') {
+        r->p++;
+        delay = one_length(r);
+        if (delay >= ticks)
+            BAD(r, from, "it slides when the note is over");
+    }
+    play(r, v[0], ticks, v[1], delay, from);
+    r->last = v[1];
+}
+
+/* {{ceg}}4: the notes share the length. */
+static void group(struct reader *r)
+{
+    const uint32_t from = r->p;
+    uint32_t n = 0;
+
+    if (r->group_n)
+        BAD(r, from, "{{ within {{");
+    for (r->p += 2; peek(r) && !(peek(r) == '}' && peek_at(r, 1) == '}'); r->p++) {
+        if (peek(r) == '[' || peek(r) == '{' || peek(r) == '"' || peek(r) == '@')
+            BAD(r, r->p, "{{ }} has notes, rests and octaves alone");
+        n += is_note(peek(r)) || peek(r) == 'r' || peek(r) == 'x';
+    }
+    if (!peek(r) || n == 0)
+        BAD(r, from, n ? "{{ without }}" : "{{ }} without a note");
+    r->p += 2;
+    r->group_total = length(r);
+    if (r->group_total < n)
+        BAD(r, from, "%u notes in %u ticks", (unsigned)n, (unsigned)r->group_total);
+    r->group_n = n;
+    r->group_k = 0;
+    r->p = from + 2;
+}
+
+static void end_group(struct reader *r)
+{
+    if (r->group_n == 0)
+        BAD(r, r->p, "} without {");
+    r->p += 2;
+    r->group_n = 0;
+    length(r);
+}
+
+/* ---- loops ---- */
+
+static void begin_loop(struct reader *r)
+{
+    if (r->depth == MML_DEPTH)
+        BAD(r, r->p, "more than %d loops one in another", (int)MML_DEPTH);
+    r->p++;
+    r->loops[r->depth++] = (struct loop){ r->p, 0, 0, 0 };
+}
+
+static void end_loop(struct reader *r)
+{
+    const uint32_t from = r->p++;
+
+    if (r->depth == 0)
+        BAD(r, from, "] without [");
+    struct loop *l = &r->loops[r->depth - 1];
+    const int n = digit(peek(r)) ? number(r, "how often", 2, 255) : 2;
+    if (l->left == 0)
+        l->left = n;
+    l->end = r->p;
+    if (--l->left > 0)
+        r->p = l->begin;
+    else
+        r->depth--;
+}
+
+static void leave_loop(struct reader *r)
+{
+    const uint32_t from = r->p++;
+
+    if (r->depth == 0)
+        BAD(r, from, "/ without [");
+    const struct loop *l = &r->loops[r->depth - 1];
+    if (l->left == 1) {
+        r->p = l->end;
+        r->depth--;
+    }
+}
+
+/* It begins as it is now, each time. */
+static void endless(struct reader *r)
+{
+    if (r->t->loop >= 0)
+        BAD(r, r->p, "L stands here already");
+    if (r->depth > 0)
+        BAD(r, r->p, "L within [ ]");
+    if (r->slurred)
+        BAD(r, r->p, "L within a slur");
+    r->t->loop = r->tick;
+    r->t->loop_from = place(r, r->p);
+    r->p++;
+    if (r->inst_now >= 0)
+        event(r, r->tick, TUNE_INST, r->inst_now, 0);
+    event(r, r->tick, TUNE_VOLUME, r->volume, 0);
+    event(r, r->tick, TUNE_PLACE, r->pan, 0);
+}
+
+/* ---- settings ---- */
+
+static void set_volume(struct reader *r, int v)
+{
+    r->volume = v < 0 ? 0 : v > TUNE_LOUD ? TUNE_LOUD : v;
+    event(r, r->tick, TUNE_VOLUME, r->volume, 0);
+}
+
+static void step_volume(struct reader *r, int by)
+{
+    r->p++;
+    set_volume(r, r->volume + by * (digit(peek(r)) ? number(r, "steps", 1, TUNE_LOUD) : 8));
+}
+
+static void set_pan(struct reader *r)
+{
+    r->p++;
+    r->pan = number(r, "a place (0 left, 64 the middle, 128 right)", 0, 2 * TUNE_PAN);
+    event(r, r->tick, TUNE_PLACE, r->pan, 0);
+}
+
+static void set_tempo(struct reader *r)
+{
+    r->p++;
+    mml_add(r->m, &r->m->conductor, r->tick, TUNE_TEMPO,
+            hundredths(r, "quarter notes a minute", TEMPO_LEAST, TEMPO_MOST), 0);
+}
+
+static void set_inst(struct reader *r)
+{
+    const uint32_t from = r->p++;
+    char name[MML_NAME] = "";
+    const char *near = NULL;
+    int n = 0, best = EDIT_FAR;
+
+    for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
+        name[n++] = peek(r);
+    if (mml_find_inst(r->m, name, &r->inst))
+        return;
+    for (int i = 0; i < r->m->n_named; i++)
+        if (edit_distance(name, r->m->named[i].name) < best) {
+            best = edit_distance(name, r->m->named[i].name);
+            near = r->m->named[i].name;
+        }
+    if (near)
+        BAD(r, from, "there is no instrument \"%s\" (did you mean \"%s\"?)", name, near);
+    BAD(r, from, "there is no instrument \"%s\"", name);
+}
+
+static void comma(struct reader *r, const char *expected)
+{
+    if (peek(r) != ',')
+        BAD(r, r->p, "expected %s", expected);
+    r->p++;
+}
+
+/* Eattack,decay,sustain,release: milliseconds, milliseconds, percent, milliseconds. */
+static void set_envelope(struct reader *r)
+{
+    static const char form[] = "E attack,decay,sustain,release: milliseconds, and percent for sustain";
+
+    r->p++;
+    r->inst.attack = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    comma(r, form);
+    r->inst.decay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    comma(r, form);
+    r->inst.sustain = (uint16_t)(number(r, form, 0, 100) * 32767 / 100);
+    comma(r, form);
+    r->inst.release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+}
+
+/* Mcents,hertz,milliseconds; M0: none. */
+static void set_vibrato(struct reader *r)
+{
+    static const char form[] = "M cents,hertz,milliseconds of delay";
+
+    r->p++;
+    r->inst.vibrato = (uint16_t)(number(r, form, 0, 2400) * 256 / 100);
+    r->inst.vibrato_step = r->inst.vibrato_delay = 0;
+    if (r->inst.vibrato == 0)
+        return;
+    comma(r, form);
+    r->inst.vibrato_step = mml_hertz(10 * (int64_t)hundredths(r, form, 1, 2500));
+    comma(r, form);
+    r->inst.vibrato_delay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+}
+
+/* _{+fc}: from now on f and c are sharp; _{=}: as written. */
+static void set_key(struct reader *r)
+{
+    const uint32_t from = r->p;
+    int by = 0;
+
+    if (peek_at(r, 1) != '{')
+        BAD(r, from, "expected _{+fc}, a key's sharps, or _{-be}, its flats");
+    for (r->p += 2; peek(r) != '}'; r->p++) {
+        const char c = peek(r);
+        if (c == '+' || c == '-')
+            by = c == '+' ? 1 : -1;
+        else if (c == '=')
+            memset(r->accidental, 0, sizeof r->accidental);
+        else if (is_note(c) && by)
+            r->accidental[c - 'a'] = by;
+        else
+            BAD(r, from, "expected _{+fc}, a key's sharps, or _{-be}, its flats");
+    }
+    r->p++;
+}
+
+static void set_mark(struct reader *r)
+{
+    struct mml *m = r->m;
+    const uint32_t from = r->p++;
+    char name[TUNE_NAME] = "";
+    int n = 0, i = 0;
+
+    for (; peek(r) && peek(r) != '"'; r->p++) {
+        if (n == TUNE_NAME - 1 || (unsigned char)peek(r) < 32)
+            BAD(r, from, "expected a marker's name of at most %d characters in \" \"", TUNE_NAME - 1);
+        name[n++] = peek(r);
+    }
+    if (!peek(r) || n == 0)
+        BAD(r, from, n ? "\" without an end" : "a marker without a name");
+    r->p++;
+    while (i < m->n_marks && strcmp(m->marks[i], name) != 0)
+        i++;
+    if (i == TUNE_MARKS)
+        BAD(r, from, "more than %d markers", (int)TUNE_MARKS);
+    if (i == m->n_marks)
+        memcpy(m->marks[m->n_marks++], name, TUNE_NAME);
+    mml_add(m, &m->conductor, r->tick, TUNE_MARK, i, 0);
+}
+
+/* Commands that set a number. */
+static bool read_number(struct reader *r)
+{
+    switch (peek(r)) {
+    case 'o':
+        return r->p++, r->octave = number(r, "an octave", 0, 9), true;
+    case 'v':
+        return r->p++, set_volume(r, number(r, "a volume", 0, 15) * TUNE_LOUD / 15), true;
+    case 'V':
+        return r->p++, set_volume(r, number(r, "a volume", 0, TUNE_LOUD)), true;
+    case 'Q':
+        return r->p++, r->gate = number(r, "eighths of a note", 1, 8), true;
+    case 'q':
+        return r->p++, r->cut = (uint32_t)number(r, "ticks off a note's end", 0, WHOLE), true;
+    case 'D':
+        return r->p++, r->detune = number(r, "cents", -1200, 1200) * 256 / 100, true;
+    case 'K':
+        return r->p++, r->transpose = number(r, "semitones", -48, 48), true;
+    case 'l':
+        return r->p++, r->length = one_length(r), true;
+    case 'p':
+        return set_pan(r), true;
+    case 't':
+        return set_tempo(r), true;
+    case 'E':
+        return set_envelope(r), true;
+    case 'M':
+        return set_vibrato(r), true;
+    default:
+        return false;
+    }
+}
+
+static void command(struct reader *r)
+{
+    if (is_note(peek(r))) {
+        note(r);
+        return;
+    }
+    if (read_number(r))
+        return;
+    switch (peek(r)) {
+    case 'r':
+        rest(r);
+        break;
+    case 'x':
+        again(r);
+        break;
+    case '>':
+    case '<':
+        step_octave(r, r->m->line.text[r->p++] == '>' ? 1 : -1);
+        break;
+    case '(':
+    case ')':
+        step_volume(r, peek(r) == ')' ? 1 : -1);
+        break;
+    case '[':
+        begin_loop(r);
+        break;
+    case ']':
+        end_loop(r);
+        break;
+    case '/':
+        leave_loop(r);
+        break;
+    case '{':
+        peek_at(r, 1) == '{' ? group(r) : slide(r);
+        break;
+    case '}':
+        end_group(r);
+        break;
+    case 'L':
+        endless(r);
+        break;
+    case '@':
+        set_inst(r);
+        break;
+    case '_':
+        set_key(r);
+        break;
+    case '"':
+        set_mark(r);
+        break;
+    default:
+        BAD(r, r->p, "unknown command \"%c\"", (unsigned char)peek(r) < 127 && peek(r) >= 32 ? peek(r) : '?');
+    }
+}
+
+void mml_read_track(struct mml *m, struct mml_track *t)
+{
+    struct reader r = { .m = m,
+                        .t = t,
+                        .inst_now = -1,
+                        .octave = 4,
+                        .volume = 100,
+                        .pan = TUNE_PAN,
+                        .length = TUNE_QUARTER,
+                        .gate = 8,
+                        .last = -1 };
+
+    mml_find_inst(m, "pulse", &r.inst);
+    event(&r, 0, TUNE_VOLUME, r.volume, 0);
+    for (skip(&r); r.p < m->line.n; skip(&r))
+        command(&r);
+    if (r.depth > 0)
+        BAD(&r, r.loops[r.depth - 1].begin - 1, "[ without ]");
+    if (r.group_n)
+        BAD(&r, r.p, "{{ without }}");
+    if (r.slurred)
+        event(&r, r.tick, TUNE_OFF, 0, 0);
+    t->end = r.tick;
+    if (t->loop >= 0 && t->end == t->loop)
+        mml_bad(m, t->loop_from, "nothing to repeat behind L");
+}

@@ -1,0 +1,232 @@
+/*
+ * mml_tune.c - the bytes of a tune. Events are sorted by time, as they were written where times are equal.
+ */
+#include "mml_parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+
+struct bytes {
+    struct mml *m;
+    uint8_t *p; /* malloc */
+    size_t n, room;
+};
+
+static void add_byte(struct bytes *b, uint8_t v)
+{
+    if (b->n == b->room) {
+        const size_t room = b->room ? 2 * b->room : 4096;
+        uint8_t *more = realloc(b->p, room);
+        if (more == NULL || b->n > TUNE_MOST - 64) {
+            free(more ? more : b->p);
+            mml_bad(b->m, 0, "longer than %d bytes, loops written out", (int)TUNE_MOST);
+        }
+        b->p = more;
+        b->room = room;
+    }
+    b->p[b->n++] = v;
+}
+
+static void add_bytes(struct bytes *b, const void *p, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        add_byte(b, ((const uint8_t *)p)[i]);
+}
+
+static void add_zeros(struct bytes *b, size_t n)
+{
+    while (n-- > 0)
+        add_byte(b, 0);
+}
+
+static void add_ticks(struct bytes *b, uint32_t v)
+{
+    for (; v > 127; v >>= 7)
+        add_byte(b, (uint8_t)(v | 128));
+    add_byte(b, (uint8_t)v);
+}
+
+static int by_tick(const void *a, const void *b)
+{
+    const struct mml_event *x = a, *y = b;
+
+    if (x->tick != y->tick)
+        return x->tick < y->tick ? -1 : 1;
+    return x->order < y->order ? -1 : x->order > y->order;
+}
+
+static void add_event(struct bytes *b, const struct mml_event *e)
+{
+    const uint8_t value[4] = { (uint8_t)e->value, (uint8_t)(e->value >> 8), (uint8_t)e->more, (uint8_t)(e->more >> 8) };
+    const int n = e->event == TUNE_GLIDE                                                     ? 4
+                  : e->event == TUNE_NOTE || e->event == TUNE_SLUR || e->event == TUNE_TEMPO ? 2
+                  : e->event == TUNE_OFF || e->event == TUNE_END                             ? 0
+                                                                                             : 1;
+    add_byte(b, e->event);
+    add_bytes(b, value, (size_t)n);
+}
+
+/* The tempo in force at a tick. */
+static int tempo_at(const struct mml_track *c, uint32_t tick)
+{
+    int tempo = 12000;
+
+    for (uint32_t i = 0; i < c->n && c->events[i].tick <= tick; i++)
+        if (c->events[i].event == TUNE_TEMPO)
+            tempo = c->events[i].value;
+    return tempo;
+}
+
+/* The first event of the loop, by its order: a note that was let go just there was let go before it. */
+static uint32_t loop_order(const struct mml_track *t)
+{
+    uint32_t order = UINT32_MAX;
+
+    for (uint32_t i = 0; t->loop >= 0 && i < t->n; i++)
+        if (t->events[i].tick >= (uint64_t)t->loop && t->events[i].event != TUNE_OFF && t->events[i].order < order)
+            order = t->events[i].order;
+    return order;
+}
+
+/* Just before the loop begins stands an event that changes nothing, so that what follows counts from there. */
+static uint32_t begin_loop(struct bytes *b, const struct mml_track *t, uint32_t now)
+{
+    const uint32_t tick = (uint32_t)t->loop;
+    const struct mml_event off = { .event = TUNE_OFF },
+                           tempo = { .event = TUNE_TEMPO, .value = (uint16_t)tempo_at(&b->m->conductor, tick) };
+
+    add_ticks(b, tick - now);
+    add_event(b, t == &b->m->conductor ? &tempo : &off);
+    return (uint32_t)b->n;
+}
+
+/* Writes a track; returns where its loop begins, 0: it has none. */
+static uint32_t add_track(struct bytes *b, struct mml_track *t)
+{
+    const uint32_t first = loop_order(t);
+    uint32_t now = 0, loop = 0;
+
+    if (t->n > 0)
+        qsort(t->events, t->n, sizeof *t->events, by_tick);
+    for (uint32_t i = 0; i < t->n && t->events[i].tick <= t->end; i++) {
+        const struct mml_event *e = &t->events[i];
+        const bool inside =
+            t->loop >= 0 && (e->tick > (uint64_t)t->loop || (e->tick == (uint64_t)t->loop && e->order >= first));
+        if (inside && !loop) {
+            loop = begin_loop(b, t, now);
+            now = (uint32_t)t->loop;
+        }
+        add_ticks(b, e->tick - now);
+        add_event(b, e);
+        now = e->tick;
+    }
+    add_ticks(b, t->end - now);
+    add_byte(b, TUNE_END);
+    return loop;
+}
+
+/* Loops of all tracks are equally long: the conductor's is that of the first. */
+static void check_loops(struct mml *m)
+{
+    int first = -1;
+
+    for (int i = 0; i < TUNE_TRACKS; i++) {
+        const struct mml_track *t = &m->tracks[i];
+        if (!t->used || t->loop < 0)
+            continue;
+        if (first < 0)
+            first = i;
+        const struct mml_track *f = &m->tracks[first];
+        if (t->end - t->loop != f->end - f->loop)
+            mml_bad(m, t->loop_from, "track %c repeats %u ticks, track %c %u (%d a quarter note): they would part",
+                    'A' + i, (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop),
+                    (int)TUNE_QUARTER);
+    }
+    if (first >= 0) {
+        m->conductor.loop = m->tracks[first].loop;
+        m->conductor.end = m->tracks[first].end;
+        return;
+    }
+    for (int i = 0; i < TUNE_TRACKS; i++)
+        if (m->tracks[i].used && m->tracks[i].end > m->conductor.end)
+            m->conductor.end = m->tracks[i].end;
+}
+
+static void prepare_conductor(struct mml *m)
+{
+    struct mml_track *c = &m->conductor;
+
+    if (c->n > 0)
+        qsort(c->events, c->n, sizeof *c->events, by_tick);
+    for (uint32_t i = 0; i < c->n; i++)
+        c->events[i].order = i;
+    if (c->loop >= 0)
+        mml_add(m, c, (uint32_t)c->loop, TUNE_TEMPO, tempo_at(c, (uint32_t)c->loop), 0);
+    else if (c->n == 0)
+        mml_add(m, c, 0, TUNE_TEMPO, tempo_at(c, 0), 0);
+}
+
+static void put_place(struct bytes *b, int k, size_t at, uint32_t loop)
+{
+    bytes_put32(b->p + TUNE_HEADER + TUNE_TITLE + 8 * (size_t)k, (uint32_t)at);
+    bytes_put32(b->p + TUNE_HEADER + TUNE_TITLE + 8 * (size_t)k + 4, loop);
+}
+
+static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
+{
+    struct mml *m = b->m;
+    uint8_t head[TUNE_HEADER] = { TUNE_FORMAT,           (uint8_t)about->volume, (uint8_t)about->priority,
+                                  (uint8_t)about->limit, (uint8_t)m->bar,        (uint8_t)tracks,
+                                  (uint8_t)m->n_insts,   (uint8_t)m->n_marks };
+    char title[TUNE_TITLE] = "";
+
+    bytes_put32(head + 8, (uint32_t)tempo_at(&m->conductor, 0));
+    memcpy(title, about->title && about->title[0] ? about->title : m->title,
+           about->title && about->title[0] ? strlen(about->title) : sizeof title);
+    add_bytes(b, head, sizeof head);
+    add_bytes(b, title, sizeof title);
+    add_zeros(b, 8 * ((size_t)tracks + 1));
+    for (int i = 0; i < m->n_insts; i++) {
+        uint8_t inst[INST_BYTES];
+        inst_write(inst, &m->insts[i]);
+        add_bytes(b, inst, sizeof inst);
+    }
+    add_bytes(b, m->marks, (size_t)m->n_marks * TUNE_NAME);
+}
+
+void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
+              size_t *size)
+{
+    struct bytes b = { m, NULL, 0, 0 };
+    int last = TUNE_TRACKS - 1;
+    uint32_t sample_at = 0;
+
+    while (!m->tracks[last].used)
+        last--;
+    check_loops(m);
+    prepare_conductor(m);
+    add_head(&b, about, last + 1);
+    for (int k = 0; k <= last + 1; k++) {
+        struct mml_track *t = k == 0 ? &m->conductor : &m->tracks[k - 1];
+        const size_t at = b.n;
+        const uint32_t loop = add_track(&b, t);
+        put_place(&b, k, at, loop);
+    }
+    add_zeros(&b, 8 + (0 - b.n) % 4);
+    if (sample) {
+        sample_at = (uint32_t)b.n;
+        uint8_t *more = realloc(b.p, b.n + sample_size);
+        if (more == NULL) {
+            free(b.p);
+            mml_bad(m, 0, "out of memory");
+        }
+        b.p = more;
+        memcpy(b.p + b.n, sample, sample_size);
+        b.n += sample_size;
+    }
+    bytes_put32(b.p + 12, sample_at);
+    bytes_put32(b.p + 16, (uint32_t)b.n);
+    *out = b.p;
+    *size = b.n;
+}

@@ -1,0 +1,268 @@
+/*
+ * seq.c - see seq.h. A frame in which the conductor changes the tempo is played in parts, so that every track changes
+ * with it, exactly there.
+ */
+#include "seq.h"
+
+#include <string.h>
+
+#define FOLLOWS "follows from tune and pos"
+static const struct column seq_columns[] = {
+    REGISTER(seq, tune),        REGISTER(seq, next),         REGISTER(seq, fade),         REGISTER(seq, fade_over),
+    REGISTER(seq, mark),        REGISTER(seq, marks),        REGISTER(seq, tempo),        REGISTER(seq, pos),
+    DERIVED(seq, at, FOLLOWS),  DERIVED(seq, left, FOLLOWS), DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
+    DERIVED(seq, pan, FOLLOWS),
+};
+static const struct column cues_columns[] = {
+    COLUMN(cues, tune), COLUMN(cues, born),  COLUMN(cues, track),  COLUMN(cues, at),
+    COLUMN(cues, left), COLUMN(cues, inst),  COLUMN(cues, volume), COLUMN(cues, pan),
+    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),
+};
+
+const struct chip seq_chip = { "music", seq_columns, sizeof seq_columns / sizeof *seq_columns, true, false };
+const struct chip cues_chip = { "cues", cues_columns, sizeof cues_columns / sizeof *cues_columns, true, true };
+
+enum { FIRST_VOLUME = 100 };
+
+void seq_start(struct seq *s, uint16_t index, const struct tune *t)
+{
+    s->tune = index;
+    s->next = s->fade = s->fade_over = s->mark = 0;
+    s->marks = 0;
+    s->pos = 0;
+    s->tempo = index ? t->tempo : 0;
+    for (int i = 0; i < SEQ_SLOTS; i++) {
+        const struct tune_at c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct tune_at){ 0, 0 };
+        s->at[i] = c.at;
+        s->left[i] = c.left;
+        s->inst[i] = 0;
+        s->volume[i] = FIRST_VOLUME;
+        s->pan[i] = TUNE_PAN;
+    }
+}
+
+struct playing {
+    struct seq *s;
+    int slot;
+    seq_play *play;
+    void *context;
+};
+
+/* An event of a track or of the conductor: settings are kept here, all else is the voice's. */
+static void play_music(void *context, const struct tune_played *p, int sample)
+{
+    const struct playing *g = context;
+    struct seq *s = g->s;
+
+    if (p->event == TUNE_INST)
+        s->inst[g->slot] = (uint8_t)p->value;
+    if (p->event == TUNE_VOLUME)
+        s->volume[g->slot] = (uint8_t)p->value;
+    if (p->event == TUNE_PLACE)
+        s->pan[g->slot] = (uint8_t)p->value;
+    if (p->event == TUNE_TEMPO)
+        s->tempo = (uint32_t)p->value;
+    if (p->event == TUNE_MARK) {
+        s->mark = (uint16_t)(p->value + 1);
+        s->marks++;
+    }
+    if (g->slot > 0)
+        g->play(g->context, g->slot - 1, p, sample);
+}
+
+static void run_slot(struct playing *g, const struct tune *t, int slot, int first, int n, uint32_t tempo)
+{
+    struct seq *s = g->s;
+    struct tune_at c = { s->at[slot], s->left[slot] };
+
+    g->slot = slot;
+    tune_run(t, slot - 1, &c, tempo, first, n, play_music, g);
+    s->at[slot] = c.at;
+    s->left[slot] = c.left;
+}
+
+/* Samples until the conductor's next event, which is carried out if that is 0. */
+static int until_conductor(struct playing *g, const struct tune *t, int first)
+{
+    struct seq *s = g->s;
+    const uint32_t tempo = s->tempo;
+
+    run_slot(g, t, 0, first, 1, tempo);
+    s->left[0] += tempo; /* what falls into this one sample has happened, but no time has passed */
+    const int64_t left = s->at[0] == 0 || s->left[0] <= 0 ? SND_FRAME : (s->left[0] + s->tempo - 1) / s->tempo;
+    return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
+}
+
+void seq_step(struct seq *s, const struct tune *t, seq_play *play, void *context)
+{
+    struct playing g = { s, 0, play, context };
+
+    for (int first = 0, n; first < SND_FRAME; first += n) {
+        n = until_conductor(&g, t, first);
+        s->left[0] -= (int64_t)n * s->tempo;
+        for (int i = 1; i <= t->tracks; i++)
+            run_slot(&g, t, i, first, n, s->tempo);
+        s->pos += (uint64_t)n * s->tempo;
+    }
+}
+
+/* ---- cues ---- */
+
+static void end_cue(struct cues *c, int i)
+{
+    c->tune[i] = 0;
+    c->at[i] = 0;
+    c->left[i] = 0;
+}
+
+/* The slots of the sound that began in that frame. */
+static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
+{
+    uint32_t ended = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (c->tune[i] == tune && c->born[i] == born) {
+            end_cue(c, i);
+            ended |= 1u << i;
+        }
+    return ended;
+}
+
+/* Is it the louder of two in a frame? Then all its tracks are. */
+static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
+{
+    bool there = false;
+
+    for (int i = 0; i < CUES; i++)
+        if (c->tune[i] == cue->tune && c->born[i] == frame) {
+            there = true;
+            if (cue->loud > c->loud[i])
+                c->loud[i] = cue->loud;
+        }
+    return there;
+}
+
+/* The slot of its kind that began first, and how many of them play. */
+static int oldest_of(const struct cues *c, uint32_t tune, int *n)
+{
+    int oldest = -1;
+
+    *n = 0;
+    for (int i = 0; i < CUES; i++) {
+        if (c->tune[i] != tune || c->track[i] != 0)
+            continue;
+        ++*n;
+        if (oldest < 0 || c->born[i] < c->born[oldest])
+            oldest = i;
+    }
+    return oldest;
+}
+
+static int priority_of(const struct cues *c, const uint8_t *rom, int i)
+{
+    return tune_of(rom + c->tune[i]).priority;
+}
+
+/* A free slot, or the one that has to go; -1: all are more important. */
+static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame)
+{
+    int least = -1;
+
+    for (int i = 0; i < CUES; i++)
+        if (c->tune[i] == 0)
+            return i;
+    for (int i = 0; i < CUES; i++) {
+        const int p = priority_of(c, rom, i);
+        if (p > priority || (p == priority && c->born[i] == frame))
+            continue;
+        if (least < 0 || p < priority_of(c, rom, least) ||
+            (p == priority_of(c, rom, least) && c->born[i] < c->born[least]))
+            least = i;
+    }
+    return least;
+}
+
+static void set_cue(struct cues *c, int i, const struct tune *t, int track, const struct cue *cue, uint32_t frame)
+{
+    const struct tune_at at = tune_begin(t, track);
+
+    c->tune[i] = cue->tune;
+    c->born[i] = frame;
+    c->track[i] = (uint8_t)track;
+    c->at[i] = at.at;
+    c->left[i] = at.left;
+    c->inst[i] = 0;
+    c->volume[i] = FIRST_VOLUME;
+    c->pan[i] = TUNE_PAN;
+    c->loud[i] = cue->loud;
+    c->place[i] = cue->place;
+    c->pitch[i] = cue->pitch;
+}
+
+uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame)
+{
+    const struct tune t = tune_of(rom + cue->tune);
+    uint32_t ended = 0;
+    int n, oldest = oldest_of(c, cue->tune, &n);
+
+    if (joined(c, cue, frame))
+        return 0;
+    if (n >= t.limit)
+        ended = end_sound(c, cue->tune, c->born[oldest]);
+    for (int track = 0; track < t.tracks; track++) {
+        const int i = room_for(c, rom, t.priority, frame);
+        if (i < 0)
+            break;
+        if (c->tune[i])
+            ended |= end_sound(c, c->tune[i], c->born[i]);
+        set_cue(c, i, &t, track, cue, frame);
+    }
+    return ended;
+}
+
+uint32_t cues_stop(struct cues *c, uint32_t tune)
+{
+    uint32_t ended = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (c->tune[i] && (!tune || c->tune[i] == tune))
+            ended |= end_sound(c, c->tune[i], c->born[i]);
+    return ended;
+}
+
+struct sounding {
+    struct cues *c;
+    int slot;
+    seq_play *play;
+    void *context;
+};
+
+static void play_cue(void *context, const struct tune_played *p, int sample)
+{
+    const struct sounding *g = context;
+    struct cues *c = g->c;
+
+    if (p->event == TUNE_INST)
+        c->inst[g->slot] = (uint8_t)p->value;
+    if (p->event == TUNE_VOLUME)
+        c->volume[g->slot] = (uint8_t)p->value;
+    if (p->event == TUNE_PLACE)
+        c->pan[g->slot] = (uint8_t)p->value;
+    g->play(g->context, g->slot, p, sample);
+}
+
+void cues_step(struct cues *c, const uint8_t *rom, seq_play *play, void *context)
+{
+    for (int i = 0; i < CUES; i++) {
+        if (!c->tune[i])
+            continue;
+        const struct tune t = tune_of(rom + c->tune[i]);
+        struct tune_at at = { c->at[i], c->left[i] };
+        struct sounding g = { c, i, play, context };
+        tune_run(&t, c->track[i], &at, t.tempo, 0, SND_FRAME, play_cue, &g);
+        c->at[i] = at.at;
+        c->left[i] = at.left;
+        if (at.at == 0)
+            end_cue(c, i);
+    }
+}

@@ -1,0 +1,81 @@
+/*
+ * seq.h - the sequencers: of the piece of music that plays, and of the sounds that do.
+ * floor: chips
+ *
+ * Music is game state: scripts read its beat, its bar and its markers. It has frames of its own, which a pause holds.
+ * Where its tracks are follows from what is hashed: which piece, how far it is. The cues, which are the sounds that
+ * play, no script can read; they are outside the combined hash, as voices are.
+ */
+#ifndef CHIPS_SEQ_H
+#define CHIPS_SEQ_H
+
+#include "../../snd/pitch.h"
+#include "../../snd/tune.h"
+#include "../slots.h"
+
+enum { SEQ_SLOTS = 1 + TUNE_TRACKS /* slot 0: the conductor */, CUES = 8 };
+
+struct seq {
+    struct slots s;
+    uint16_t tune;            /* of the ROM's music, its index + 1; 0: none plays */
+    uint16_t next;            /* what begins when it has faded */
+    uint16_t fade, fade_over; /* frames it still fades, of how many; 0: it does not */
+    uint16_t mark;            /* the last marker it came by, its index + 1; 0: none yet */
+    uint32_t marks;           /* how many it came by */
+    uint32_t tempo;           /* hundredths of a quarter note a minute */
+    uint64_t pos;             /* units since it began (TUNE_TICK a tick) */
+    uint32_t *at;             /* cursors */
+    int64_t *left;
+    uint8_t *inst, *volume, *pan; /* of the notes to come */
+};
+
+/* A sound that plays is as many cues as it has tracks. */
+struct cues {
+    struct slots s;
+    uint32_t *tune; /* its place in the ROM; 0: none plays */
+    uint32_t *born; /* the frame in which it began */
+    uint8_t *track;
+    uint32_t *at;
+    int64_t *left;
+    uint8_t *inst, *volume, *pan;
+    uint16_t *loud; /* of 256: how loud the script asks for it */
+    int16_t *place; /* to the right, of TUNE_PAN */
+    int32_t *pitch; /* higher, in 65536ths of a semitone */
+};
+
+extern const struct chip seq_chip, cues_chip;
+
+/* What happens to a voice: track of the music, or the cue's slot; the event; at which sample. */
+typedef void seq_play(void *context, int voice, const struct tune_played *p, int sample);
+
+/* Begins tune `index` + 1 at its beginning; 0: stops. t is that tune. */
+void seq_start(struct seq *s, uint16_t index, const struct tune *t);
+
+/* Plays a frame of tune t. */
+void seq_step(struct seq *s, const struct tune *t, seq_play *play, void *context);
+
+/* Whole quarter notes since it began. */
+static inline uint64_t seq_beats(const struct seq *s)
+{
+    return s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
+}
+
+struct cue {
+    uint32_t tune; /* its place in the ROM */
+    uint16_t loud;
+    int16_t place;
+    int32_t pitch;
+};
+
+/* Begins a sound in this frame. The same one twice in a frame is one, the louder. Where its limit is reached, the
+ * oldest of its kind goes; where there is no room, the oldest of the least priority, if that is not above its own.
+ * Returns a bit for each slot whose voice has to fade. */
+uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame);
+
+/* Ends the sound at that place, 0: all. Returns a bit for each slot. */
+uint32_t cues_stop(struct cues *c, uint32_t tune);
+
+/* Plays a frame of all. */
+void cues_step(struct cues *c, const uint8_t *rom, seq_play *play, void *context);
+
+#endif

@@ -1,0 +1,332 @@
+/*
+ * voices.c - see voices.h. What stands here moves a frame at a time; the mix is SND_BLOCKS blocks of SND_BLOCK samples.
+ * Each block starts at its exact phase; its level goes straight from one end to the other, but where it has a corner it
+ * is asked of each sample.
+ */
+#include "voices.h"
+
+#include "../../base/trig.h"
+#include "../../snd/adpcm.h"
+
+static const struct column columns[] = {
+    COLUMN(voices, phase),   COLUMN(voices, step0), COLUMN(voices, step1), COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),  COLUMN(voices, pitch), COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),  COLUMN(voices, wave),  COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),  COLUMN(voices, pan1),  REGISTER(voices, gain0),
+    REGISTER(voices, gain1),
+};
+
+const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
+
+/* The step of a note at that pitch. A sample's is at most 4, so that a frame reads few of them. */
+static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
+{
+    const uint64_t most = (uint64_t)4 << 32;
+
+    if (i->kind != INST_SAMPLE)
+        return pitch_step(pitch);
+    if (wave == 0)
+        return 0;
+    const uint64_t step = pitch_ratio(pitch - i->root) * sample_of(rom + wave).rate / SND_RATE;
+    return step < most ? step : most;
+}
+
+/* Slot `from` as it is, in slot `to`. */
+static void copy(struct voices *s, int to, int from)
+{
+    s->phase[to] = s->phase[from];
+    s->step0[to] = s->step0[from];
+    s->step1[to] = s->step1[from];
+    s->age[to] = s->age[from];
+    s->off[to] = s->off[from];
+    s->kill[to] = s->kill[from];
+    s->pitch[to] = s->pitch[from];
+    s->goal[to] = s->goal[from];
+    s->glide[to] = s->glide[from];
+    s->inst[to] = s->inst[from];
+    s->wave[to] = s->wave[from];
+    s->vol0[to] = s->vol0[from];
+    s->vol1[to] = s->vol1[from];
+    s->pan0[to] = s->pan0[from];
+    s->pan1[to] = s->pan1[from];
+}
+
+void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at)
+{
+    const struct inst i = inst_of(rom + n->inst);
+
+    if (voices_busy(s, voice)) {
+        copy(s, VOICES + voice, voice);
+        voices_cut(s, VOICES + voice, at);
+    }
+    s->step0[voice] = s->step1[voice] = step_of(rom, &i, n->wave, n->pitch);
+    s->phase[voice] = 0 - (uint64_t)at * s->step0[voice];
+    s->age[voice] = -at;
+    s->off[voice] = s->kill[voice] = NOTE_HELD;
+    s->pitch[voice] = s->goal[voice] = n->pitch;
+    s->glide[voice] = 0;
+    s->inst[voice] = n->inst;
+    s->wave[voice] = n->wave;
+    s->vol0[voice] = s->vol1[voice] = n->vol;
+    s->pan0[voice] = s->pan1[voice] = n->pan;
+}
+
+void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
+{
+    if (!voices_busy(s, voice))
+        return;
+    const struct inst i = inst_of(rom + s->inst[voice]);
+    s->pitch[voice] = s->goal[voice] = pitch;
+    s->glide[voice] = 0;
+    s->step1[voice] = step_of(rom, &i, s->wave[voice], pitch);
+}
+
+void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames)
+{
+    s->goal[voice] = pitch;
+    s->glide[voice] = (pitch - s->pitch[voice]) / (frames > 0 ? frames : 1);
+    if (s->glide[voice] == 0)
+        s->pitch[voice] = pitch;
+}
+
+void voices_off(struct voices *s, int voice, int at)
+{
+    const int32_t age = s->age[voice] + at;
+
+    if (voices_busy(s, voice) && s->off[voice] == NOTE_HELD)
+        s->off[voice] = age > 0 ? age : 0;
+}
+
+void voices_cut(struct voices *s, int voice, int at)
+{
+    const int32_t age = s->age[voice] + at;
+
+    if (voices_busy(s, voice) && age < s->kill[voice])
+        s->kill[voice] = age;
+}
+
+void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
+{
+    s->vol1[voice] = vol;
+    s->pan1[voice] = pan;
+}
+
+/* ---- a frame ---- */
+
+/* The pitch with its slide, a frame on. */
+static void slide(struct voices *s, int i)
+{
+    const int32_t by = s->glide[i], to = s->goal[i];
+
+    if (by == 0)
+        return;
+    s->pitch[i] += by;
+    if ((by > 0) == (s->pitch[i] >= to)) {
+        s->pitch[i] = to;
+        s->glide[i] = 0;
+    }
+}
+
+static int32_t vibrato(const struct inst *inst, int32_t age)
+{
+    const int32_t t = age - (int32_t)inst->vibrato_delay;
+
+    if (inst->vibrato == 0 || t <= 0)
+        return 0;
+    return (int32_t)((int64_t)trig_sin30((uint32_t)t * inst->vibrato_step) * inst->vibrato >> 22);
+}
+
+static bool ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
+{
+    if (s->kill[i] != NOTE_HELD && s->age[i] - s->kill[i] >= VOICE_FADE)
+        return true;
+    if (wave_over(inst, s->age[i], s->off[i]))
+        return true;
+    if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
+        return false;
+    const struct sample sample = sample_of(rom + s->wave[i]);
+    return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
+}
+
+enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there */ };
+
+static void step_slot(struct voices *s, const uint8_t *rom, int i)
+{
+    const struct inst inst = inst_of(rom + s->inst[i]);
+    const uint64_t step = s->step0[i];
+    const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
+
+    s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
+    s->vol0[i] = s->vol1[i];
+    s->pan0[i] = s->pan1[i];
+    slide(s, i);
+    s->step0[i] = s->step1[i];
+    s->step1[i] = step_of(rom, &inst, s->wave[i], s->pitch[i] + vibrato(&inst, s->age[i]));
+    if (ended(s, rom, &inst, i))
+        s->inst[i] = 0;
+}
+
+void voices_step(struct voices *s, const uint8_t *rom)
+{
+    const bool stands = s->gain0 == 0 && s->gain1 == 0;
+
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        if (voices_busy(s, i) && !(stands && i % VOICES < VOICES_MUSIC))
+            step_slot(s, rom, i);
+    s->gain0 = s->gain1;
+}
+
+/* ---- the mix ---- */
+
+enum { READ = 4 * SND_FRAME + 64 /* samples of a recording that a frame passes at most, and what the filter needs */ };
+
+/* A note, and what of it is made once a frame. */
+struct note {
+    const struct voices *s;
+    const struct snd_tables *t;
+    int i;
+    struct inst inst;
+    int32_t age, off, kill;
+    int64_t bend; /* of the step, a sample */
+    int mip0, mip1;
+    int64_t first; /* of `read` */
+    int16_t read[READ];
+};
+
+/* The phase at sample n of the frame. */
+static uint64_t phase_at(const struct note *n, int at)
+{
+    return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
+}
+
+/* Reads what the frame's samples pass of a recording. */
+static void read_recording(struct note *n, const uint8_t *rom)
+{
+    const struct sample sample = sample_of(rom + n->s->wave[n->i]);
+    const int64_t last = ((int64_t)phase_at(n, SND_FRAME) >> 32) + SINC_TAPS;
+
+    n->first = ((int64_t)n->s->phase[n->i] >> 32) - SINC_TAPS;
+    const int64_t many = last - n->first + 1;
+    sample_read(&sample, n->first, (int)(many < READ ? many : READ), n->read);
+}
+
+static void make_block(const struct note *n, int b, int16_t out[SND_BLOCK])
+{
+    const uint64_t from = phase_at(n, b * SND_BLOCK), to = phase_at(n, (b + 1) * SND_BLOCK);
+    const uint64_t step = (uint64_t)((int64_t)(to - from) / SND_BLOCK);
+    struct wave_at at = { from, step, n->mip0, n->mip1, b, 0, 0, (uint32_t)n->i };
+
+    if (n->inst.kind == INST_SAMPLE) {
+        wave_sample(n->t, n->read + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
+        return;
+    }
+    if (n->inst.kind == INST_FM) {
+        const int32_t age = n->age + b * SND_BLOCK, next = age + SND_BLOCK;
+        const int64_t depth = (int64_t)n->inst.depth << 20;
+        at.depth0 = depth;
+        at.depth1 = depth;
+        if (n->inst.dulling) {
+            at.depth0 = depth * pitch_halved(age > 0 ? ((uint64_t)(uint32_t)age << 32) / n->inst.dulling : 0) >> 30;
+            at.depth1 = depth * pitch_halved(next > 0 ? ((uint64_t)(uint32_t)next << 32) / n->inst.dulling : 0) >> 30;
+        }
+    }
+    wave_block(n->t, &n->inst, &at, out);
+}
+
+/* The note's level at an age, its fade included. */
+static int32_t level_at(const struct note *n, int32_t age)
+{
+    const int32_t level = wave_level(&n->inst, age, n->off);
+
+    if (n->kill == NOTE_HELD || age <= n->kill)
+        return level;
+    return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
+}
+
+static bool has_corner(const struct note *n, int32_t from, int32_t to)
+{
+    return wave_corner(&n->inst, from, to, n->off) ||
+           (n->kill != NOTE_HELD &&
+            ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE)));
+}
+
+/* The levels of a block's samples; false: all are 0. */
+static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
+{
+    const int32_t from = n->age + b * SND_BLOCK, to = from + SND_BLOCK;
+
+    if (has_corner(n, from, to)) {
+        for (int k = 0; k < SND_BLOCK; k++)
+            out[k] = (int16_t)level_at(n, from + k);
+        return true;
+    }
+    const int32_t l0 = level_at(n, from), l1 = level_at(n, to);
+    for (int k = 0; k < SND_BLOCK; k++)
+        out[k] = (int16_t)(l0 + (l1 - l0) * k / SND_BLOCK);
+    return l0 | l1;
+}
+
+/* Volume, place and the gain of music at the beginning of block b, one side of the two. */
+static int32_t side_at(const struct note *n, int b, bool right)
+{
+    const struct voices *s = n->s;
+    const int i = n->i;
+    const int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_BLOCKS);
+    int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
+
+    if (i % VOICES < VOICES_MUSIC)
+        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN;
+    return vol * n->t->pan[right ? pan : 256 - pan] >> 15;
+}
+
+static void add_side(const struct note *n, int b, bool right, const int16_t *wave, const int16_t *level, int32_t *mix)
+{
+    const int32_t g0 = side_at(n, b, right), g1 = side_at(n, b + 1, right);
+
+    for (int k = 0; k < SND_BLOCK; k++) {
+        const int32_t gain = level[k] * (g0 + (g1 - g0) * k / SND_BLOCK) >> 15;
+        mix[k] += wave[k] * gain >> 8;
+    }
+}
+
+static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME], int32_t right[SND_FRAME])
+{
+    const struct voices *s = n->s;
+    const int i = n->i;
+    int16_t wave[SND_BLOCK], level[SND_BLOCK];
+
+    n->inst = inst_of(rom + s->inst[i]);
+    n->age = s->age[i];
+    n->off = s->off[i];
+    n->kill = s->kill[i];
+    n->bend = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
+    n->mip0 = snd_mip(n->t, (uint32_t)(s->step0[i] >> 24));
+    n->mip1 = snd_mip(n->t, (uint32_t)(s->step1[i] >> 24));
+    if (n->inst.kind == INST_SAMPLE && s->wave[i] == 0)
+        return;
+    if (n->inst.kind == INST_SAMPLE)
+        read_recording(n, rom);
+    for (int b = 0; b < SND_BLOCKS; b++) {
+        if (!make_levels(n, b, level))
+            continue;
+        make_block(n, b, wave);
+        add_side(n, b, false, wave, level, left + b * SND_BLOCK);
+        add_side(n, b, true, wave, level, right + b * SND_BLOCK);
+    }
+}
+
+void voices_mix(const struct voices *s, const uint8_t *rom, const struct snd_tables *t, int16_t out[2 * SND_FRAME])
+{
+    int32_t left[SND_FRAME] = { 0 }, right[SND_FRAME] = { 0 };
+    struct note n = { .s = s, .t = t };
+    const bool music = s->gain0 != 0 || s->gain1 != 0;
+
+    for (n.i = 0; n.i < VOICE_SLOTS; n.i++)
+        if (voices_busy(s, n.i) && (music || n.i % VOICES >= VOICES_MUSIC))
+            add_note(&n, rom, left, right);
+    for (int k = 0; k < SND_FRAME; k++) {
+        out[2 * k] = wave_limit(left[k]);
+        out[2 * k + 1] = wave_limit(right[k]);
+    }
+}

@@ -1,0 +1,121 @@
+/*
+ * tables.c - see tables.h. Each version of a wave is the one before with more harmonics; half a turn is summed, the
+ * other half follows by symmetry. They are sums of whole numbers, so their order does not matter. The filter is a sinc
+ * under Kaiser's window: stopband and passband of research: SNR 80 dB at 1 kHz, 67 at 10 kHz.
+ */
+#include "tables.h"
+
+#include <string.h>
+#include "../base/trig.h"
+
+enum { HALF = WAVE_LONG / 2, STRONG = 2 * SINC_TAPS };
+
+/* Half octaves. */
+static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
+                                               45, 64, 91, 128, 181, 256, 362, 512, 724 };
+
+/* Harmonic h of a saw is 1/h of the sine, of a triangle +-1/h^2, odd ones alone. */
+static void add_harmonic(struct snd_tables *t, uint32_t h)
+{
+    const int64_t part = ((int64_t)1 << 20) / h;
+
+    for (uint32_t i = 0, k = 0; i < HALF; i++, k += h) {
+        const int64_t s = t->sine30[k % WAVE_LONG] * part >> 20;
+        t->work[0][i] += s;
+        if (h & 1)
+            t->work[1][i] += h & 2 ? -(s * part >> 20) : s * part >> 20;
+    }
+}
+
+/* A saw of full amplitude would reach 1.18 between its samples: it gets 0.84. */
+static void keep_version(struct snd_tables *t, int m)
+{
+    for (int i = 0; i < HALF; i++) {
+        const int16_t saw = (int16_t)((t->work[0][i] * 41722 >> 16) * 27600 >> 30);
+        const int16_t triangle = (int16_t)((t->work[1][i] * 53120 >> 16) * 32700 >> 30);
+        t->saw[m][i] = saw;
+        if (i > 0)
+            t->saw[m][WAVE_LONG - i] = (int16_t)-saw;
+        t->triangle[m][i] = triangle;
+        t->triangle[m][HALF + i] = (int16_t)-triangle;
+    }
+    t->saw[m][HALF] = 0;
+    t->saw[m][WAVE_LONG] = t->saw[m][0];
+    t->triangle[m][WAVE_LONG] = t->triangle[m][0];
+}
+
+static void make_waves(struct snd_tables *t)
+{
+    uint32_t h = 1;
+
+    memset(t->work, 0, sizeof t->work);
+    for (int m = 0; m < WAVE_MIPS; m++) {
+        t->harmonics[m] = harmonics[m];
+        for (; h <= harmonics[m]; h++)
+            add_harmonic(t, h);
+        keep_version(t, m);
+    }
+}
+
+/* Kaiser's window, beta 7, at x / 4096 of its half width, Q30 but for a factor: I0 by its series. */
+static int64_t kaiser(int32_t x)
+{
+    const int64_t q = ((int64_t)49 << 20) - ((int64_t)49 * x * x >> 4); /* (7/2)^2 (1 - (x/4096)^2), Q22 */
+    int64_t term = (int64_t)1 << 30, sum = term;
+
+    for (int k = 1; term > 0; k++) {
+        term = (term * q >> 22) / (k * k);
+        sum += term;
+    }
+    return sum >> 8;
+}
+
+/* sin(pi c x) / (pi c x), Q30, with c = 993/1024 and x in 1024ths. */
+static int64_t sinc(int32_t x)
+{
+    if (x == 0)
+        return (int64_t)1 << 30;
+    return (int64_t)trig_sin30((ang)(x * 993) << 11) * ((int64_t)1 << 32) / ((int64_t)x * 993 * 205887 / 16);
+}
+
+/* The eight weights of one place; their sum is one, to the last bit. */
+static void make_sinc(int16_t out[SINC_TAPS], int phase)
+{
+    int64_t weight[SINC_TAPS], sum = 0;
+    int32_t left = 1 << 14;
+
+    for (int j = 0; j < SINC_TAPS; j++) {
+        const int32_t x = (j - 3) * SINC_PHASES - phase;
+        weight[j] = (sinc(x) * kaiser(x)) >> STRONG;
+        sum += weight[j];
+    }
+    for (int j = 0; j < SINC_TAPS; j++) {
+        const int64_t twice = weight[j] * 2 * (1 << 14) + sum; /* to the nearest */
+        out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
+        left -= out[j];
+    }
+    out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + left);
+}
+
+void snd_tables_make(struct snd_tables *t)
+{
+    for (uint32_t i = 0; i < WAVE_LONG; i++)
+        t->sine30[i] = trig_sin30((ang)i << (32 - WAVE_BITS));
+    for (uint32_t i = 0; i <= WAVE_LONG; i++)
+        t->sine[i] = (int16_t)((int64_t)t->sine30[i % WAVE_LONG] * 32767 >> 30);
+    for (uint32_t i = 0; i <= 256; i++)
+        t->pan[i] = (int16_t)((int64_t)trig_sin30((ang)i << 22) * 32767 >> 30);
+    make_waves(t);
+    for (int i = 0; i < SINC_PHASES; i++)
+        make_sinc(t->sinc[i], i);
+}
+
+/* Harmonics up to 28 kHz: what folds back lies above 20 kHz, where nobody hears it. */
+int snd_mip(const struct snd_tables *t, uint32_t step)
+{
+    int m = WAVE_MIPS - 1;
+
+    while (m > 0 && (uint64_t)t->harmonics[m] * step > 2505397589u)
+        m--;
+    return m;
+}

@@ -1,0 +1,31 @@
+/*
+ * tables.h - waves and filters that the sound is made of: computed once by the host, equal on every machine.
+ * floor: snd
+ *
+ * They are no part of a board's RAM, for no tick reads them. A wave is there in WAVE_MIPS versions, each with fewer
+ * harmonics than the one before, so that at every pitch one has all that can be heard and nothing that folds back.
+ */
+#ifndef SND_TABLES_H
+#define SND_TABLES_H
+
+#include <stdint.h>
+
+enum { WAVE_BITS = 12, WAVE_LONG = 1 << WAVE_BITS, WAVE_MIPS = 19, SINC_TAPS = 8, SINC_PHASES = 1024 };
+
+struct snd_tables {
+    uint16_t harmonics[WAVE_MIPS]; /* of each version, ascending */
+    int16_t saw[WAVE_MIPS][WAVE_LONG + 1], triangle[WAVE_MIPS][WAVE_LONG + 1];
+    int16_t sine[WAVE_LONG + 1];
+    int16_t sinc[SINC_PHASES][SINC_TAPS]; /* Q14: between the 4th and the 5th of eight samples */
+    int16_t pan[257];                     /* of equal power: left is pan[256 - p], right pan[p]; Q15 */
+    int64_t work[2][WAVE_LONG / 2];       /* what the sums were made in */
+    int32_t sine30[WAVE_LONG];
+};
+
+/* Fills all of it: some milliseconds. */
+void snd_tables_make(struct snd_tables *t);
+
+/* The version for notes of that step (2^-32 turns a sample). */
+int snd_mip(const struct snd_tables *t, uint32_t step);
+
+#endif

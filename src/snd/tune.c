@@ -1,0 +1,327 @@
+/*
+ * tune.c - see tune.h. What is checked once: that every event of every track is one, that a loop begins at an event and
+ * lasts, that names end. A track that is full of events without time is read a bit a frame, so that no tick is long.
+ */
+#include "tune.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "adpcm.h"
+#include "pitch.h"
+
+enum { EVENTS_A_RUN = 64, LONGEST = 1 << 24 /* ticks of a pause */ };
+
+static const uint8_t values_of[TUNE_EVENTS] = {
+    [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,  [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
+    [TUNE_VOLUME] = 1, [TUNE_PLACE] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
+};
+
+/* ---- instruments ---- */
+
+struct inst inst_of(const uint8_t *p)
+{
+    struct inst i = { .kind = p[0],
+                      .duty = bytes_get16(p + 2),
+                      .sustain = bytes_get16(p + 4),
+                      .vibrato = bytes_get16(p + 6),
+                      .attack = bytes_get32(p + 8),
+                      .decay = bytes_get32(p + 12),
+                      .fade = bytes_get32(p + 16),
+                      .release = bytes_get32(p + 20),
+                      .vibrato_step = bytes_get32(p + 24),
+                      .vibrato_delay = bytes_get32(p + 28),
+                      .ratio = bytes_get16(p + 32),
+                      .depth = bytes_get16(p + 34),
+                      .dulling = bytes_get32(p + 36),
+                      .root = (int32_t)bytes_get32(p + 40) };
+
+    memcpy(i.sample, p + 44, TUNE_NAME);
+    return i;
+}
+
+void inst_write(uint8_t p[INST_BYTES], const struct inst *i)
+{
+    memset(p, 0, INST_BYTES);
+    p[0] = i->kind;
+    bytes_put16(p + 2, i->duty);
+    bytes_put16(p + 4, i->sustain);
+    bytes_put16(p + 6, i->vibrato);
+    bytes_put32(p + 8, i->attack);
+    bytes_put32(p + 12, i->decay);
+    bytes_put32(p + 16, i->fade);
+    bytes_put32(p + 20, i->release);
+    bytes_put32(p + 24, i->vibrato_step);
+    bytes_put32(p + 28, i->vibrato_delay);
+    bytes_put16(p + 32, i->ratio);
+    bytes_put16(p + 34, i->depth);
+    bytes_put32(p + 36, i->dulling);
+    bytes_put32(p + 40, (uint32_t)i->root);
+    memcpy(p + 44, i->sample, TUNE_NAME);
+}
+
+/* ---- parts ---- */
+
+enum { PLACES = TUNE_HEADER + TUNE_TITLE, PLACE_BYTES = 8 };
+
+static size_t insts_at(const struct tune *t)
+{
+    return PLACES + PLACE_BYTES * ((size_t)t->tracks + 1);
+}
+
+static size_t marks_at(const struct tune *t)
+{
+    return insts_at(t) + INST_BYTES * (size_t)t->insts;
+}
+
+struct tune tune_of(const uint8_t *p)
+{
+    return (struct tune){ p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], bytes_get32(p + 8) };
+}
+
+const char *tune_title(const struct tune *t)
+{
+    return (const char *)t->data + TUNE_HEADER;
+}
+
+const char *tune_mark(const struct tune *t, int i)
+{
+    return (const char *)t->data + marks_at(t) + TUNE_NAME * (size_t)i;
+}
+
+const uint8_t *tune_inst(const struct tune *t, int i)
+{
+    return t->data + insts_at(t) + INST_BYTES * (size_t)i;
+}
+
+/* Where track i begins (-1: the conductor), and where its loop does. */
+static uint32_t begins(const struct tune *t, int i)
+{
+    return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1));
+}
+
+static uint32_t loops(const struct tune *t, int i)
+{
+    return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1) + 4);
+}
+
+bool tune_recording(const struct tune *t)
+{
+    return bytes_get32(t->data + 12) != 0;
+}
+
+bool tune_endless(const struct tune *t)
+{
+    for (int i = 0; i < t->tracks; i++)
+        if (loops(t, i))
+            return true;
+    return false;
+}
+
+/* ---- time ---- */
+
+/* The ticks at *at, which moves past them. */
+static uint32_t read_ticks(const uint8_t *data, uint32_t *at)
+{
+    uint32_t v = 0;
+
+    for (int shift = 0; shift < 28; shift += 7) {
+        const uint8_t b = data[(*at)++];
+        v |= (uint32_t)(b & 127) << shift;
+        if (b < 128)
+            break;
+    }
+    return v;
+}
+
+struct tune_at tune_begin(const struct tune *t, int i)
+{
+    struct tune_at c = { begins(t, i), 0 };
+
+    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK;
+    return c;
+}
+
+/* Carries out the event at the cursor, which moves on. */
+static void play_event(const struct tune *t, int track, struct tune_at *c, int sample, tune_play *play, void *context)
+{
+    const uint8_t *p = t->data + c->at;
+    struct tune_played e = { p[0], p[1], 0 };
+
+    if (e.event == TUNE_END) {
+        c->at = loops(t, track);
+        if (c->at == 0) {
+            play(context, &e, sample);
+            return;
+        }
+    } else {
+        c->at += 1u + values_of[e.event];
+        if (values_of[e.event] >= 2)
+            e.value = bytes_get16(p + 1);
+        if (values_of[e.event] == 4)
+            e.more = bytes_get16(p + 3);
+        play(context, &e, sample);
+    }
+    c->left += (int64_t)read_ticks(t->data, &c->at) * TUNE_TICK;
+}
+
+void tune_run(const struct tune *t, int track, struct tune_at *c, uint32_t tempo, int first, int n, tune_play *play,
+              void *context)
+{
+    for (int events = 0; c->at != 0 && events < EVENTS_A_RUN; events++) {
+        const int64_t at = c->left <= 0 ? 0 : (c->left + tempo - 1) / tempo;
+        if (at >= n)
+            break;
+        play_event(t, track, c, first + (int)at, play, context);
+    }
+    c->left -= (int64_t)n * tempo;
+}
+
+/* ---- checks ---- */
+
+struct check {
+    const struct tune *t;
+    uint32_t end; /* of the tracks */
+    char *err;
+    size_t err_size;
+};
+
+static bool bad(const struct check *c, int track, const char *what)
+{
+    return track < 0 ? err_set(c->err, c->err_size, "conductor: %s", what)
+                     : err_set(c->err, c->err_size, "track %d: %s", track + 1, what);
+}
+
+static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
+{
+    const uint32_t from = *at;
+
+    if (from + 5 > c->end)
+        return false;
+    *ticks = read_ticks(c->t->data, at);
+    return *ticks <= LONGEST && (*at - from < 4 || c->t->data[*at - 1] < 128);
+}
+
+static bool pitch_ok(const uint8_t *p)
+{
+    return bytes_get16(p) <= PITCH_MOST / 256;
+}
+
+static bool values_ok(const struct tune *t, int track, const uint8_t *p)
+{
+    switch (p[0]) {
+    case TUNE_NOTE:
+    case TUNE_SLUR:
+    case TUNE_GLIDE:
+        return track >= 0 && pitch_ok(p + 1);
+    case TUNE_OFF:
+        return track >= 0;
+    case TUNE_INST:
+        return track >= 0 && p[1] < t->insts;
+    case TUNE_VOLUME:
+        return track >= 0 && p[1] <= TUNE_LOUD;
+    case TUNE_PLACE:
+        return track >= 0 && p[1] <= 2 * TUNE_PAN;
+    case TUNE_TEMPO:
+        return track < 0 && bytes_get16(p + 1) >= TEMPO_LEAST && bytes_get16(p + 1) <= TEMPO_MOST;
+    case TUNE_MARK:
+        return track < 0 && p[1] < t->marks;
+    default:
+        return true;
+    }
+}
+
+static bool track_ok(const struct check *c, int track)
+{
+    const uint32_t loop = loops(c->t, track);
+    uint32_t at = begins(c->t, track), ticks;
+    uint64_t after = 0; /* ticks since the loop's beginning */
+    bool found = loop == 0;
+
+    if (at < marks_at(c->t) + TUNE_NAME * (size_t)c->t->marks || at >= c->end)
+        return bad(c, track, "begins nowhere");
+    for (;;) {
+        if (at == loop) {
+            found = true;
+            after = 0;
+        }
+        if (!ticks_ok(c, &at, &ticks))
+            return bad(c, track, "runs past the end");
+        after += ticks;
+        const uint8_t *p = c->t->data + at;
+        if (p[0] >= TUNE_EVENTS || at + 1 + values_of[p[0]] > c->end || !values_ok(c->t, track, p))
+            return bad(c, track, "an event is not known, or out of range");
+        if (p[0] == TUNE_END)
+            return found && (loop == 0 || after > 0) ? true : bad(c, track, "its loop has no time");
+        at += 1u + values_of[p[0]];
+    }
+}
+
+static bool name_ok(const char *s, size_t n)
+{
+    size_t end = 0;
+
+    while (end < n && s[end])
+        if ((unsigned char)s[end] < 32 || s[end++] == 127)
+            return false;
+    for (size_t i = end; i < n; i++)
+        if (s[i])
+            return false;
+    return end < n;
+}
+
+static bool inst_ok(const struct tune *t, const uint8_t *bytes)
+{
+    const struct inst i = inst_of(bytes);
+    uint8_t again[INST_BYTES];
+
+    inst_write(again, &i);
+    if (memcmp(again, bytes, INST_BYTES) != 0 || i.kind >= INST_KINDS || i.sustain > 32767 ||
+        !name_ok(i.sample, TUNE_NAME))
+        return false;
+    if (i.kind == INST_SAMPLE && !i.sample[0] && bytes_get32(t->data + 12) == 0)
+        return false;
+    return i.root >= 0 && i.root <= PITCH_MOST && i.attack <= 1 << 24 && i.decay <= 1 << 24 && i.fade <= 1 << 24 &&
+           i.release <= 1 << 24 && i.vibrato <= 24 * 256 && i.vibrato_delay <= 1 << 24 && i.depth <= 32767 &&
+           i.dulling <= 1 << 24;
+}
+
+static bool zero(const uint8_t *p, size_t n)
+{
+    while (n > 0 && p[n - 1] == 0)
+        n--;
+    return n == 0;
+}
+
+bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
+{
+    struct sample sample;
+
+    if (size < TUNE_HEADER + TUNE_TITLE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
+        !zero(data + 20, 12))
+        return err_set(err, err_size, "it is no tune of format %d", TUNE_FORMAT);
+    const struct tune t = tune_of(data);
+    const uint32_t sample_at = bytes_get32(data + 12);
+    struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
+    if (t.tracks < 1 || t.tracks > TUNE_TRACKS || t.insts > TUNE_INSTS || t.marks > TUNE_MARKS || t.priority > 7 ||
+        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST)
+        return err_set(err, err_size, "its header is out of range");
+    if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MOST + 4 ||
+        marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
+        return err_set(err, err_size, "it is shorter than its header says");
+    if (!name_ok(tune_title(&t), TUNE_TITLE))
+        return err_set(err, err_size, "its title is no line of text");
+    if (sample_at && !sample_open(data + sample_at, size - sample_at, &sample))
+        return err_set(err, err_size, "its sample is not good");
+    for (int i = 0; i < t.insts; i++)
+        if (!inst_ok(&t, tune_inst(&t, i)))
+            return err_set(err, err_size, "instrument %d is out of range", i + 1);
+    for (int i = 0; i < t.marks; i++)
+        if (!name_ok(tune_mark(&t, i), TUNE_NAME))
+            return err_set(err, err_size, "marker %d has no name", i + 1);
+    for (int i = -1; i < t.tracks; i++)
+        if (!track_ok(&c, i))
+            return false;
+    return true;
+}

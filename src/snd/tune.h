@@ -1,0 +1,119 @@
+/*
+ * tune.h - a compiled piece of music, or a sound: its instruments and its tracks, and the reading of them in time.
+ * floor: snd
+ *
+ * A tune is TUNE_HEADER bytes, little-endian:
+ *
+ *      0  u8 TUNE_FORMAT            5  u8 tracks, 1 to TUNE_TRACKS      12  u32 where its sample is, 0: it has none
+ *      1  u8 volume, 0 to 255       6  u8 instruments                   16  u32 bytes in all
+ *      2  u8 priority, 0 to 7       7  u8 markers                       20  twelve zero bytes
+ *      3  u8 limit, 1 to 8          8  u32 tempo at its beginning,
+ *      4  u8 beats a bar               hundredths of a quarter note a minute
+ *
+ * then its title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and for each track u32 where it is,
+ * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each; its markers, TUNE_NAME bytes each;
+ * the tracks; and the sample (adpcm.h), aligned to 4.
+ *
+ * A track is events: how many ticks after the one before (seven bits a byte, low ones first, the eighth: more follow),
+ * the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a tick is TUNE_TICK units, a
+ * sample as many as the tempo says, so nothing is rounded and nothing drifts.
+ */
+#ifndef SND_TUNE_H
+#define SND_TUNE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    TUNE_FORMAT = 1,
+    TUNE_HEADER = 32,
+    TUNE_TITLE = 64,
+    TUNE_TRACKS = 16,
+    TUNE_INSTS = 64,
+    TUNE_MARKS = 64,
+    TUNE_NAME = 32, /* of a marker or a sample, with its NUL */
+    INST_BYTES = 80,
+    TUNE_QUARTER = 480,
+    TUNE_TICK = 600000,
+    TEMPO_LEAST = 1000, /* 10 quarter notes a minute */
+    TEMPO_MOST = 60000,
+    TUNE_MOST = 1 << 20, /* bytes without the sample */
+    TUNE_PAN = 64,       /* the middle; 0 left, 128 right */
+    TUNE_LOUD = 127
+};
+
+/* Events of a track. The conductor has TEMPO, MARK and END alone, the tracks all others. */
+enum tune_event {
+    TUNE_END,    /* of the track, or of its loop */
+    TUNE_NOTE,   /* u16 pitch in 256ths of a semitone: a note begins */
+    TUNE_SLUR,   /* u16 pitch: the note goes on at another one */
+    TUNE_OFF,    /* the note is let go */
+    TUNE_GLIDE,  /* u16 pitch, u16 ticks: the note slides there */
+    TUNE_INST,   /* u8: of the notes from now on */
+    TUNE_VOLUME, /* u8, 0 to TUNE_LOUD */
+    TUNE_PLACE,  /* u8, 0 to 128: where it is heard */
+    TUNE_TEMPO,  /* u16 */
+    TUNE_MARK,   /* u8 */
+    TUNE_EVENTS
+};
+
+/* What makes a note's wave. */
+enum inst_kind { INST_PULSE, INST_TRIANGLE, INST_SAW, INST_SINE, INST_FM, INST_NOISE, INST_SAMPLE, INST_KINDS };
+
+/* Times are in samples. A level that falls halves in that time; 0: it does not fall. */
+struct inst {
+    uint8_t kind;
+    uint16_t duty;                         /* of 65536: how long a pulse is high */
+    uint16_t sustain;                      /* of 32767 */
+    uint32_t attack, decay, fade, release; /* from silence, to sustain, on from there, when it is let go */
+    uint16_t vibrato;                      /* 256ths of a semitone */
+    uint32_t vibrato_step, vibrato_delay;  /* 2^-32 turns a sample */
+    uint16_t ratio, depth;                 /* of FM: the modulator's pitch, 256ths; how strong, 4096ths of a turn */
+    uint32_t dulling;                      /* depth halves */
+    int32_t root;                          /* pitch at which a sample is as recorded, 65536ths */
+    char sample[TUNE_NAME];                /* a sound of rom.lua; "": the tune's own */
+};
+
+/* From and to the bytes of a tune. */
+struct inst inst_of(const uint8_t *bytes);
+void inst_write(uint8_t bytes[INST_BYTES], const struct inst *i);
+
+/* The parts of a tune that was checked. */
+struct tune {
+    const uint8_t *data;
+    int tracks, insts, marks, volume, priority, limit, bar;
+    uint32_t tempo;
+};
+struct tune tune_of(const uint8_t *data);
+const char *tune_title(const struct tune *t);
+const char *tune_mark(const struct tune *t, int i);
+const uint8_t *tune_inst(const struct tune *t, int i);
+
+/* Has it a recording of its own; does one of its tracks never end? */
+bool tune_recording(const struct tune *t);
+bool tune_endless(const struct tune *t);
+
+/* Checks every byte that is read later. False and one sentence. */
+bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size);
+
+/* A place in a track. */
+struct tune_at {
+    uint32_t at;  /* of the next event in the tune; 0: it is over */
+    int64_t left; /* units until then */
+};
+
+/* The beginning of track i; -1: of the conductor. */
+struct tune_at tune_begin(const struct tune *t, int i);
+
+struct tune_played {
+    enum tune_event event;
+    int32_t value, more;
+};
+typedef void tune_play(void *context, const struct tune_played *p, int sample);
+
+/* Plays what falls into n samples, `first` of a frame the first of them. */
+void tune_run(const struct tune *t, int track, struct tune_at *c, uint32_t tempo, int first, int n, tune_play *play,
+              void *context);
+
+#endif

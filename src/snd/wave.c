@@ -1,0 +1,189 @@
+/*
+ * wave.c - see wave.h. Inside a block phases are 32 bits, from an exact start: loops that compilers vectorise.
+ */
+#include "wave.h"
+
+/* Faster without -O3's unrolling of the eight taps (research: 2.7 ns against 6.7 a sample). */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("O2")
+#endif
+
+static void read_wave(const int16_t *wave, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
+{
+    for (uint32_t n = 0; n < SND_BLOCK; n++) {
+        const uint32_t q = phase + n * step, i = q >> (32 - WAVE_BITS);
+        const int32_t f = (int32_t)(q >> (32 - WAVE_BITS - 15) & 0x7fff);
+        out[n] = (int16_t)(wave[i] + ((wave[i + 1] - wave[i]) * f >> 15));
+    }
+}
+
+/* A pulse is the difference of two saws. */
+static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32_t duty, int16_t out[SND_BLOCK])
+{
+    int16_t other[SND_BLOCK];
+
+    read_wave(saw, phase, step, out);
+    read_wave(saw, phase - duty, step, other);
+    for (int n = 0; n < SND_BLOCK; n++)
+        out[n] = (int16_t)((out[n] - other[n]) >> 1);
+}
+
+/* A saw, triangle or pulse of one version. */
+static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int mip,
+                         int16_t out[SND_BLOCK])
+{
+    const uint32_t phase = (uint32_t)(at->phase >> 24), step = (uint32_t)(at->step >> 24);
+
+    if (inst->kind == INST_PULSE)
+        read_pulse(t->saw[mip], phase, step, (uint32_t)inst->duty << 16, out);
+    else
+        read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
+}
+
+/* In a frame in which the pitch asks for another version one becomes the other. */
+static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
+                          int16_t out[SND_BLOCK])
+{
+    int16_t other[SND_BLOCK];
+
+    read_version(t, inst, at, at->mip0, out);
+    if (at->mip0 == at->mip1)
+        return;
+    read_version(t, inst, at, at->mip1, other);
+    for (int n = 0; n < SND_BLOCK; n++)
+        out[n] = (int16_t)(out[n] + (other[n] - out[n]) * (at->part * SND_BLOCK + n) / SND_FRAME);
+}
+
+/* The modulator's phase is the carrier's times the ratio in 256ths: a turn is 2^56, so both are whole after 256. */
+static void read_fm(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
+                    int16_t out[SND_BLOCK])
+{
+    int16_t modulator[SND_BLOCK];
+    const uint32_t phase = (uint32_t)(at->phase >> 24), step = (uint32_t)(at->step >> 24);
+
+    read_wave(t->sine, (uint32_t)(at->phase * inst->ratio >> 32), (uint32_t)(at->step * inst->ratio >> 32), modulator);
+    for (uint32_t n = 0; n < SND_BLOCK; n++) {
+        const int64_t depth = at->depth0 + (at->depth1 - at->depth0) * n / SND_BLOCK;
+        const uint32_t bent = (uint32_t)(modulator[n] * depth >> 15);
+        const uint32_t q = phase + n * step + bent, i = q >> (32 - WAVE_BITS);
+        const int32_t f = (int32_t)(q >> (32 - WAVE_BITS - 15) & 0x7fff);
+        out[n] = (int16_t)(t->sine[i] + ((t->sine[i + 1] - t->sine[i]) * f >> 15));
+    }
+}
+
+static uint32_t mixed(uint32_t x)
+{
+    x = (x ^ x >> 16) * 0x7feb352du;
+    x = (x ^ x >> 15) * 0x846ca68bu;
+    return x ^ x >> 16;
+}
+
+/* Sixteen values a turn, each a mix of its number. */
+static void read_noise(const struct wave_at *at, int16_t out[SND_BLOCK])
+{
+    for (uint32_t n = 0; n < SND_BLOCK; n++) {
+        const uint32_t number = (uint32_t)((at->phase + n * at->step) >> 52);
+        out[n] = (int16_t)(mixed(number * 0x9e3779b9u + at->seed) >> 16);
+    }
+}
+
+void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int16_t out[SND_BLOCK])
+{
+    switch (inst->kind) {
+    case INST_SINE:
+        read_wave(t->sine, (uint32_t)(at->phase >> 24), (uint32_t)(at->step >> 24), out);
+        break;
+    case INST_FM:
+        read_fm(t, inst, at, out);
+        break;
+    case INST_NOISE:
+        read_noise(at, out);
+        break;
+    default:
+        read_versions(t, inst, at, out);
+    }
+}
+
+void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK])
+{
+    uint64_t at = phase;
+
+    for (int n = 0; n < SND_BLOCK; n++, at += step) {
+        const int16_t *s = x + (at >> 32) - 3, *weight = t->sinc[(uint32_t)at >> 22];
+        int32_t sum = 1 << 13;
+        for (int j = 0; j < SINC_TAPS; j++)
+            sum += s[j] * weight[j];
+        sum >>= 14;
+        out[n] = (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+    }
+}
+
+/* ---- level ---- */
+
+/* What is left of a level after so many samples, if it halves in `half`. */
+static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
+{
+    if (half == 0)
+        return level;
+    return (int32_t)((int64_t)level * pitch_halved(((uint64_t)(uint32_t)samples << 32) / half) >> 30);
+}
+
+static int32_t held(const struct inst *i, int32_t age)
+{
+    const int32_t attack = (int32_t)i->attack;
+
+    if (age < attack)
+        return (int32_t)((int64_t)32767 * age / attack);
+    const int32_t sustain = i->decay ? i->sustain : 32767;
+    return fallen(sustain + fallen(32767 - sustain, age - attack, i->decay), age - attack, i->fade);
+}
+
+/* A release of 0 would click: it is 16 samples. */
+static uint32_t release_of(const struct inst *i)
+{
+    return i->release > 16 ? i->release : 16;
+}
+
+int32_t wave_level(const struct inst *i, int32_t age, int32_t off)
+{
+    if (age < 0)
+        return 0;
+    return age < off ? held(i, age) : fallen(held(i, off), age - off, release_of(i));
+}
+
+enum { HALVINGS = 15 /* from full level to nothing */ };
+
+bool wave_over(const struct inst *i, int32_t age, int32_t off)
+{
+    const uint32_t attack = i->attack;
+
+    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_of(i))
+        return true;
+    if (age < 0 || (uint32_t)age < attack)
+        return false;
+    const uint32_t after = (uint32_t)age - attack;
+    return (i->fade && after / HALVINGS > i->fade) || (i->decay && !i->sustain && after / HALVINGS > i->decay);
+}
+
+bool wave_corner(const struct inst *i, int32_t from, int32_t to, int32_t off)
+{
+    const int32_t attack = (int32_t)i->attack;
+
+    return (from < 0 && to > 0) || (from < attack && to > attack) || (from < off && to > off);
+}
+
+/* The curve is (2 - (3 - u)^3 / 27) / 2, u = how far above one half in halves: it begins with slope 1 and is flat at
+ * full scale. */
+int16_t wave_limit(int32_t v)
+{
+    const int32_t half = 1 << 21;
+    int32_t a = v < 0 ? -v : v;
+
+    if (a > half) {
+        const int64_t left = a - half > 3 * half ? 0 : 3 * half - (a - half);
+        a = 2 * half - (int32_t)((left * left >> 21) * left / 27 >> 21);
+    }
+    a = (a + 64) >> 7;
+    a = a > 32767 ? 32767 : a;
+    return (int16_t)(v < 0 ? -a : a);
+}

@@ -1,0 +1,91 @@
+/*
+ * fuzz_sound.c - libFuzzer: any bytes as MML, as a WAV file, and as a tune of a ROM. What is read is a tune that the
+ * board takes; what is refused says why, of MML with file, line and column. A tune that is taken is played.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/sound/wav.h"
+#include "../../src/snd/adpcm.h"
+#include "../../src/snd/pitch.h"
+#include "../../src/snd/tune.h"
+
+static void need(bool good)
+{
+    if (!good)
+        abort();
+}
+
+static void ignore(void *context, const struct tune_played *p, int sample)
+{
+    (void)context;
+    need(p->event < TUNE_EVENTS && sample >= 0 && sample < SND_FRAME);
+}
+
+static void play(const uint8_t *bytes)
+{
+    const struct tune t = tune_of(bytes);
+
+    for (int k = -1; k < t.tracks; k++) {
+        struct tune_at c = tune_begin(&t, k);
+        for (int f = 0; f < 20; f++)
+            tune_run(&t, k, &c, t.tempo, 0, SND_FRAME, ignore, NULL);
+    }
+}
+
+static void as_mml(const uint8_t *data, size_t size)
+{
+    const struct mml_about about = { 255, 4, 2, "" };
+    uint8_t *out;
+    char err[256] = "";
+    size_t n;
+
+    if (!mml_compile((const char *)data, size, "x.mml", &about, &out, &n, err, sizeof err)) {
+        need(strncmp(err, "x.mml:", 6) == 0 && strlen(err) > 9);
+        return;
+    }
+    need(tune_open(out, n, err, sizeof err));
+    play(out);
+    free(out);
+}
+
+static void as_wav(const uint8_t *data, size_t size)
+{
+    const struct mml_about about = { 255, 4, 2, "" };
+    uint8_t *sample, *out;
+    char err[256] = "";
+    size_t n, tune_size;
+
+    if (!wav_read(data, size, &sample, &n, err, sizeof err)) {
+        need(err[0]);
+        return;
+    }
+    if (mml_of_sample(sample, n, &about, &out, &tune_size)) {
+        need(tune_open(out, tune_size, err, sizeof err));
+        free(out);
+    }
+    free(sample);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    uint8_t *copy = malloc(size + (size == 0)); /* of exactly this size */
+    char err[256] = "";
+
+    if (!copy)
+        return 0;
+    if (size)
+        memcpy(copy, data, size);
+    as_mml(copy, size);
+    as_wav(copy, size);
+    if (tune_open(copy, size, err, sizeof err))
+        play(copy);
+    else
+        need(err[0]);
+    free(copy);
+    return 0;
+}

@@ -1,0 +1,332 @@
+/*
+ * test_sound.c - music, sounds and voices of whole boards: what scripts see, what plays by itself, and that hearing it
+ * changes nothing, whichever frames are heard.
+ */
+#include "rig.h"
+#include "../../src/board/sound.h"
+#include "../../src/snd/tables.h"
+
+static struct snd_tables tables;
+static struct rig_game game;
+static struct rig rig;
+
+static int make_tables(void **state)
+{
+    (void)state;
+    board_sound_open(&tables);
+    return 0;
+}
+
+static void power_with(void (*write)(struct rig_game *, const struct manifest *, const char *), const char *script)
+{
+    struct manifest m = rig_manifest();
+
+    m.sound = 1;
+    write(&game, &m, script);
+    rig_sounds(&game);
+    rig_power(&rig, &game, NULL);
+}
+
+static void power(const char *script)
+{
+    power_with(rig_script, script);
+}
+
+static void done(void)
+{
+    rig_free(&rig);
+    rig_game_free(&game);
+}
+
+static uint64_t heard(uint64_t h, const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+
+    board_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+        h = hash_fold(h, (uint16_t)sound[i]);
+    return h;
+}
+
+static int loudest(const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+    int most = 0;
+
+    board_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+        most = abs(sound[i]) > most ? abs(sound[i]) : most;
+    return most;
+}
+
+static const char much[] =
+    "music.play('tide')\n"
+    "task.go(function()\n"
+    "  for i = 1, 30 do\n"
+    "    wait(7)\n"
+    "    sound.play(i % 3 == 0 and 'bell' or i % 2 == 0 and 'boom' or 'hit', { pan = i / 15 - 1, pitch = i % 5 })\n"
+    "    if i == 20 then music.play('deep', { fade = 10 }) end\n"
+    "  end\n"
+    "end)\n";
+
+enum { LONG = 300 };
+
+/* Every frame heard, every third, backwards from snapshots, or none: the same samples, the same hashes. */
+static void test_heard_or_not(void **state)
+{
+    static uint64_t sums[LONG], hashes[LONG];
+    void *saved[LONG / 50];
+
+    (void)state;
+    power(much);
+    for (int f = 0; f < LONG; f++) {
+        if (f % 50 == 0) {
+            saved[f / 50] = malloc(board_snapshot_size(rig.b));
+            board_save(rig.b, saved[f / 50]);
+        }
+        rig_run(&rig, 1);
+        sums[f] = heard(0, rig.b);
+        hashes[f] = board_hash(rig.b);
+    }
+    assert_true(sums[100] != sums[101]);
+    for (int k = LONG / 50 - 1; k >= 0; k--) {
+        memset(rig.ram, 0xa5, rig.ram_size);
+        board_restore(rig.b, saved[k]);
+        for (int f = 50 * k; f < 50 * k + 50; f++) {
+            rig_run(&rig, 1);
+            if (f % 3 == 0)
+                assert_true(heard(0, rig.b) == sums[f]);
+            assert_true(board_hash(rig.b) == hashes[f]);
+        }
+        free(saved[k]);
+    }
+    done();
+}
+
+/* The same bytes on every machine, with every compiler. */
+static void test_digest(void **state)
+{
+    uint64_t h = 0;
+
+    (void)state;
+    power(much);
+    for (int f = 0; f < LONG; f++) {
+        rig_run(&rig, 1);
+        h = heard(h, rig.b);
+    }
+    if (h != 0xd557cb3eb56504e2u)
+        fail_msg("the digest of the samples is 0x%016llx", (unsigned long long)h);
+    done();
+}
+
+/* At 133.25 quarter notes a minute for a beat and a half, then 97, the loop of 6.5 beats again and again. */
+static void test_beats(void **state)
+{
+    (void)state;
+    power("music.play('tide')");
+    rig_run(&rig, 600);
+    const double first = 1.5 / 133.25, second = 4.5 / 97, third = 0.5 / 133.25; /* minutes */
+    const double loop = first + second + third, now = 600 / 3600.0;
+    const int loops = (int)(now / loop);
+    double left = now - loops * loop, beats = 6.5 * loops;
+    beats += left < first ? left * 133.25 : 1.5 + (left - first < second ? (left - first) * 97 : 4.5);
+    if (left > first + second)
+        beats += (left - first - second) * 133.25;
+    assert_int_equal(seq_beats(&rig.b->music), (int)beats);
+    assert_true(rig.b->music.marks > 3);
+    done();
+}
+
+static void test_script(void **state)
+{
+    (void)state;
+    power("print(music.name(), music.marker(), music.beat(), music.frames(4))\n"
+          "music.play('tide')\n"
+          "print(music.name(), music.frames(4))\n"
+          "task.go(function()\n"
+          "  print(music.wait('drop'), music.marker(), board.frame())\n"
+          "  print(music.wait('back'), music.marker())\n"
+          "  print(music.wait(2))\n"
+          "  music.stop() print(music.name(), music.wait(), music.wait('none'))\n"
+          "end)\n");
+    const struct board_out *out = board_last(rig.b);
+    assert_int_equal(out->log_size, strlen("nil\tnil\t0\t120\ntide\t108\n"));
+    assert_memory_equal(out->log, "nil\tnil\t0\t120\ntide\t108\n", out->log_size);
+    char log[512] = "";
+    for (int f = 0; f < 400; f++) {
+        rig_run(&rig, 1);
+        out = board_last(rig.b);
+        snprintf(log + strlen(log), sizeof log - strlen(log), "%.*s", (int)out->log_size, out->log);
+    }
+    assert_string_equal(log, "1\tdrop\t41\n4\tback\n6\nnil\t0\t0\n");
+    done();
+}
+
+/* On the way to a mark nothing is waited for, and no sound is heard; what was asked last plays there. */
+static void test_skipped(void **state)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s:here" };
+
+    (void)state;
+    m.sound = 1;
+    rig_script(&game, &m,
+               "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
+               "stage.def('s', function()\n"
+               "  music.play('deep')\n"
+               "  sound.play('boom')\n"
+               "  print(music.wait(8), music.wait())\n"
+               "  music.play('tide')\n"
+               "  stage.mark('here')\n"
+               "  print(music.name(), music.beat())\n"
+               "  wait(forever)\n"
+               "end)\n"
+               "boot.run { stages = { 's' }, players = { 'ship' } }");
+    rig_sounds(&game);
+    rig_power(&rig, &game, &start);
+    for (int f = 0; f < 3; f++) {
+        rig_run(&rig, 1);
+        for (int i = 0; i < CUES; i++)
+            assert_int_equal(rig.b->cues.tune[i], 0);
+    }
+    assert_int_equal(rig.b->music.tune, cart_find_tune(&rig.b->cart, "tide") + 1);
+    done();
+}
+
+static void refuses(const char *script, const char *message)
+{
+    struct manifest m = rig_manifest();
+
+    m.sound = 1;
+    rig_script(&game, &m, script);
+    rig_sounds(&game);
+    rig_power_any(&rig, &game, NULL);
+    assert_string_equal(rig_fault(&rig)->message, message);
+    done();
+}
+
+static void test_mistakes(void **state)
+{
+    (void)state;
+    refuses("sound.play('bom')", "main.lua:1: sound.play: \"bom\" is not in rom.lua's sounds (did you mean \"boom\"?)");
+    refuses("sound.play(3)", "main.lua:1: sound.play: name: expected a sound's name, got 3");
+    refuses("sound.play('boom', { volum = 1 })",
+            "main.lua:1: sound.play: unknown argument \"volum\" (did you mean \"volume\"?)");
+    refuses("sound.play('boom', { volume = 2 })",
+            "main.lua:1: sound.play: volume: expected a number from 0 to 1, got 2");
+    refuses("sound.play('boom', { pan = 0, from = bullet.fire { kind = 'x' } })",
+            "main.lua:1: bullet.fire: bullet kind \"x\" is not declared");
+    refuses("music.play('tied')",
+            "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
+    refuses("music.stop(30)", "main.lua:1: music.stop: expected a table of named arguments, got 30");
+    refuses("music.wait(1)", "main.lua:1: music.wait: only a task can wait; start one with task.go");
+    refuses("music.play('tide') music.wait('drob')",
+            "main.lua:1: music.wait: \"tide\" has no marker \"drob\" (did you mean \"drop\"?)");
+    refuses("music.wait(0.5)", "main.lua:1: music.wait: n: expected a whole number from 1 to 65536 beats, got 0.5");
+}
+
+/* Of a kind as many as its limit says play, twice in a frame is once, and the important ones take room. */
+static void test_cues(void **state)
+{
+    struct cues *c;
+    int n = 0;
+
+    (void)state;
+    power("");
+    c = &rig.b->cues;
+    for (int i = 0; i < 3; i++)
+        sound_play(rig.b, &(struct cue){ cart_sound(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")),
+                                         (uint16_t)(100 + i), 0, 0 });
+    for (int i = 0; i < CUES; i++)
+        n += c->tune[i] != 0;
+    assert_int_equal(n, 1);
+    assert_int_equal(c->loud[0], 102);
+    for (int i = 0; i < 3; i++) {
+        rig_run(&rig, 1);
+        sound_play(rig.b, &(struct cue){ cart_sound(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")), 256, 0, 0 });
+    }
+    n = 0;
+    for (int i = 0; i < CUES; i++)
+        n += c->tune[i] != 0;
+    assert_int_equal(n, 2);
+    rig_run(&rig, 200);
+    for (int i = 0; i < CUES; i++)
+        assert_int_equal(c->tune[i], 0);
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        assert_false(voices_busy(&rig.b->voices, i));
+    assert_int_equal(loudest(rig.b), 0);
+    done();
+}
+
+/* A pause holds the music, where it is and how it sounds, and fades it within a frame; sounds go on. */
+static void test_pause(void **state)
+{
+    (void)state;
+    power_with(rig_with_sys, "music.play('tide')\n"
+                             "local sys, scope = string.sys, task.scope()\n"
+                             "task.own(scope, function() wait(20) sys.freeze(scope) wait(30) sys.freeze() end)\n");
+    rig_run(&rig, 20);
+    assert_true(loudest(rig.b) > 500);
+    rig_run(&rig, 2);
+    const uint64_t pos = rig.b->music.pos, phase = rig.b->voices.phase[1];
+    assert_int_equal(loudest(rig.b), 0);
+    rig_run(&rig, 20);
+    assert_true(rig.b->music.pos == pos && rig.b->voices.phase[1] == phase);
+    assert_int_equal(loudest(rig.b), 0);
+    rig_run(&rig, 15);
+    assert_true(rig.b->music.pos > pos && loudest(rig.b) > 500);
+    done();
+}
+
+static void test_fade(void **state)
+{
+    int before;
+
+    (void)state;
+    power("music.play('tide') task.go(function() wait(60) music.stop { fade = 30 } end)");
+    rig_run(&rig, 60);
+    before = loudest(rig.b);
+    rig_run(&rig, 29);
+    assert_true(loudest(rig.b) < before / 4 && rig.b->music.tune);
+    rig_run(&rig, 5);
+    assert_int_equal(loudest(rig.b), 0);
+    assert_int_equal(rig.b->music.tune, 0);
+    done();
+}
+
+/* A game that declares none has none of it. */
+static void test_none(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+    int16_t sound[2 * BOARD_SOUND];
+
+    (void)state;
+    rig_script(&g, NULL, "");
+    rig_power(&r, &g, NULL);
+    rig_run(&r, 3);
+    assert_false(board_has_sound(r.b));
+    memset(sound, 1, sizeof sound);
+    board_sound(r.b, NULL, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+        assert_int_equal(sound[i], 0);
+    for (int i = 0; i < PARTS; i++)
+        if (machine_parts[i].chip == &seq_chip || machine_parts[i].chip == &cues_chip ||
+            machine_parts[i].chip == &voices_chip)
+            assert_true(board_part_hash(r.b, i) == 0 &&
+                        slots_save(machine_parts[i].chip, (uint8_t *)r.b + machine_parts[i].at, NULL) == 0);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_heard_or_not), cmocka_unit_test(test_digest),   cmocka_unit_test(test_beats),
+        cmocka_unit_test(test_script),       cmocka_unit_test(test_mistakes), cmocka_unit_test(test_cues),
+        cmocka_unit_test(test_pause),        cmocka_unit_test(test_fade),     cmocka_unit_test(test_none),
+        cmocka_unit_test(test_skipped),
+    };
+
+    return cmocka_run_group_tests(tests, make_tables, NULL);
+}

@@ -1,0 +1,292 @@
+/*
+ * test_mml.c - MML and WAV files: what they compile to, what is refused and in which words, and that no damage is more
+ * than a sentence.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/sound/wav.h"
+#include "../../src/snd/adpcm.h"
+#include "../../src/snd/tune.h"
+
+static const struct mml_about about = { 200, 3, 5, "" };
+
+/* ---- what it compiles to ---- */
+
+struct list {
+    char text[4096];
+    int64_t at;
+};
+
+static void write_down(void *context, const struct tune_played *p, int sample)
+{
+    static const char names[] = ".nso/ivp";
+    struct list *l = context;
+    const size_t n = strlen(l->text);
+
+    snprintf(l->text + n, sizeof l->text - n, "%lld%c", (long long)(l->at + sample), names[p->event]);
+    if (p->event == TUNE_NOTE || p->event == TUNE_SLUR || p->event == TUNE_GLIDE)
+        snprintf(l->text + strlen(l->text), 32, "%g", p->value / 256.0);
+    if (p->event >= TUNE_INST)
+        snprintf(l->text + strlen(l->text), 32, "%d", p->value);
+    snprintf(l->text + strlen(l->text), 2, " ");
+}
+
+/* The events of track A, at a tempo at which a tick is a sample. */
+static const char *events(const char *text)
+{
+    static struct list l;
+    char err[256];
+    uint8_t *bytes;
+    size_t size;
+
+    memset(&l, 0, sizeof l);
+    if (!mml_compile(text, strlen(text), "x.mml", &about, &bytes, &size, err, sizeof err))
+        return strcpy(l.text, err);
+    const struct tune t = tune_of(bytes);
+    assert_true(tune_open(bytes, size, err, sizeof err));
+    struct tune_at c = tune_begin(&t, 0);
+    for (; l.at < 6000 && c.at; l.at += 1000)
+        tune_run(&t, 0, &c, TUNE_TICK, 0, 1000, write_down, &l);
+    free(bytes);
+    return l.text;
+}
+
+#define EVENTS(text, list) assert_string_equal(events(text), "0v100 " list)
+
+static void test_commands(void **state)
+{
+    (void)state;
+    EVENTS("c4", "0i0 0n60 480o 480. ");
+    EVENTS("A c4 r8 d8", "0i0 0n60 480o 720n62 960o 960. ");
+    EVENTS("l8 c d+ e-4. f=", "0i0 0n60 240o 240n63 480o 480n63 1200o 1200n65 1440o 1440. ");
+    EVENTS("o5 c8 <b8 > >c8", "0i0 0n72 240o 240n71 480o 480n84 720o 720. ");
+    EVENTS("c4^8", "0i0 0n60 720o 720. ");
+    EVENTS("c4&8", "0i0 0n60 720o 720. ");
+    EVENTS("c4 & d4", "0i0 0n60 480s62 960o 960. ");
+    EVENTS("c%7 x%9", "0i0 0n60 7o 7n60 16o 16. ");
+    EVENTS("[c16 / d16]3", "0i0 0n60 120o 120n62 240o 240n60 360o 360n62 480o 480n60 600o 600. ");
+    EVENTS("[[c32]2 d32]2", "0i0 0n60 60o 60n60 120o 120n62 180o 180n60 240o 240n60 300o 300n62 360o 360. ");
+    EVENTS("{c>g}4,8 c", "0i0 0n60 240/79 480o 480n72 960o 960. ");
+    EVENTS("{{cde}}4 c", "0i0 0n60 160o 160n62 320o 320n64 480o 480n60 960o 960. ");
+    EVENTS("Q4 c4 Q8 q60 c4", "0i0 0n60 240o 480n60 900o 960. ");
+    EVENTS("v15 c8 V40 ( c8 p100 D50 c8 D0 K2 c8",
+           "0v127 0i0 0n60 240o 240v40 240v32 240n60 480o 480p100 480n60.5 720o 720n62 960o 960. ");
+    EVENTS("_{+fc} c8 f8 c=8 _{=} f8", "0i0 0n61 240o 240n66 480o 480n60 720o 720n65 960o 960. ");
+    EVENTS("@sine c8 @saw c8 @sine M20,5,0 c8", "0i0 0n60 240o 240i1 240n60 480o 480i2 480n60 720o 720. ");
+    EVENTS("c1 L d1 e1", "0i0 0n60 1920o 1920o 1920i0 1920v100 1920p64 1920n62 3840o 3840n64 5760o 5760i0 5760v100 "
+                         "5760p64 5760n62 ");
+    EVENTS("!a c8\n!b d8\nA !a !b !a", "0i0 0n60 240o 240n62 480o 480n60 720o 720. ");
+    EVENTS("A c8 ; the first\nB e8\nA d8", "0i0 0n60 240o 240n62 480o 480. ");
+}
+
+static struct tune compiled(const char *text)
+{
+    char err[256];
+    uint8_t *bytes;
+    size_t size;
+
+    if (!mml_compile(text, strlen(text), "x.mml", &about, &bytes, &size, err, sizeof err))
+        fail_msg("%s", err);
+    return tune_of(bytes);
+}
+
+static void test_header(void **state)
+{
+    struct tune t = compiled("#title The  tide\n#bar 3\n@b fm ratio=3.5 depth=2 attack=2 vibrato=20,5.5,200\n"
+                             "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" \"up\"\nC c4\n#echo B=A,8,-3\n");
+
+    (void)state;
+    assert_string_equal(tune_title(&t), "The  tide");
+    assert_int_equal(t.bar, 3);
+    assert_int_equal(t.tempo, 9950);
+    assert_int_equal(t.tracks, 3);
+    assert_int_equal(t.marks, 2);
+    assert_string_equal(tune_mark(&t, 1), "down");
+    assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
+    const struct inst i = inst_of(tune_inst(&t, 0));
+    assert_true(i.kind == INST_FM && i.ratio == 896 && i.depth == 1304 && i.attack == 96 && i.vibrato == 51);
+    assert_int_equal(i.vibrato_delay, 9600);
+    free((void *)(uintptr_t)t.data);
+}
+
+/* ---- what is refused ---- */
+
+static void test_mistakes(void **state)
+{
+    static const char *const list[][2] = {
+        { "c7",
+          "x.mml:1:2: a length of 1/7 is no whole number of ticks (1920 a whole note); {{ }} divides by any number" },
+        { "c4\nd", "x.mml:1:1: expected a track (A to P and a blank), @instrument, !macro, # or ;" },
+        { "A c4\nA  h", "x.mml:2:4: unknown command \"h\"" },
+        { "A @bel c\n@bell fm", "x.mml:1:3: there is no instrument \"bel\" (did you mean \"bell\"?)" },
+        { "@b fm atack=3\nA c", "x.mml:1:7: unknown setting \"atack\" (did you mean \"attack\"?)" },
+        { "@b fm attack=x\nA c", "x.mml:1:14: expected milliseconds from 0 to 60000, got \"x\"" },
+        { "@b horn\nA c",
+          "x.mml:1:4: expected pulse, triangle, saw, sine, fm, noise, sample, or an instrument that stands "
+          "above, got \"horn\"" },
+        { "[c4", "x.mml:1:1: [ without ]" },
+        { "c4]2", "x.mml:1:3: ] without [" },
+        { "v16", "x.mml:1:2: expected a volume, a number from 0 to 15, got 16" },
+        { "t5 c", "x.mml:1:2: expected quarter notes a minute from 10 to 600" },
+        { "o9 c+4 b+", "x.mml:1:8: the note is too high" },
+        { "x4", "x.mml:1:1: x repeats the note before, and there is none" },
+        { "{cd}4,2 {c}4", "x.mml:1:1: it slides when the note is over" },
+        { "{{c[d]2}}4", "x.mml:1:4: {{ }} has notes, rests and octaves alone" },
+        { "{{cde 4", "x.mml:1:1: {{ without }}" },
+        { "c L", "x.mml:1:3: nothing to repeat behind L" },
+        { "A c4 L c4\nB L c2",
+          "x.mml:2:3: track B repeats 960 ticks, track A 480 (480 a quarter note): they would part" },
+        { "!a !a\nA !a", "x.mml:1:4: more than 8 macros one in another (does \"a\" name itself?)" },
+        { "!up c\nA !pu", "x.mml:2:3: there is no macro \"pu\" (did you mean \"up\"?)" },
+        { "A \"drop", "x.mml:1:3: \" without an end" },
+        { "A E5,5 c", "x.mml:1:7: expected E attack,decay,sustain,release: milliseconds, and percent for sustain" },
+        { "; nothing\n", "x.mml:1:1: it has no track (a line that begins with A and a blank)" },
+        { "#tempo 120\nA c", "x.mml:1:1: expected #title, #bar or #echo" },
+        { "#echo B:A\nA c", "x.mml:1:8: expected #echo B=A,8,-3: track B is track A an 8th later and 3 softer" },
+        { "[[[[[[[[[c]2", "x.mml:1:9: more than 8 loops one in another" },
+        { "[[[[[c%1]255]255]255]255]255", "x.mml:1:1: more than 262144 notes and settings, loops written out" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        assert_string_equal(events(list[i][0]), list[i][1]);
+}
+
+/* ---- WAV ---- */
+
+static size_t make_wav(uint8_t *p, int channels, int bits, uint32_t rate, uint32_t frames)
+{
+    const uint32_t bytes = frames * (uint32_t)(channels * bits / 8);
+
+    memset(p, 0, 44 + bytes);
+    memcpy(p, "RIFF....WAVEfmt ", 16);
+    bytes_put32(p + 16, 16);
+    bytes_put16(p + 20, 1);
+    bytes_put16(p + 22, (uint16_t)channels);
+    bytes_put32(p + 24, rate);
+    bytes_put16(p + 34, (uint16_t)bits);
+    memcpy(p + 36, "data", 4);
+    bytes_put32(p + 40, bytes);
+    for (uint32_t i = 0; i < bytes; i++)
+        p[44 + i] = (uint8_t)(i * 7);
+    return 44 + bytes;
+}
+
+static void wav_refuses(const uint8_t *p, size_t n, const char *message)
+{
+    uint8_t *out;
+    char err[256];
+    size_t size;
+
+    assert_false(wav_read(p, n, &out, &size, err, sizeof err));
+    assert_string_equal(err, message);
+}
+
+static void test_wav(void **state)
+{
+    static uint8_t p[8192];
+    struct sample s;
+    uint8_t *out;
+    char err[256];
+    size_t size;
+    int16_t first;
+
+    (void)state;
+    for (int bits = 8; bits <= 32; bits += 8)
+        for (int channels = 1; channels <= 2; channels++) {
+            size_t n = make_wav(p, channels, bits, 22050, 600);
+            for (int c = 0; c < channels; c++) /* -2000 left, -1000 right */
+                for (int b = 0; b < 4 && b < bits / 8; b++)
+                    p[44 + c * bits / 8 + b] = (uint8_t)((c ? -1000 : -2000) * 65536 >> (32 - bits + 8 * b));
+            assert_true(wav_read(p, n, &out, &size, err, sizeof err));
+            assert_true(sample_open(out, size, &s) && s.n == 600 && s.rate == 22050 && s.loop == SAMPLE_ENDS);
+            sample_read(&s, 0, 1, &first);
+            if (bits > 8)
+                assert_int_equal(first, channels == 1 ? -2000 : -1500);
+            free(out);
+        }
+    size_t n = make_wav(p, 1, 16, 44100, 600);
+    wav_refuses(p, 8, "expected a WAV file (RIFF, WAVE)");
+    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes runs past the end of the file");
+    wav_refuses(p, 36, "it has no chunk \"data\"");
+    p[20] = 3;
+    wav_refuses(p, n, "expected PCM samples (format 1), got format 3");
+    make_wav(p, 3, 16, 44100, 600);
+    wav_refuses(p, n, "expected one channel or two, got 3");
+    make_wav(p, 1, 12, 44100, 600);
+    wav_refuses(p, n, "expected samples of 8, 16, 24 or 32 bits, got 12");
+    make_wav(p, 1, 16, 96000, 600);
+    wav_refuses(p, n, "expected 4000 to 48000 frames a second, got 96000 (save it with 48000)");
+    make_wav(p, 1, 16, 44100, 0);
+    wav_refuses(p, 44, "expected 1 to 16777216 frames, got 0");
+}
+
+/* ---- damage ---- */
+
+/* Ten thousand texts, recordings and tunes with some bytes changed: each is taken, and then good, or refused. */
+static void test_damage(void **state)
+{
+    static const char text[] = "#title Tide\n#bar 4\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n!m c8 d8\n"
+                               "A t120 @b v12 o4 L !m {c>g}4,8 \"up\" {{cde}}2 [c / d]2 r4\nB K-5 _{+f} L l8 c1^1\n";
+    static char bad[sizeof text];
+    static uint8_t wav[1400], tune[4096];
+    struct rng r;
+    uint8_t *out;
+    char err[256];
+    size_t size, n = make_wav(wav, 1, 16, 44100, 600), tune_size;
+
+    (void)state;
+    rng_seed(&r, 11);
+    assert_true(mml_compile(text, strlen(text), "x", &about, &out, &tune_size, err, sizeof err));
+    memcpy(tune, out, tune_size);
+    free(out);
+    for (int i = 0; i < 10000; i++) {
+        memcpy(bad, text, sizeof text);
+        for (int k = 0; k < 1 + i % 4; k++)
+            bad[rng_next(&r) % (sizeof text - 1)] = text[rng_next(&r) % (sizeof text - 1)];
+        err[0] = '\0';
+        if (mml_compile(bad, strlen(bad), "x", &about, &out, &size, err, sizeof err)) {
+            if (!tune_open(out, size, err, sizeof err))
+                fail_msg("%s: %s", bad, err);
+            free(out);
+        } else {
+            assert_true(strncmp(err, "x:", 2) == 0 && strlen(err) > 8);
+        }
+        const size_t at = rng_next(&r) % tune_size, at_wav = rng_next(&r) % n;
+        const uint8_t was = tune[at], was_wav = wav[at_wav];
+        tune[at] ^= (uint8_t)(1 << rng_next(&r) % 8);
+        wav[at_wav] ^= (uint8_t)(1 << rng_next(&r) % 8);
+        if (tune_open(tune, tune_size, err, sizeof err)) {
+            const struct tune t = tune_of(tune);
+            struct list l = { .at = 0 };
+            for (int k = -1; k < t.tracks; k++) {
+                struct tune_at c = tune_begin(&t, k);
+                l.text[0] = '\0';
+                tune_run(&t, k, &c, t.tempo, 0, 800, write_down, &l);
+            }
+        }
+        if (wav_read(wav, n, &out, &size, err, sizeof err))
+            free(out);
+        tune[at] = was;
+        wav[at_wav] = was_wav;
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_commands), cmocka_unit_test(test_header), cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_wav),      cmocka_unit_test(test_damage),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

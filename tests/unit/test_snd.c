@@ -1,0 +1,330 @@
+/*
+ * test_snd.c - what sounds are made of: pitches, levels, recordings, filters, and time. Oracles are doubles.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include <math.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/sound/mml.h"
+#include "../../src/chips/sound/voices.h"
+#include "../../src/snd/adpcm.h"
+#include "../../src/snd/wave.h"
+
+static struct snd_tables tables;
+
+static int make_tables(void **state)
+{
+    (void)state;
+    snd_tables_make(&tables);
+    return 0;
+}
+
+static void test_pitch(void **state)
+{
+    (void)state;
+    for (int32_t p = 0; p <= PITCH_MOST; p += 997) {
+        const long double hz = 440 * exp2l(((long double)p / PITCH_ONE - 69) / 12), step = hz / SND_RATE * 0x1p56l;
+        assert_true(fabsl(1200 * log2l((long double)pitch_step(p) / step)) < 0.0001l);
+    }
+    for (int32_t p = -96 * PITCH_ONE; p <= 48 * PITCH_ONE; p += 1009) {
+        const long double ratio = exp2l((long double)p / PITCH_ONE / 12) * 0x1p32l;
+        assert_true(fabsl(1200 * log2l((long double)pitch_ratio(p) / ratio)) < 0.0002l);
+    }
+    assert_true(pitch_step(-5) == pitch_step(0) && pitch_step(INT32_MAX) == pitch_step(PITCH_MOST));
+    assert_true(pitch_ratio(0) == (uint64_t)1 << 32 && pitch_ratio(12 * PITCH_ONE) == (uint64_t)2 << 32);
+}
+
+static void test_halved(void **state)
+{
+    (void)state;
+    for (uint64_t x = 0; x < (uint64_t)31 << 32; x += 12345678) {
+        const double right = 0x1p30 * exp2(-(double)x / 0x1p32);
+        assert_true(fabs(pitch_halved(x) - right) <= 0x1p30 * 4e-6 * exp2(-(double)x / 0x1p32) + 1);
+    }
+    assert_int_equal(pitch_halved(0), 1 << 30);
+    assert_int_equal(pitch_halved((uint64_t)3 << 32), 1 << 27);
+}
+
+/* Weights add up to one; one that stands on a sample gives it back; each phase is the mirror of its opposite. */
+static void test_sinc(void **state)
+{
+    (void)state;
+    for (int p = 0; p < SINC_PHASES; p++) {
+        int sum = 0;
+        for (int j = 0; j < SINC_TAPS; j++)
+            sum += tables.sinc[p][j];
+        assert_int_equal(sum, 1 << 14);
+    }
+    for (int j = 0; j < SINC_TAPS; j++)
+        assert_true(abs(tables.sinc[0][j] - (j == 3 ? 1 << 14 : 0)) < 600);
+}
+
+/* A sine read at another speed, against the right one. */
+static double snr(double hz, double ratio)
+{
+    enum { N = 4000 };
+    static int16_t in[N * 2];
+    double wrong = 0, all = 0;
+    const uint64_t step = (uint64_t)(ratio * 4294967296.0);
+
+    for (int i = 0; i < N * 2; i++)
+        in[i] = (int16_t)lrint(30000 * sin(2 * M_PI * hz * i / SND_RATE));
+    for (uint64_t at = (uint64_t)10 << 32; at >> 32 < N; at += SND_BLOCK * step) {
+        int16_t out[SND_BLOCK];
+        wave_sample(&tables, in + (at >> 32), (uint32_t)at, step, out);
+        for (int n = 0; n < SND_BLOCK; n++) {
+            const double x = (double)(at + (uint64_t)n * step) / 4294967296.0;
+            const double right = 30000 * sin(2 * M_PI * hz * x / SND_RATE);
+            wrong += (out[n] - right) * (out[n] - right);
+            all += right * right;
+        }
+    }
+    return 10 * log10(all / wrong);
+}
+
+static void test_filter(void **state)
+{
+    (void)state;
+    assert_true(snr(1000, 0.73) > 76);
+    assert_true(snr(3000, 1.29) > 65);
+    assert_true(snr(6000, 0.51) > 61);
+    assert_true(snr(10000, 0.93) > 58);
+}
+
+/* Of a saw nothing folds back that is louder than -80 dB: what is not a harmonic of the note. */
+static void test_alias(void **state)
+{
+    enum { N = 4096 };
+    static double re[N];
+    const struct inst saw = { .kind = INST_SAW };
+
+    (void)state;
+    for (int cycles = 37; cycles < 700; cycles += 83) { /* so many whole turns in N samples */
+        const uint64_t step = (uint64_t)cycles << 44;
+        struct wave_at at = { 0, step, 0, 0, 0, 0, 0, 0 };
+        double loud = 0, foul = 0;
+        at.mip0 = at.mip1 = snd_mip(&tables, (uint32_t)(step >> 24));
+        for (int i = 0; i < N; i += SND_BLOCK, at.phase += SND_BLOCK * step) {
+            int16_t out[SND_BLOCK];
+            wave_block(&tables, &saw, &at, out);
+            for (int n = 0; n < SND_BLOCK; n++)
+                re[i + n] = out[n];
+        }
+        for (int k = cycles; k < N * 20 / 48; k += 1 + k % 3) { /* up to 20 kHz, most of them */
+            double a = 0, b = 0;
+            for (int i = 0; i < N; i++) {
+                a += re[i] * cos(2 * M_PI * k * i / N);
+                b += re[i] * sin(2 * M_PI * k * i / N);
+            }
+            const double level = sqrt(a * a + b * b);
+            loud = k % cycles == 0 && level > loud ? level : loud;
+            foul = k % cycles != 0 && level > foul ? level : foul;
+        }
+        assert_true(20 * log10(foul / loud) < -80);
+    }
+}
+
+static void test_limit(void **state)
+{
+    int16_t last = 0;
+
+    (void)state;
+    for (int32_t v = 0; v < 1 << 25; v += 997) {
+        const int16_t out = wave_limit(v);
+        assert_true(out >= last && wave_limit(-v) == -out);
+        if (v <= 1 << 21)
+            assert_int_equal(out, (v + 64) >> 7);
+        last = out;
+    }
+    assert_int_equal(last, 32767);
+}
+
+/* The level rises in its attack, halves as it says, and has no jump. */
+static void test_level(void **state)
+{
+    const struct inst i = { .sustain = 8000, .attack = 480, .decay = 1000, .fade = 48000, .release = 2000 };
+    int32_t last = 0;
+
+    (void)state;
+    for (int32_t age = -10; age < 60000; age++) {
+        const int32_t level = wave_level(&i, age, 20000);
+        assert_true(level >= 0 && level <= 32767 && abs(level - last) <= 32767 / 480 + 2);
+        last = level;
+    }
+    assert_int_equal(wave_level(&i, 480, NOTE_HELD), 32767);
+    assert_true(abs(wave_level(&i, 1480, NOTE_HELD) - (int)(lrint((8000 + 24767 / 2) * exp2(-1000.0 / 48000)))) <= 3);
+    assert_true(abs(wave_level(&i, 22000, 20000) * 2 - wave_level(&i, 20000, 20000)) <= 2);
+    assert_true(wave_over(&i, 20000 + 16 * 2000, 20000) && !wave_over(&i, 20000, NOTE_HELD));
+}
+
+/* What is read does not depend on where reading begins, nor on loops that are read at once or piece by piece. */
+static void test_adpcm(void **state)
+{
+    enum { N = 3000 };
+    static int16_t in[N], all[4 * N], part[200];
+    uint8_t *bytes = malloc(sample_size(N));
+    struct sample s;
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 4);
+    for (int i = 0; i < N; i++)
+        in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
+    for (int looped = 0; looped < 2; looped++) {
+        double wrong = 0, loud = 0;
+        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS);
+        assert_true(sample_open(bytes, sample_size(N), &s));
+        sample_read(&s, 0, 4 * N, all);
+        for (int i = 0; i < N; i++) {
+            wrong += (all[i] - in[i]) * (double)(all[i] - in[i]);
+            loud += in[i] * (double)in[i];
+        }
+        assert_true(10 * log10(loud / wrong) > 30);
+        for (int i = N; i < 4 * N; i++)
+            assert_int_equal(all[i], looped ? all[700 + (i - 700) % (N - 700)] : 0);
+        for (int k = 0; k < 2000; k++) {
+            const int from = (int)(rng_next(&r) % (4 * N - 200 + 50)) - 50, n = (int)(rng_next(&r) % 200);
+            sample_read(&s, from, n, part);
+            for (int i = 0; i < n; i++)
+                assert_int_equal(part[i], from + i < 0 ? 0 : all[from + i]);
+        }
+    }
+    bytes[SAMPLE_HEADER + 2] = 89;
+    assert_false(sample_open(bytes, sample_size(N), &s));
+    assert_false(sample_open(bytes, sample_size(N) - 1, &s));
+    free(bytes);
+}
+
+/* ---- time ---- */
+
+struct played {
+    int n;
+    struct {
+        int64_t at;
+        int event, value;
+    } e[4000];
+    int64_t base;
+};
+
+static void note_down(void *context, const struct tune_played *p, int sample)
+{
+    struct played *d = context;
+
+    if (d->n < 4000) {
+        d->e[d->n].at = d->base + sample;
+        d->e[d->n].event = (int)p->event;
+        d->e[d->n++].value = p->value;
+    }
+}
+
+static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samples, struct played *d)
+{
+    struct tune_at c = tune_begin(t, 0);
+
+    d->n = 0;
+    for (d->base = 0; d->base < samples; d->base += piece)
+        tune_run(t, 0, &c, tempo, 0, (int)(samples - d->base < piece ? samples - d->base : piece), note_down, d);
+}
+
+/* A track read in frames, or in pieces of any length, is the same one, to the sample. */
+static void test_time(void **state)
+{
+    static struct played whole, parts;
+    const struct mml_about about = { 255, 4, 2, "" };
+    const char *text = "t137.31 l16 c d e4. r32 L f&g {ab}4 v3 p9 [c32]5 {{cdefgab}}2 r";
+    const int pieces[] = { 1, 7, 32, 799, 800, 12345 };
+    uint8_t *bytes;
+    char err[128];
+    size_t size;
+
+    (void)state;
+    assert_true(mml_compile(text, strlen(text), "t", &about, &bytes, &size, err, sizeof err));
+    const struct tune t = tune_of(bytes);
+    assert_int_equal(t.tempo, 13731);
+    run_in(&t, t.tempo, 100000, 800000, &whole);
+    assert_true(whole.n > 250);
+    for (size_t k = 0; k < sizeof pieces / sizeof *pieces; k++) {
+        run_in(&t, t.tempo, pieces[k], 800000, &parts);
+        assert_int_equal(whole.n, parts.n);
+        assert_memory_equal(whole.e, parts.e, (size_t)whole.n * sizeof *whole.e);
+    }
+    /* the third note, e, begins after two 16ths: 240 ticks */
+    for (int i = 0, notes = 0; i < whole.n; i++)
+        if (whole.e[i].event == TUNE_NOTE && ++notes == 3)
+            assert_int_equal(whole.e[i].at, (int64_t)ceil(240.0 * TUNE_TICK / 13731));
+    free(bytes);
+}
+
+/* ---- voices ---- */
+
+static struct voices *make_voices(uint8_t **block)
+{
+    static struct voices v;
+    uint8_t *next = *block = calloc(1, (size_t)slots_size(&voices_chip, VOICE_SLOTS, 0) + 64);
+
+    memset(&v, 0, sizeof v);
+    slots_layout(&voices_chip, &v, VOICE_SLOTS, 0, &next);
+    v.s.live = v.s.cap;
+    v.gain0 = v.gain1 = VOICE_GAIN;
+    return &v;
+}
+
+/* A note that glides from a frame to the next has no jump at their border, larger than within. */
+static void test_borders(void **state)
+{
+    uint8_t *block, rom[INST_BYTES + 16] = { 0 };
+    const struct inst inst = { .kind = INST_TRIANGLE,
+                               .sustain = 20000,
+                               .attack = 300,
+                               .decay = 3000,
+                               .release = 900,
+                               .vibrato = 90,
+                               .vibrato_step = 500000 };
+    struct voices *v = make_voices(&block);
+    static int16_t out[30 * 2 * SND_FRAME];
+    int most = 0, border = 0;
+
+    (void)state;
+    inst_write(rom + 16, &inst);
+    for (int f = 0; f < 30; f++) {
+        voices_step(v, rom);
+        v->gain1 = VOICE_GAIN;
+        if (f == 0)
+            voices_note(v, rom, 3, &(struct voice_note){ 16, 0, 57 * PITCH_ONE, 20000, 40 }, 123);
+        if (f == 5)
+            voices_glide(v, 3, 69 * PITCH_ONE, 9);
+        if (f == 17)
+            voices_note(v, rom, 3, &(struct voice_note){ 16, 0, 60 * PITCH_ONE, 20000, 90 }, 700);
+        if (f == 22)
+            voices_off(v, 3, 10);
+        voices_mix(v, rom, &tables, out + 2 * SND_FRAME * f);
+    }
+    for (int i = 1; i < 30 * SND_FRAME - 1; i++) {
+        const int d = abs(out[2 * i + 2] - 2 * out[2 * i] + out[2 * i - 2]);
+        most = i % SND_FRAME && (i + 1) % SND_FRAME && d > most ? d : most;
+        border = !(i % SND_FRAME && (i + 1) % SND_FRAME) && d > border ? d : border;
+    }
+    for (int i = 0; i < 123; i++)
+        assert_int_equal(out[2 * i], 0);
+    assert_true(out[2 * 800 * 2] != 0);
+    assert_true(most < 800 && border <= most);
+    free(block);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pitch),   cmocka_unit_test(test_halved), cmocka_unit_test(test_sinc),
+        cmocka_unit_test(test_filter),  cmocka_unit_test(test_alias),  cmocka_unit_test(test_limit),
+        cmocka_unit_test(test_level),   cmocka_unit_test(test_adpcm),  cmocka_unit_test(test_time),
+        cmocka_unit_test(test_borders),
+    };
+
+    return cmocka_run_group_tests(tests, make_tables, NULL);
+}
