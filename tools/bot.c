@@ -208,11 +208,18 @@ static void fail(const char *what)
     exit(2);
 }
 
+/* Was a score entered in this frame? */
+static bool entered(const struct board_out *out)
+{
+    for (int i = 0; i < out->markers; i++)
+        if (out->marker[i].kind == MARKER_ROW)
+            return true;
+    return false;
+}
+
 static void play(struct bot *bot, struct demo_writer *w, uint32_t frames, bool quiet)
 {
     struct board *b = bot->b;
-
-    uint32_t writes = b->nvram.writes;
 
     while (board_frame(b) < frames) {
         uint64_t deaths = bot->tally.deaths;
@@ -225,7 +232,7 @@ static void play(struct bot *bot, struct demo_writer *w, uint32_t frames, bool q
         if (out->fault)
             fail(out->fault->message);
         tally_after(&bot->tally, b);
-        if (bot->finish && b->nvram.writes != writes && frames > board_frame(b) + 120)
+        if (bot->finish && entered(out) && frames > board_frame(b) + 120)
             frames = board_frame(b) + 120;
         bot->deaths -= (int)(bot->tally.deaths - deaths);
     }
