@@ -28,6 +28,7 @@ static const char *type_words(const struct api_param *p)
         [A_ENEMY_KIND] = "name of an enemy kind",
         [A_PLAYER_KIND] = "name of a player kind",
         [A_SPARK_KIND] = "name of a spark kind",
+        [A_ITEM_KIND] = "name of an item kind",
         [A_LASER_KIND] = "name of a laser kind",
         [A_OPTION_KIND] = "name of an option kind",
         [A_SPRITE] = "name of a sprite",
@@ -49,6 +50,8 @@ static const char *type_words(const struct api_param *p)
         [A_DOWN] = "all or any",
     };
 
+    if (p->type == A_ANY && p->unit) /* what looks at it itself */
+        return p->unit;
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 

@@ -87,14 +87,18 @@ static const struct api_param stage_def[] = { NAME,
                                               { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
                                               { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
 static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
-static const struct api_param wave[] = {
-    { "n", A_INT, REQ, 0, 4096, "enemies", NULL },   EVERY,
-    { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
-    { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },  { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
-    { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },  { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },    { "formation", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "gap", A_NUM, OPT, 0, WORLD, "px", "24" }
-};
+static const struct api_param wave[] = { { "n", A_INT, REQ, 0, 4096, "enemies", NULL },
+                                         EVERY,
+                                         { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
+                                         { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
+                                         { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                         { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
+                                         { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
+                                         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+                                         { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                         { "formation", A_ANY, OPT, 0, 0,
+                                           "v, line, column, circle, or a list of { x, y }", NULL },
+                                         { "gap", A_NUM, OPT, 0, WORLD, "px", "24" } };
 static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
 static const struct api_param boss_def[] = { NAME,
@@ -118,9 +122,9 @@ static const struct api_param boss_history[] = { NAME,
                                                  { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
                                                  { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "hp", A_ANY, OPT, 0, 0, NULL, NULL },
+                                          { "hp", A_ANY, OPT, 0, 0, "whole number, or { NAME = n }", NULL },
                                           { "time", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
-                                          { "run", A_ANY, OPT, 0, 0, NULL, NULL },
+                                          { "run", A_ANY, OPT, 0, 0, "function, or { NAME = function }", NULL },
                                           { "spell", A_STR, OPT, 0, 127, NULL, NULL },
                                           { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
                                           { "bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL },
@@ -139,18 +143,20 @@ static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                             { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
-static const struct api_param rule[] = {
-    { "on", A_STR, OPT, 1, 31, NULL, NULL },    { "name", A_STR, OPT, 1, 31, NULL, NULL },
-    { "kind", A_STR, OPT, 1, 31, NULL, NULL },  { "points", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "times", A_ANY, OPT, 0, 0, NULL, NULL },  { "gain", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "most", A_TABLE, OPT, 0, 0, NULL, NULL }, { "set", A_TABLE, OPT, 0, 0, NULL, NULL }
-};
+static const struct api_param rule[] = { { "on", A_STR, OPT, 1, 31, NULL, NULL },
+                                         { "name", A_STR, OPT, 1, 31, NULL, NULL },
+                                         { "kind", A_STR, OPT, 1, 31, NULL, NULL },
+                                         { "points", A_ANY, OPT, 0, 0, "whole number, or a register", NULL },
+                                         { "times", A_ANY, OPT, 0, 0, "whole number, or a register", NULL },
+                                         { "gain", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                         { "most", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                         { "set", A_TABLE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param count[] = { NAME,
                                           { "n", A_INT, REQ, 0, INT32_MAX, NULL, NULL },
                                           { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
 static const struct api_param tally[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param tally_line[] = { { "label", A_STR, REQ, 1, 31, NULL, NULL },
-                                               { "value", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "value", A_ANY, REQ, 0, 0, "property, register or function", NULL },
                                                { "points", A_INT, REQ, 0, 1e12, "points", NULL },
                                                { "stage", A_BOOL, OPT, 0, 0, NULL, "false" },
                                                { "last", A_BOOL, OPT, 0, 0, NULL, "false" } };
@@ -159,10 +165,10 @@ static const struct api_param tally_line[] = { { "label", A_STR, REQ, 1, 31, NUL
         "name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */                                   \
     }
 static const struct api_param unlock_def[] = { UNLOCK_NAME,
-                                               { "when", A_ANY, REQ, 0, 0, NULL, NULL },
+                                               { "when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL },
                                                { "title", A_STR, OPT, 1, 63, NULL, NULL },
                                                { "hint", A_STR, OPT, 1, 127, NULL, NULL } };
-static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NULL, NULL },
+static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, "true, or a stage", NULL },
                                                 { "mode", A_STR, OPT, 1, 31, NULL, NULL },
                                                 { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
                                                 { "ship", A_STR, OPT, 1, 31, NULL, NULL },
@@ -170,14 +176,19 @@ static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, NUL
                                                 { "score", A_INT, OPT, 1, 1e12, "points", NULL },
                                                 { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
-static const struct api_param boot_run[] = {
-    { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },   { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-    { "demo", A_STR, OPT, 1, 63, NULL, NULL },      { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },    { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },    { "ending", A_ANY, OPT, 0, 0, NULL, NULL },
-    { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },    { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "continues", A_INT, OPT, 1, 99, NULL, NULL }, { "screens", A_TABLE, OPT, 0, 0, NULL, NULL }
-};
+static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
+                                             { "demo", A_STR, OPT, 1, 63, NULL, NULL },
+                                             { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
+                                               NULL },
+                                             { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "continues", A_INT, OPT, 1, 99, NULL, NULL },
+                                             { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param talk_def[] = { { "who", A_STR, REQ, 1, 31, NULL, NULL },
                                              { "name", A_STR, REQ, 0, 63, NULL, NULL },

@@ -461,7 +461,7 @@ static const struct api_param load[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade[] = {
-    { "to", A_ANY, REQ, 0, 0, NULL, NULL },
+    { "to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL },
     { "over", A_INT, REQ, 0, 65535, "frames", NULL },
     { "first", A_INT, OPT, 0, 255, NULL, "0" },
     { "last", A_INT, OPT, 0, 255, NULL, "255" },

@@ -28,7 +28,7 @@ static const struct api_param music_play_params[] = {
 };
 static const struct api_param music_stop_params[] = { { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
 static const struct api_param beats[] = { { "beats", A_NUM, REQ, 0, 65536, NULL, NULL } };
-static const struct api_param until[] = { { "n", A_ANY, OPT, 0, 0, NULL, "1" } };
+static const struct api_param until[] = { { "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1" } };
 
 /* On the way to a mark nothing is heard. */
 static bool skips(const struct board *b)
