@@ -385,16 +385,16 @@ static void push_steps(lua_State *L, int depth);
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char *const
-        buttons[] = PAD_NAMES,
-        *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
-        *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
-        *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
-        *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
-        *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-        *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-        *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" },
-        *const depths[] = { "back", "front" };
+    static const char
+        *const buttons[] = PAD_NAMES,
+               *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
+               *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
+               *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
+               *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
+               *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
+               *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
+               *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" },
+               *const maps[] = { "sea", "reef" }, *const depths[] = { "back", "front" };
 
     if (one_in(6)) {
         push_any(L, 0);
