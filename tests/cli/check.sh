@@ -201,12 +201,10 @@ board.ask(3)
 option.def("beam", sounds)
 sound = sounds
 ----
-main.lua:3: on.start is not there yet; the name is kept for it
 main.lua:3: undeclared global "sound" (sound is not there yet; the name is kept for it) (did you mean "sounds"?)
 main.lua:4: board.ask is not there yet; the name is kept for it
-main.lua:5: undeclared global "option" (option is not there yet; the name is kept for it)
 main.lua:6: undeclared global "sound" (did you mean "sounds"?)
-5 problems
+3 problems
 LUA
 lua 'undeclared globals' <<'LUA'
 local count = 1
