@@ -187,8 +187,8 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
             return err_set(err, err_size, "--register: %s is given twice", name);
     }
     if (!whole_number(equals + 1, -INT32_MAX, INT32_MAX, &p->reg[p->registers].value))
-        return err_set(err, err_size, "--register: %s: expected a whole number of at most %d, got \"%s\"", name,
-                       INT32_MAX, equals + 1);
+        return err_set(err, err_size, "--register: %s: expected a whole number from %d to %d, got \"%s\"", name,
+                       -INT32_MAX, INT32_MAX, equals + 1);
     p->registers++;
     return true;
 }

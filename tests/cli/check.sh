@@ -195,13 +195,14 @@ main.lua:3: laser.bolt: laser kind "thn" is not declared (did you mean "thin"?)
 LUA
 lua 'names that are kept for later' <<'LUA'
 local tests = {}
+print(test)
 board.ask(3)
 test = tests
 ----
-main.lua:2: board.ask is not there yet; the name is kept for it
-main.lua:5: undeclared global "option" (option is not there yet; the name is kept for it)
-main.lua:6: undeclared global "talk" (did you mean "talks"?)
-5 problems
+main.lua:3: undeclared global "test" (test is not there yet; the name is kept for it) (did you mean "tests"?)
+main.lua:4: board.ask is not there yet; the name is kept for it
+main.lua:5: undeclared global "test" (did you mean "tests"?)
+3 problems
 LUA
 lua 'undeclared globals' <<'LUA'
 local count = 1

@@ -103,6 +103,7 @@ static const char world[] =
     "bg.def('deep', function() bg.layer(1).map = 'sea' wait(5) bg.plane().map = 'reef' end)\n"
     "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
     "t[#t]:remove()\n"
+    "score.rule { name = 'chain', points = 3 }\n"
     "stage.play('s')\n";
 
 static struct rig_game g;
@@ -424,6 +425,8 @@ static void push_value(lua_State *L, const struct api_param *p)
             push_from(L, pools, 3);
         else if (entry && !strcmp(entry->name, "boss.history") && one_in(2)) /* the boss and its phase */
             lua_pushstring(L, !strcmp(p->name, "id") ? "p" : !strcmp(p->name, "name") ? "b" : "normal");
+        else if (entry && !strcmp(entry->name, "score.count") && !one_in(4))
+            lua_pushliteral(L, "chain");
         else if (entry && !strcmp(entry->name, "board.dip") && one_in(4))
             lua_pushliteral(L, "odd");
         else if (entry && !strcmp(entry->name, "player.def") && !strncmp(p->name, "bomb", 4) && !one_in(4))

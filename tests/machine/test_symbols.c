@@ -405,11 +405,30 @@ static struct name_count *count_of(struct counts *c, const char *name)
     return &c->list[c->n++];
 }
 
+/* A name beyond the first 255 constants of a function is read as GETUPVAL _ENV, LOADK name, GETTABLE. */
+static void count_far(struct counts *c, const char *line, int *step)
+{
+    static char name[48];
+    const char *text = strstr(line, "; \"");
+
+    if (strstr(line, "GETUPVAL") != NULL && strstr(line, "; _ENV") != NULL) {
+        *step = 1;
+    } else if (*step == 1 && strstr(line, "LOADK") != NULL && text != NULL &&
+               sscanf(text, "; \"%47[A-Za-z0-9_]\"", name) == 1) {
+        *step = 2;
+    } else {
+        if (*step == 2 && strstr(line, "GETTABLE") != NULL)
+            count_of(c, name)->reads++;
+        *step = 0;
+    }
+}
+
 /* Every access to a global in luac's listing of a file. False: it does not compile. */
 static bool list_globals(const char *path, struct counts *c)
 {
     char command[TREE_PATH + 64], line[512], name[48];
     bool any = false;
+    int step = 0;
 
     snprintf(command, sizeof command, "luac5.4 -l -l -p '%s' 2>&1", path);
     FILE *listing = popen(command, "r");
@@ -417,6 +436,7 @@ static bool list_globals(const char *path, struct counts *c)
     while (fgets(line, sizeof line, listing) != NULL) {
         char *note = strstr(line, "; _ENV \"");
         any = true;
+        count_far(c, line, &step);
         if (note == NULL || sscanf(note, "; _ENV \"%47[A-Za-z0-9_]\"", name) != 1)
             continue;
         if (strstr(line, "GETTABUP") != NULL)

@@ -376,7 +376,7 @@ static const char driver[] = "require 'kinds'\n"
 /* The sandbox with other texts in place of two scripts. */
 static void sandbox(const char *try)
 {
-    enum { MOST_LUMPS = 80 };
+    enum { MOST_LUMPS = 160 };
     const struct {
         const char *name, *text;
     } mine[] = { { "script/main.lua", driver }, { "script/try.lua", try } };

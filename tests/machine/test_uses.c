@@ -10,7 +10,7 @@
 #define _POSIX_C_SOURCE 200809L /* unsetenv */
 #include "rig.h"
 
-enum { MOST = 256, PROPS = 32 };
+enum { MOST = 512, PROPS = 32 };
 
 static struct api_entry copies[MOST];
 static long uses[MOST], reads[HANDLES][PROPS], writes[HANDLES][PROPS];

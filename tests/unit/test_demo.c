@@ -242,9 +242,9 @@ static void test_track(void **state)
         for (int i = 0; i < d.parts; i++) {
             assert_true(f == 0 || d.checksums[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
             hashes[i] ^= 0x8000;
-            assert_int_equal(demo_differs(&d, f, hashes), 1u << i);
+            assert_int_equal(demo_differs(&d, f, hashes), (uint64_t)1 << i);
             hashes[i] ^= 0x10000 | 0x8000; /* beyond the checksum: only rows know */
-            assert_int_equal(demo_differs(&d, f, hashes), f % 60 == 0 || f == 130 ? 1u << i : 0);
+            assert_int_equal(demo_differs(&d, f, hashes), f % 60 == 0 || f == 130 ? (uint64_t)1 << i : 0);
             hashes[i] ^= 0x10000;
         }
         demo_pads(&d, f, pads);

@@ -100,7 +100,7 @@ const struct worst WORST[] = {
       "local c = ... local kind, fire = { kind = 'd8', x = 9, y = 9, speed = 0 }, bullet.fire " FOUR("fire(kind)") },
     { "a bullet's `x`", 5, "local c, x, b = ... bullet.each(nil, function(one) b = one end) " FOUR("x = b.x") },
     { "a bullet's `x`, written", 5, "local c, b = ... bullet.each(nil, function(one) b = one end) " FOUR("b.x = 9") },
-    { "`pattern.ring` in a full pool", 82000,
+    { "`pattern.ring` in a full pool", 20000,
       "local c = ... local ring = { kind = 'd8', x = 9, y = 9, n = 1000, speed = 1 } " LOOP("pattern.ring(ring)") },
     { "`angle.sin`", 290, "local c, x = ... " FOUR("x = angle.sin(33.3)") },
     { "`text.put` of 64 KiB", 3000, TWINS(65536) LOOP("text.put { col = 0, row = 0, text = a }") },

@@ -7,7 +7,6 @@
 #include "../../base/edit.h"
 #include "../../base/hash.h"
 #include "api_parts.h"
-#include "things/api_enemy.h"
 
 /* ---- boss.def ---- */
 

@@ -625,6 +625,14 @@ static int sys_on(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+/* For ROMs of before: the library asks for it no more. */
+static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.n_glyphs);
+    return 1;
+}
+
 static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
 
 static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
@@ -770,6 +778,7 @@ static const struct api_entry entries[] = {
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
     { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
     { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
+    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
