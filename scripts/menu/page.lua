@@ -93,10 +93,10 @@ function page.grow(window, age)
   window.plate.y, window.plate.h = window.middle - h // 2, h
 end
 
--- A window over what is played, which gets darker. The banner goes, for no half of it is to look out behind the window;
--- hud.refresh brings back what stood there.
+-- A window over what is played, which gets darker. No half of a line is to look out behind it, so its rows and the
+-- banner's are emptied; hud.refresh brings the hud's back.
 function page.over(col, row, w, h)
-  page.clear(row, h, col, w)
+  page.clear(row, h)
   page.clear(hud.rows // 3, BANNER)
   screen.dim { share = 0.55, over = 6 }
   return page.window(col, row, w, h)
