@@ -80,6 +80,16 @@ local function rank(difficulty, ship, points)
   return points > 0 and place <= 10 and place or nil
 end
 
+-- How many of those who played with player p come before it in the same table.
+local function ahead(run, p, many)
+  local n, points = 0, run.scores[p]
+  for q, other in ipairs(run.scores) do
+    local same = not many or run.ships[q] == run.ships[p]
+    if same and (other > points or other == points and q < p) then n = n + 1 end
+  end
+  return n
+end
+
 -- Those whose scores are among the best, as { p, points, rank, row } each; row: what is entered, but for the name. A game
 -- of one ship has one table a difficulty, another one for each ship.
 function records.best(run, many)
@@ -88,7 +98,8 @@ function records.best(run, many)
     local ship = many and run.ships[p] or nil
     local place, stage = rank(run.difficulty, ship, points), math.min(run.reached + 1, FEW)
     local row = { score = points, ship = ship, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
-    if place then list[#list + 1] = { p = p, points = points, rank = place, row = row } end
+    place = place and place + ahead(run, p, many)
+    if place and place <= 10 then list[#list + 1] = { p = p, points = points, rank = place, row = row } end
   end
   return list
 end

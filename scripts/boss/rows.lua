@@ -22,6 +22,7 @@ local bars = {}     -- of the phase: e, full, name and row
 local phase         -- the one that is shown
 local spell         -- lines of its name; col, row, where they stand; rest, their row in the end
 local seen = {}     -- what is on the screen, by what it is
+local told          -- the banner may tell how the phase before ended
 
 local function new(what, value)
   if seen[what] == value then return false end
@@ -120,6 +121,10 @@ local function draw_name(age)
   if spell.there then return end
   local k = way(age)
   spell.there = k == 0
+  if told and age >= STANDS then -- the name slides over where the phase before is told
+    told = false
+    hud.banner()
+  end
   local row = spell.rest + math.floor((LOW - spell.rest) * k + 0.5)
   local letters = age < WRITTEN and age or -1
   if not new("name", row * 64 + math.floor(k * 32) + (letters << 20)) then return end
@@ -143,6 +148,7 @@ local function draw_bonus(b, age)
 end
 
 local function tell(verdict)
+  told = true
   if not verdict.bonus then return hud.banner({ "BONUS FAILED" }, 100) end
   hud.banner({ verdict.spell and "CAPTURED" or "BONUS", tostring(verdict.bonus) }, 100)
 end

@@ -10,6 +10,7 @@ local COMING = 4     -- frames a row is faint when it comes
 local BLINK = 16     -- frames the arrows stay as they are
 local GROWING = 8    -- frames a window grows
 local DIM = 0.45     -- of what is behind a page
+local BANNER = 6     -- rows that the hud's banner takes
 
 local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
@@ -90,6 +91,15 @@ function page.grow(window, age)
   if age > GROWING then return end
   local h = math.max(8, window.h * age // GROWING)
   window.plate.y, window.plate.h = window.middle - h // 2, h
+end
+
+-- A window over what is played, which gets darker. No half of a line is to look out behind it, so its rows and the
+-- banner's are emptied; hud.refresh brings the hud's back.
+function page.over(col, row, w, h)
+  page.clear(row, h)
+  page.clear(hud.rows // 3, BANNER)
+  screen.dim { share = 0.55, over = 6 }
+  return page.window(col, row, w, h)
 end
 
 function page.close(window)

@@ -9,9 +9,7 @@ local W <const>, H <const> = 22, 11 -- cells of the window
 return function(p, left)
   local col, row = page.col + (page.cols - W) // 2, page.row + (page.rows - H) // 2
   local answer = false
-  page.clear(row, H, col, W)
-  screen.dim { share = 0.55, over = 6 }
-  local window = page.window(col, row, W, H)
+  local window = page.over(col, row, W, H)
   page.centre(row + 1, text.lang("PLAYER %d"):format(p), hud.banks.plain, col, W)
   page.centre(row + 3, "CONTINUE?", hud.banks.bright, col, W)
   page.centre(row + 9, text.lang("START: %d LEFT"):format(left), hud.banks.plain, col, W)

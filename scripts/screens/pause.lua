@@ -13,9 +13,7 @@ return function(p, items)
   end
   local w, h = math.min(page.cols - 2, widest + ROOM), 2 * #items + 5
   local col, row = page.col + (page.cols - w) // 2, page.row + (page.rows - h) // 2
-  page.clear(row, h, col, w)
-  screen.dim { share = 0.55, over = 6 }
-  local window = page.window(col, row, w, h)
+  local window = page.over(col, row, w, h)
   local function draw(age)
     page.grow(window, age)
     page.centre(row + 1, "PAUSE", hud.banks.bright, col, w)

@@ -20,11 +20,19 @@ local function value(n, age)
   return tostring(n * math.min(age, RUN) // RUN)
 end
 
+-- What of a word fits beside the values, whole words of it.
+local function beside(word, r, players, cols)
+  local widest = 0
+  for p = 1, players do widest = math.max(widest, sys.cells(value(r[p + 1], RUN))) end
+  return hud.wrap(word, math.max(1, cols - players * (widest + 1)))[1]
+end
+
 -- One player: words at the left, values at the right. Two: words in the middle, values at both sides.
 local function draw_row(at, i, r, players, age)
   local bank = page.bank(i, age, hud.banks.plain)
   if not bank then return end
-  local word, col, cols = text.lang(r[1]), page.col + 3, page.cols - 6
+  local col, cols = page.col + 3, page.cols - 6
+  local word = beside(text.lang(r[1]), r, players, cols)
   local last = value(r[players + 1], age - 2 * i)
   page.clear(at, 1)
   hud.put(col + cols - sys.cells(last), at, last, bank)

@@ -62,12 +62,15 @@ local function draw_figures(c, row, figures, apart)
   end
 end
 
+-- Words stand a cell off the plate, which is half a cell narrower than its column on each side.
+local function inside(c) return c.col + 1, c.cols - 2 end
+
 -- How many rows the words about a ship take in columns of that width, and a column in all: ships.figures, ships.rows.
 -- Of what does not fit into so many rows the lines stand closer: ships.words_apart, ships.apart.
 local function measure(ships, cols, room)
   local lines, figures = 0, 0
   for _, s in ipairs(ships) do
-    lines = math.max(lines, s.text == "" and 0 or #hud.wrap(text.lang(s.text), cols - 2))
+    lines = math.max(lines, s.text == "" and 0 or #hud.wrap(text.lang(s.text), cols - 4))
     figures = math.max(figures, #s.figures)
   end
   for tight = 0, 2 do
@@ -91,7 +94,8 @@ local function draw(c, ships, top, many)
   if many then page.centre(top, text.lang("PLAYER %d"):format(c.p), hud.banks.plain, c.col, c.cols) end
   local arrows = #ships > 1 and not c.ready
   page.centre(row, (arrows and LEFT .. " %s " .. RIGHT or "%s"):format(s.name), hud.banks.bright, c.col, c.cols)
-  page.text(top + TEXT, s.text, hud.banks.plain, c.col, c.cols, ships.words_apart)
+  local col, cols = inside(c)
+  page.text(top + TEXT, s.text, hud.banks.plain, col, cols, ships.words_apart)
   row = top + ships.figures
   if not c.ready then return draw_figures(c, row, s.figures, ships.apart) end
   page.centre(row + 1, "READY", hud.banks.bright, c.col, c.cols)

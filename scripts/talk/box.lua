@@ -114,8 +114,8 @@ return function(look, may_skip)
     if parts.name then parts.name.hidden = true end
     text.clear { col = left, row = first - 3, w = cols, h = 1 }
     if not talker then return end
-    local name = text.lang(talker.name)
-    local n = math.min(sys.cells(name), cols - 2)
+    local name = hud.wrap(text.lang(talker.name), cols - 2)[1] -- of a long one, the words that fit
+    local n = sys.cells(name)
     local col = side == "right" and left + cols - 1 - n or left + 1
     put_plate("name", 8 * col - 9, 8 * first - 29, 8 * n + 18, 23)
     write(col, first - 3, name, hud.banks.bright)
