@@ -8,7 +8,7 @@ local craft = require "players/craft"
 
 local GRAZE = 40 -- points
 
-hud.banks.plain, hud.banks.bright, hud.banks.faint = 0, 3, 13
+hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
 
 on.graze(function(p, _)
   score.add(GRAZE, p)

@@ -376,7 +376,7 @@ bad 'a register in letters' '--register: power: expected a whole number from -21
 bad 'a register out of range' '--register: power: expected a whole number from -2147483647 to 2147483647, got "2147483648"' \
     hash s --stage one --register power=2147483648
 bad 'a register below 0' '--register: power: expected a whole number from -2147483647 to 2147483647, got "-2147483648"' hash s \
-    --stage one --register power=-1
+    --stage one --register power=-2147483648
 bad 'a register after a blank' '--register: power: expected a whole number from -2147483647 to 2147483647, got " 4"' hash s \
     --stage one --register 'power= 4'
 bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'

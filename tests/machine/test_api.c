@@ -81,7 +81,10 @@ static const char world[] =
     "on.graze(string.chaos) on.hit(string.chaos) on.kill(string.chaos) on.take(string.chaos)\n"
     "bullet.meet('t', 't', { clear = 'both', on_meet = string.chaos })\n"
     "sys.join(1, 'ship')\n"
-    "if pad.down('fire') then sys.join(2, 'ship') end\n"
+    "if pad.down('fire') then sys.join(2, 'ship') end\n";
+
+/* After it: things of each kind. */
+static const char things[] =
     "local t = {}\n"
     "string.things = t\n"
     "for i = 1, 3 do\n"
@@ -427,6 +430,8 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_pushstring(L, !strcmp(p->name, "id") ? "p" : !strcmp(p->name, "name") ? "b" : "normal");
         else if (entry && !strcmp(entry->name, "score.count") && !one_in(4))
             lua_pushliteral(L, "chain");
+        else if (entry && !strcmp(entry->name, "sys.volley") && one_in(2))
+            lua_pushliteral(L, "pattern.ring");
         else if (entry && !strcmp(entry->name, "board.dip") && one_in(4))
             lua_pushliteral(L, "odd");
         else if (entry && !strcmp(entry->name, "player.def") && !strncmp(p->name, "bomb", 4) && !one_in(4))
@@ -1151,7 +1156,7 @@ static void test_start(void **state)
 
 static int setup(void **state)
 {
-    static char script[sizeof rays + sizeof world];
+    static char script[sizeof rays + sizeof world + sizeof things];
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
@@ -1169,7 +1174,7 @@ static int setup(void **state)
     m.lasers = 12;
     m.curve_points = 512;
     m.options = 12;
-    snprintf(script, sizeof script, "%s%s", rays, world);
+    snprintf(script, sizeof script, "%s%s%s", rays, world, things);
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_maps(&g);

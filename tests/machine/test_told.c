@@ -143,12 +143,8 @@ static void test_later(void **state)
     SAYS("board.ask(3)", "main.lua:2: board.ask is not there yet; the name is kept for it");
     SAYS("print(board.askk, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.ask = print board.ask('mine')", "mine\n");
-    SAYS("enemy.spawn { kind = 'foe', x = 9, y = 9, rate = 3 }",
-         "main.lua:2: enemy.spawn: rate is not there yet; the name is kept for it");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
          "main.lua:2: pattern.ring: unknown argument \"needle\"");
-    SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:orbit { radius = 3 }",
-         "main.lua:2: enemy: orbit is not there yet; the name is kept for it");
 }
 
 /* None of them is there: or what is there would be said not to be. */

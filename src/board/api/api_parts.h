@@ -388,4 +388,7 @@ int api_pass_wait(lua_State *L, struct board *b);
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);
 
+/* Raises the line of rom.lua, in a game without bodies. */
+void api_body_check(lua_State *L, const char *entry, const char *what);
+
 #endif

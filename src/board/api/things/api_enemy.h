@@ -19,9 +19,6 @@ int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y
 /* Starts its kind's run, if it has one. */
 void api_enemy_run(lua_State *L, struct board *b, uint32_t i);
 
-/* Raises the line of rom.lua, in a game without bodies. */
-void api_body_check(lua_State *L, const char *entry, const char *what);
-
 /* Keeps the parts that the table at `at` says for a kind. */
 void api_body_define(lua_State *L, int32_t kind, int at);
 
