@@ -7,8 +7,8 @@
  *     u8 type (enum nv_type), u8 n, u8 m, n bytes of name, m bytes of value
  *
  * Of an integer and a double 8 bytes, of a text up to NV_STRING, of a boolean 1; of a score table NV_ROWS rows at most,
- * best first, of 24 bytes: name[15], NULs behind it, u8 how far, and i64 score. So memory, snapshots and hashes have what is kept and
- * no more; the manifest says how much there is room for (board.nvram).
+ * best first, of 24 bytes: name[15], NULs behind it, u8 how far, and i64 score. So memory, snapshots and hashes have
+ * what is kept and no more; the manifest says how much there is room for (board.nvram).
  *
  * The name's last byte says how far that score went: its low four bits the stage that was reached (0: not said, 15: all
  * were cleared), its high four how often the run was continued (15: as often or more). The scores of one ship stand in

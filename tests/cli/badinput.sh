@@ -371,13 +371,14 @@ bad 'lives without a piece' '--lives needs --stage: it is for a practice start' 
 bad 'registers without a piece' '--register needs --stage: it is for a practice start' hash s --register power=3
 bad 'invincible without a piece' '--invincible needs --stage: it is for a practice start' hash s --invincible
 bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
-bad 'a register in letters' '--register: power: expected a whole number from -2147483647 to 2147483647, got "x"' hash s \
+reg='--register: power: expected a whole number from -2147483647 to 2147483647'
+bad 'a register in letters' "$reg, got \"x\"" hash s \
     --stage one --register power=x
-bad 'a register out of range' '--register: power: expected a whole number from -2147483647 to 2147483647, got "2147483648"' \
+bad 'a register out of range' "$reg, got \"2147483648\"" \
     hash s --stage one --register power=2147483648
-bad 'a register below 0' '--register: power: expected a whole number from -2147483647 to 2147483647, got "-2147483648"' hash s \
+bad 'a register below 0' "$reg, got \"-2147483648\"" hash s \
     --stage one --register power=-2147483648
-bad 'a register after a blank' '--register: power: expected a whole number from -2147483647 to 2147483647, got " 4"' hash s \
+bad 'a register after a blank' "$reg, got \" 4\"" hash s \
     --stage one --register 'power= 4'
 bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # screens.sh - every screen of a game, reached by keys in a window of a real (virtual) X server. The game's pieces are
-# the library's own, each of which says that it is shown; a key is pressed when the screen before has said so, so nothing
-# depends on how fast the machine is. What was played is recorded, and verified.
+# the library's own, each of which says that it is shown; a key is pressed when the screen before has said so, so
+# nothing depends on how fast the machine is. What was played is recorded, and verified.
 . "$(dirname "$0")/../xserver.sh"
 cd "$repo" || exit 2
 export SDL_AUDIODRIVER=dummy
@@ -65,7 +65,8 @@ press() {
     rounds 3 # it takes keys from its second frame on
 }
 
-# way PLAYERS: title, mode, difficulty, ship, pause, results, ending, staff, name, scores, and back; then the other mode.
+# way PLAYERS: title, mode, difficulty, ship, pause, results, ending, staff, name, scores, and back; then the other
+# mode.
 way() {
     local two=
     [ "$1" = 2 ] && two=Down

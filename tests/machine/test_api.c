@@ -45,6 +45,7 @@ static const char world[] =
     "}, { at = 5, wide = { { 9, 9 }, { -9, 0 } } } } }, collect_line = 60, pictures = { pose = 'dot' }, run = "
     "function(p) "
     "wait(9) end })\n"
+    "unlock.def('s', { when = { clear = true } })\n"
     "value.def('heat', { start = 2 }) value.def('goal') value.def('mood', { of = 'enemy' })\n"
     "motion.def { name = 'm', { loop = forever, { turn = 1, over = 9 }, { loop = 2, { wait = 3 } } } }\n"
     "local sys = string.sys\n"
@@ -54,6 +55,7 @@ static const char world[] =
     "2 }, { -9.5, 1e9 } }, stages = { 's' },\n"
     "  drops = { gem = 2, husk = 0 }, gives = { score = { 1, 2 }, b = -3 },\n"
     "  options = { kind = 'moon', style = 'orbit', radius = 9, levels = { { n = 3 } } },\n"
+    "  tally = { { label = 'T', value = 'grazes', points = 9 } },\n"
     "  choices = { 'GO', 'STAY' }, faces = { calm = 'dot', cross = 'arrow' },\n"
     "  lines = { 1, -2.5, 9 }, fog = { to = 0x102030, far = 90 },\n"
     "  players = { 'ship' }, registers = { a = 3 }, phases = { { id = 'q', hp = 9, time = 5, run = function() end } "
@@ -457,6 +459,7 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_getfield(L, -1,
                          entry && !strcmp(entry->name, "pattern.points") ? "spots"
                          : entry && !strcmp(entry->name, "choose")       ? "choices"
+                         : entry && !strcmp(entry->name, "score.tally")  ? "tally"
                                                                          : p->name);
             lua_remove(L, -2);
         }

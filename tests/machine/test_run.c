@@ -49,9 +49,10 @@ static int boss_left(struct board *b, char *title, size_t size)
     lua_getfield(L, -1, "status");
     assert_int_equal(lua_pcall(L, 0, 1, 0), LUA_OK);
     if (lua_istable(L, -1)) {
+        lua_getfield(L, -1, "boss");
         lua_getfield(L, -1, "title");
         snprintf(title, size, "%s", lua_tostring(L, -1));
-        lua_getfield(L, -2, "left");
+        lua_getfield(L, -3, "left");
         left = (int)lua_tointeger(L, -1);
     }
     lua_settop(L, 0);

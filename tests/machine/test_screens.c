@@ -1,6 +1,7 @@
 /*
- * test_screens.c - the screens around a game: the way through all of them by buttons, with one player and two, on fields
- * of several sizes; those that a game puts in their place, with what they are given and what they answer; what is refused.
+ * test_screens.c - the screens around a game: the way through all of them by buttons, with one player and two, on
+ * fields of several sizes; those that a game puts in their place, with what they are given and what they answer; what
+ * is refused.
  */
 #include "rig.h"
 

@@ -334,9 +334,9 @@ static void test_sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_torture),      cmocka_unit_test(test_glasstide),      cmocka_unit_test(test_lua_only),
-        cmocka_unit_test(test_whole),
-        cmocka_unit_test(test_back_torture), cmocka_unit_test(test_back_glasstide), cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_torture), cmocka_unit_test(test_glasstide),    cmocka_unit_test(test_lua_only),
+        cmocka_unit_test(test_whole),   cmocka_unit_test(test_back_torture), cmocka_unit_test(test_back_glasstide),
+        cmocka_unit_test(test_sizes),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

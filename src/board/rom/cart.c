@@ -337,8 +337,14 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
     static const char *const names[CART_CUES] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
 
-    c->first_tune = range(c->rom, "music/", "music0", &c->tunes);
+    struct lump first;
+
+    c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
     c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
+    if (c->sounds + c->tunes > 0) { /* their lumps stand one behind the other */
+        rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
+        c->tune_data = first.data - TUNES_FIRST;
+    }
     for (int i = 0; i < CART_CUES; i++) {
         const int sound = cart_find_sound(c, names[i]);
         c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
@@ -500,13 +506,13 @@ static uint32_t place_of(const struct cart *cart, int lump)
     struct lump l;
 
     rom_lump(cart->rom, lump, &l);
-    return (uint32_t)(l.data - cart->rom->data);
+    return (uint32_t)(l.data - cart->tune_data);
 }
 
 const char *cart_tune_name(const struct cart *cart, int i)
 {
     assert(i >= 0 && i < cart->tunes);
-    return name_in(cart, "music/", cart->first_tune + i);
+    return name_in(cart, "tune/", cart->first_tune + i);
 }
 
 uint32_t cart_tune(const struct cart *cart, int i)
@@ -517,7 +523,7 @@ uint32_t cart_tune(const struct cart *cart, int i)
 
 int cart_find_tune(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "music/", name, cart->first_tune);
+    return index_in(cart, "tune/", name, cart->first_tune);
 }
 
 const char *cart_sound_name(const struct cart *cart, int i)
@@ -550,7 +556,7 @@ uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *i
             return 0;
         from = cart_sound(cart, sound);
     }
-    const uint32_t at = bytes_get32(cart->rom->data + from + 12);
+    const uint32_t at = bytes_get32(cart->tune_data + from + 12);
     return at ? from + at : 0;
 }
 

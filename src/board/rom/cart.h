@@ -18,7 +18,7 @@
  *                         is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all
  *                         tiles in it are solid
  *         demo/X          demos
- *         music/X         a piece of music: tune.h; a tick reads it
+ *         tune/X          a piece of music: tune.h; a tick reads it
  *         sound/X         a sound: tune.h, its recording behind it
  *         data/X          text files for rom.text
  */
@@ -53,6 +53,7 @@ enum {
 };
 
 /* Sounds of these names play by themselves. */
+enum { TUNES_FIRST = 16 /* the place of the first sound or piece of music */ };
 enum cart_cue { CUE_SHOT, CUE_HIT, CUE_GRAZE, CUE_KILL, CUE_ITEM, CUE_BOMB, CUE_WARNING, CUE_MENU, CART_CUES };
 
 struct cart {
@@ -69,6 +70,7 @@ struct cart {
     int n_glyphs;
     int first_face, faces;
     int first_tune, tunes;
+    const uint8_t *tune_data; /* what places of sounds and music are counted from */
     int first_sound, sounds;
     uint32_t cue[CART_CUES]; /* places in the ROM of the sounds that play by themselves; 0: the game has none */
 };
@@ -122,8 +124,8 @@ const char *cart_face_name(const struct cart *cart, int i);
 struct face cart_face(const struct cart *cart, int i);
 int cart_find_face(const struct cart *cart, const char *name);
 
-/* Piece of music i, 0 <= i < tunes, and sound i: its name; its place in the ROM (tune.h); the index of a name, or
- * -1. */
+/* Piece of music i, 0 <= i < tunes, and sound i: its name; its place, counted from tune_data (tune.h); the index of a
+ * name, or -1. A place is never 0, and the same whatever else is in the ROM: it is part of what a tick computes. */
 const char *cart_tune_name(const struct cart *cart, int i);
 uint32_t cart_tune(const struct cart *cart, int i);
 int cart_find_tune(const struct cart *cart, const char *name);
@@ -131,7 +133,7 @@ const char *cart_sound_name(const struct cart *cart, int i);
 uint32_t cart_sound(const struct cart *cart, int i);
 int cart_find_sound(const struct cart *cart, const char *name);
 
-/* The recording of an instrument, bytes `inst` of the tune at `tune`: its place in the ROM; 0: there is none. */
+/* The recording of an instrument, bytes `inst` of the tune at `tune`: its place; 0: there is none. */
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst);
 
 /* Can the character be shown by a font of the game? A blank can always. */

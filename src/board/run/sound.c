@@ -8,7 +8,7 @@
 
 static const uint8_t *rom(const struct board *b)
 {
-    return b->cart.rom->data;
+    return b->cart.tune_data;
 }
 
 /* A volume of 127 is a third of full scale, so that some voices together stay below the limiter. */

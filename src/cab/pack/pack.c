@@ -500,7 +500,7 @@ static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
                                      : compile_mml(p, s, music ? "music" : "sounds", &about, &tune, &size)))
         return false;
     if (check_recordings(p, s, tune))
-        return add(p, music ? "music/" : "sound/", s->name, tune, size);
+        return add(p, music ? "tune/" : "sound/", s->name, tune, size);
     free(tune);
     return false;
 }

@@ -32,7 +32,7 @@ struct seq {
 /* A sound that plays is as many cues as it has tracks. */
 struct cues {
     struct slots s;
-    uint32_t *tune; /* its place in the ROM; 0: none plays */
+    uint32_t *tune; /* its place (cart.h); 0: none plays */
     uint32_t *born; /* the frame in which it began */
     uint8_t *track;
     uint32_t *at;
@@ -61,7 +61,7 @@ static inline uint64_t seq_beats(const struct seq *s)
 }
 
 struct cue {
-    uint32_t tune; /* its place in the ROM */
+    uint32_t tune; /* its place (cart.h) */
     uint16_t loud;
     int16_t place;
     int32_t pitch;

@@ -80,7 +80,7 @@ static bool playing(const struct board *b, struct tune *t)
 {
     if (!b->music.tune)
         return false;
-    *t = tune_of(b->cart.rom->data + cart_tune(&b->cart, b->music.tune - 1));
+    *t = tune_of(b->cart.tune_data + cart_tune(&b->cart, b->music.tune - 1));
     return true;
 }
 
