@@ -60,7 +60,8 @@ local function fly_wave(a)
       dx, dy = dx + x, dy + y
     end
     local x, y = path.place(a.path[1], a.mirror, dx, dy)
-    local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run, stay = a.stay }
+    local e = enemy.spawn { kind = a.kind, x = x, y = y, run = a.run, stay = a.stay, hp = a.hp, bank = a.bank,
+                            tag = a.tag, on_death = a.on_death, drops = a.drops }
     task.own(e, path.travel, a.path, a.mirror, dx, dy)
     if i < a.n - 1 then wait(a.every) end
   end

@@ -68,12 +68,12 @@ local function tidy(team, phase, won)
   end
 end
 
--- True if the phase was beaten.
-local function play(now, b, team, phase)
+-- True if the phase was beaten. after: the one that comes next, or nil; all: those before were beaten.
+local function play(now, b, team, phase, after, all)
   local status = now.status
   sys.mark("phase", phase.id, b.name, phase.spell)
   status.phase, status.began, status.missed, status.hit = phase, sys.clock(), false, false
-  local before = phase.bg and backdrop(b, phase)
+  local before = phase.bg and (now.before or backdrop(b, phase)) -- that of the phase before may stand still
   local armour = phase.armour > 0 and sys.read("boss/armour")(team, phase)
   local scene, down = begin(b, team, phase)
   if phase.cut_in then sys.read("boss/cut_in")(b, phase, scene) end
@@ -83,7 +83,9 @@ local function play(now, b, team, phase)
   local captured = won and not status.missed
   task.stop(scene)
   if armour then task.stop(armour) end
-  if before then sys.backdrop(before) end
+  local stands = after and after.bg == phase.bg and (not after.last or all and won)
+  if before and not stands then sys.backdrop(before) end
+  now.before = stands and before or nil
   tidy(team, phase, won)
   if phase.bonus > 0 then
     local n = captured and status.worth()
@@ -129,7 +131,7 @@ local function run(now, b, phases, team, alone)
     if lead(team) and (all or not phase.last) then
       if not alone then talk(phase.talk, team) end
       now.status.left = #phases - i
-      won = play(now, b, team, phase)
+      won = play(now, b, team, phase, phases[i + 1], all)
       all = all and won
       local after = phases[i + 1]
       local on = after and (all or not after.last) or not after and b.talk and not alone
@@ -150,7 +152,7 @@ return function(now, b, phases, args)
   local field <close> = at_end(function() -- when the fight is cut short too
     for _, e in ipairs(team) do e:remove() end
     if s then stage.start_clock(s) end
-    now.task, now.status = nil, nil
+    now.task, now.status, now.before = nil, nil, nil
   end)
   if b.warning > 0 and args then sys.read("boss/warning")(b) end
   sys.mark("boss", b.name, "", b.title)

@@ -11,6 +11,7 @@
 #include <string.h>
 #include "../base/err.h"
 #include "../base/int.h"
+#include "../base/pads.h"
 
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
@@ -67,6 +68,7 @@ enum option {
     OPTION_SCALE,
     OPTION_FULLSCREEN,
     OPTION_MUTE,
+    OPTION_PRESS,
     OPTION_FRAMES,
     OPTION_EVERY,
     OPTION_PARTS,
@@ -104,6 +106,10 @@ static const struct {
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY, "window pixels a picture pixel, 1 to 16" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
+    [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
+                       "buttons that player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for "
+                       "frames of "
+                       "the run" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
                         "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames; with --trace, "
                         "these frames" },
@@ -269,13 +275,60 @@ bool args_frames(struct args *a, const char *text, char *err, size_t err_size)
     return true;
 }
 
+static bool in_span(const struct span *s, uint32_t frame)
+{
+    return frame >= s->first && frame <= s->last && (frame - s->first) % s->step == 0;
+}
+
+static const char *const buttons[PAD_BUTTONS] = PAD_NAMES;
+
+/* BUTTON or BUTTON@FRAMES. */
+static bool read_press(struct press *out, const char *p, const char *end)
+{
+    const char *at = memchr(p, '@', (size_t)(end - p));
+    const size_t n = (size_t)((at ? at : end) - p);
+
+    *out = (struct press){ .when = { 0, ARGS_MAX_FRAME, 1 } };
+    for (int i = 0; i < PAD_BUTTONS; i++)
+        if (strlen(buttons[i]) == n && memcmp(buttons[i], p, n) == 0)
+            out->pad = (uint16_t)(1 << i);
+    return out->pad && (!at || read_span(&out->when, at + 1, end));
+}
+
+static bool set_presses(struct args *a, const char *text, char *err, size_t err_size)
+{
+    const char *p = text;
+
+    for (bool more = true; more;) {
+        const size_t n = strcspn(p, ",");
+        if (a->n_presses == ARGS_MAX_PRESSES)
+            return err_set(err, err_size, "--press: more than %d parts", ARGS_MAX_PRESSES);
+        if (!read_press(&a->presses[a->n_presses++], p, p + n))
+            return err_set(err, err_size,
+                           "--press: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got \"%s\" "
+                           "(there are up down left right fire bomb focus special start select)",
+                           text);
+        more = p[n] == ',';
+        p += n + 1;
+    }
+    return true;
+}
+
+uint16_t args_pressed(const struct args *a, uint32_t frame)
+{
+    uint16_t pads = 0;
+
+    for (int i = 0; i < a->n_presses; i++)
+        if (in_span(&a->presses[i].when, frame))
+            pads |= a->presses[i].pad;
+    return pads;
+}
+
 bool args_wants(const struct args *a, uint32_t frame)
 {
-    for (int i = 0; i < a->n_spans; i++) {
-        const struct span *s = &a->spans[i];
-        if (frame >= s->first && frame <= s->last && (frame - s->first) % s->step == 0)
+    for (int i = 0; i < a->n_spans; i++)
+        if (in_span(&a->spans[i], frame))
             return true;
-    }
     return false;
 }
 
@@ -375,6 +428,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return add_setting(a->registers, &a->n_registers, ARGS_MAX_REGISTERS, o, value, err, err_size);
     case OPTION_TRACE:
         return set_trace(a, value, err, err_size);
+    case OPTION_PRESS:
+        return set_presses(a, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
     case OPTION_SEED:
@@ -500,7 +555,7 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
     char with[64];
     const unsigned practice = 1u << OPTION_LIVES | 1u << OPTION_REGISTER | 1u << OPTION_INVINCIBLE;
     const unsigned fixed = practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE |
-                           1u << OPTION_DIFFICULTY | 1u << OPTION_LANG;
+                           1u << OPTION_DIFFICULTY | 1u << OPTION_LANG | 1u << OPTION_PRESS;
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))

@@ -32,6 +32,7 @@ enum {
     ARGS_MAX_LIVES = 99,
     ARGS_MAX_TRACES = 32,
     ARGS_MAX_SPANS = 64,
+    ARGS_MAX_PRESSES = 64,
     ARGS_MAX_WORD = 900, /* bytes of an argument */
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16
@@ -40,6 +41,12 @@ enum {
 /* Frames first, first + step ... up to and with last. */
 struct span {
     uint32_t first, last, step;
+};
+
+/* A button of player 1 that is held in these frames. */
+struct press {
+    uint16_t pad; /* PAD_ */
+    struct span when;
 };
 
 struct args {
@@ -60,6 +67,8 @@ struct args {
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
+    struct press presses[ARGS_MAX_PRESSES];
+    int n_presses;
 };
 
 /* Reads argv[1] on. False and one sentence for anything that is not understood; what is meant by the words is for the
@@ -68,6 +77,9 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
 
 /* Reads "600", "1,60,600", "0:600:60" (both ends included) or several of these joined by commas. */
 bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
+
+/* The buttons (PAD_) that --press holds in the tick after that frame. */
+uint16_t args_pressed(const struct args *a, uint32_t frame);
 
 /* Is the frame one of those of --frames? The last one that is. */
 bool args_wants(const struct args *a, uint32_t frame);

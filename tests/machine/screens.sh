@@ -8,7 +8,7 @@ export SDL_AUDIODRIVER=dummy
 
 # game_of DIR SCREEN: Glass Tide's pictures, two short stages of its own, and all that boot.run can show.
 game_of() {
-    mkdir -p "$1" && cp -r roms/glasstide/{art,maps,lang,players,kinds.lua,rom.lua} "$1" || exit 2
+    mkdir -p "$1" && cp -r roms/glasstide/{art,maps,lang,players,sfx,music,kinds.lua,rom.lua} "$1" || exit 2
     sed -i "s/screen = { w = 240, h = 320 }/$2/; s/title = \"Glass Tide\"/title = \"Screens\"/" "$1/rom.lua"
     mkdir -p "$1/std/screens" "$1/demos"
     for piece in scripts/screens/*.lua; do

@@ -54,6 +54,14 @@ static const struct story stories[] = {
       99, "a true false true 73 c true true 3" },
     { "so does the time", "one(phase { bonus = 700 }) alone() task.go(function() wait(175) say(points()) end)", 180,
       "a false false false 171 0" },
+    { "a background stands between phases that share it",
+      "local made = 0 bg.def('hall', function() made = made + 1 end) bg.def('yard', function() end)\n"
+      "task.go(function() bg.show('yard', { over = 0 }) end)\n"
+      "local function p(bg) return phase { bg = bg, rest = 40, run = down(40) } end\n"
+      "local l = {} for i, bg in ipairs { 'hall', 'hall', 'yard', 'hall' } do l[i] = p(bg) l[i].id = 'p' .. i end\n"
+      "boss.def('b', { title = 'B', kind = 'e', x = 50, y = 40, phases = l }) alone()\n"
+      "task.go(function() while true do wait(60) say(made) end end)",
+      430, "0 p1 true true 1 1 p2 true true 1 p3 true true 1 true 345 p4 true true 2 2" },
     { "a last phase", "one(phase { run = down(2) }, phase { id = 'l', last = true, run = down(2) }) alone()", 99,
       "a true true true 67 l true true" },
     { "is not there after a loss",
@@ -177,7 +185,7 @@ static void open_with(const char *code, const struct board_start *start)
     static char text[1 << 14];
     struct manifest m = rig_manifest();
 
-    m.bodies = 1;
+    m.bodies = m.bg = 1;
     snprintf(text, sizeof text, "%s%s", game, code);
     rig_with_sys(&g, &m, text);
     rig_power(&r, &g, start);

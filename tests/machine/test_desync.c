@@ -82,14 +82,14 @@ static void stop(struct runner *r)
 }
 
 /* The parts that differ between two boards. */
-static uint32_t differing(struct runner *a, struct runner *b)
+static uint64_t differing(struct runner *a, struct runner *b)
 {
-    uint32_t parts_differ = 0;
+    uint64_t parts_differ = 0;
 
     board_hashes_cached(a->rig.b, a->copies, a->hashes);
     board_hashes_cached(b->rig.b, b->copies, b->hashes);
     for (int i = 0; i < PARTS; i++)
-        parts_differ |= (uint32_t)(a->hashes[i] != b->hashes[i]) << i;
+        parts_differ |= (uint64_t)(a->hashes[i] != b->hashes[i]) << i;
     return parts_differ;
 }
 
@@ -118,9 +118,9 @@ static struct verdict lockstep(struct runner *a, const struct demo *da, struct r
 static void same_verdict(const struct verdict *got, const struct verdict *want, const char *what, uint64_t which)
 {
     if (got->kind != want->kind || got->first != want->first || got->frame != want->frame || got->parts != want->parts)
-        fail_msg("%s %llu: verdict %d, frames %u to %u, parts %x; side by side %d, frame %u, parts %x", what,
-                 (unsigned long long)which, got->kind, got->first, got->frame, got->parts, want->kind, want->frame,
-                 want->parts);
+        fail_msg("%s %llu: verdict %d, frames %u to %u, parts %llx; side by side %d, frame %u, parts %llx", what,
+                 (unsigned long long)which, got->kind, got->first, got->frame, (unsigned long long)got->parts,
+                 want->kind, want->frame, (unsigned long long)want->parts);
 }
 
 /* ---- flipped bits ---- */

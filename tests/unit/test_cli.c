@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
+#include "../../src/base/pads.h"
 #include "../../src/cab/args.h"
 #include "../../src/cab/cli.h"
 #include "../../src/cab/version.h"
@@ -152,6 +153,29 @@ static void test_frames(void **state)
     wants("0:7:3", "1001001000");
     wants("5:5:9", "0000010");
     wants("1,3:5,7:11:2", "0101110101010");
+}
+
+static void test_press(void **state)
+{
+    (void)state;
+    reads("hash game --press fire,focus");
+    assert_int_equal(args_pressed(&a, 0), PAD_FIRE | PAD_FOCUS);
+    assert_int_equal(args_pressed(&a, 99999), PAD_FIRE | PAD_FOCUS);
+    reads("render game --frames 1 --press up,bomb@20,left@60:62,fire@0:600:8");
+    assert_int_equal(args_pressed(&a, 20), PAD_UP | PAD_BOMB);
+    assert_int_equal(args_pressed(&a, 62), PAD_UP | PAD_LEFT);
+    assert_int_equal(args_pressed(&a, 63), PAD_UP);
+    assert_int_equal(args_pressed(&a, 16), PAD_UP | PAD_FIRE);
+    assert_int_equal(args_pressed(&a, 608), PAD_UP);
+    static const char *const wrong[] = { "fyre", "fire@", "fire@x", "@3", "fire,,bomb", "fire@1:2:0", "fire@1:2:3:4" };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        char line[64];
+        snprintf(line, sizeof line, "hash game --press %s", wrong[i]);
+        assert_false(parse(line));
+        assert_non_null(strstr(err, "--press: expected buttons like fire"));
+    }
+    refuses("hash game --demo d --press fire", "--press does not go with --demo, which holds its own");
+    refuses("play game --press fire", "--press does not go with play (it goes with render, hash)");
 }
 
 static void test_bad_values(void **state)
@@ -529,12 +553,12 @@ static void test_rom_commands(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands),         cmocka_unit_test(test_values),    cmocka_unit_test(test_frames),
-        cmocka_unit_test(test_bad_values),       cmocka_unit_test(test_misfits),   cmocka_unit_test(test_near),
-        cmocka_unit_test(test_help_and_version), cmocka_unit_test(test_help_text), cmocka_unit_test(test_exit_codes),
-        cmocka_unit_test(test_host_failures),    cmocka_unit_test(test_hash),      cmocka_unit_test(test_verify),
-        cmocka_unit_test(test_cut_demo),         cmocka_unit_test(test_fault),     cmocka_unit_test(test_render),
-        cmocka_unit_test(test_rom_commands),
+        cmocka_unit_test(test_commands),   cmocka_unit_test(test_values),           cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_press),      cmocka_unit_test(test_bad_values),       cmocka_unit_test(test_misfits),
+        cmocka_unit_test(test_near),       cmocka_unit_test(test_help_and_version), cmocka_unit_test(test_help_text),
+        cmocka_unit_test(test_exit_codes), cmocka_unit_test(test_host_failures),    cmocka_unit_test(test_hash),
+        cmocka_unit_test(test_verify),     cmocka_unit_test(test_cut_demo),         cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_render),     cmocka_unit_test(test_rom_commands),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

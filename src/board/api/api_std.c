@@ -96,6 +96,11 @@ static const struct api_param wave[] = { { "n", A_INT, REQ, 0, 4096, "enemies", 
                                          { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
                                          { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
                                          { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                         { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
+                                         { "bank", A_INT, OPT, 0, 15, NULL, NULL },
+                                         { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+                                         { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
+                                         { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
                                          { "formation", A_ANY, OPT, 0, 0,
                                            "v, line, column, circle, or a list of { x, y }", NULL },
                                          { "gap", A_NUM, OPT, 0, WORLD, "px", "24" } };
@@ -267,7 +272,7 @@ static const struct api_entry entries[] = {
         "with "
         "formation, at its place of \"v\", \"line\", \"column\" or \"circle\", neighbours gap apart, or of a list of { "
         "x, y }; returns at "
-        "once; stay as of enemy.spawn"),
+        "once; stay, hp, bank, tag, on_death, drops as of enemy.spawn"),
     LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
