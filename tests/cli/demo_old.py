@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes a demo in format 2, which today's programs only read: `demo_old.py NEW OLD`. What format 2 has no room for
-(the rest of a practice start, prints but script's, moments) is left out."""
+(the rest of a practice start, prints but script's, moments, parts after the 32nd) is left out."""
 import struct
 import sys
 import zlib
@@ -52,7 +52,11 @@ def records(d):
         yield b"E", struct.pack("<II", len(d["pads"]), d["end"])
 
 
+MOST = 32  # parts that format 2 has room for
+
+
 demo, crc, out = read(open(sys.argv[1], "rb").read()), 0, b"CDEM" + struct.pack("<I", 2)
+demo["parts"], demo["rows"] = demo["parts"][:MOST], [row[:MOST] for row in demo["rows"]]
 for kind, payload in records(demo):
     record = kind + b"\0\0\0" + struct.pack("<I", len(payload)) + payload
     crc = zlib.crc32(record, crc)

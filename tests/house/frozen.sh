@@ -11,7 +11,7 @@ used() { # ROM
     local dir
     dir=$(mktemp -d -p "$scratch")
     "$curtain" unpack "$1" "$dir/rom" || return 1
-    grep -rhoE 'function sys\.[a-z_]+|^sys\.[a-z_]+ =' --include=*.lua "$dir/rom" |
+    grep -rhoE 'function sys\.[a-z_]+|^ *sys\.[a-z_]+ =' --include=*.lua "$dir/rom" |
         sed 's/.*sys\.//; s/ =$//' | sort -u >"$dir/own"
     grep -rhoE '\bsys\.[a-z_]+' --include=*.lua "$dir/rom" | sed 's/sys\.//' | sort -u | comm -23 - "$dir/own"
 }

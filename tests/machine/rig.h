@@ -260,9 +260,9 @@ static inline void rig_sounds(struct rig_game *g)
     } texts[] = {
         { "tune/deep", "@b sample bell root=60\nA t90 @b o4 v12 c8e8 {c>g}4,8 r2\nB @noise l16 [c r]8" },
         { "tune/tide", "@lead fm ratio=2 depth=3 dull=200 decay=300 sustain=20 release=90 vibrato=30,5.5,100\n"
-                        "A t133.25 @lead v12 o5 L l8 c8d8e8 \"drop\" t97 f8 & g4 e4 p20 c4 v9 {{cde}}4 t133.25 r8 \n"
-                        "B @triangle o3 v14 L c2 g2 \"back\" a4 f4 e8\n"
-                        "C @pulse V40 o4 L [c32r32]8 r1 r8" },
+                       "A t133.25 @lead v12 o5 L l8 c8d8e8 \"drop\" t97 f8 & g4 e4 p20 c4 v9 {{cde}}4 t133.25 r8 \n"
+                       "B @triangle o3 v14 L c2 g2 \"back\" a4 f4 e8\n"
+                       "C @pulse V40 o4 L [c32r32]8 r1 r8" },
         { "sound/boom", "A t240 @noise E0,200,0,5 o4 v15 c4\nB @sine E0,200,0,5 v15 {o4c<<c}4" },
         { "sound/hit", "t200 @noise E0,60,0,10 o6 c8" },
     };
