@@ -14,6 +14,7 @@ links() {
 # Reads such lines; says which program refers to threads and has no -pthread. There are many that do.
 threads() {
     local line word source n=0 found=0
+    local -A refers # of each source: 1 or 0
     while read -r line; do
         for word in $line; do
             case $word in
@@ -22,7 +23,8 @@ threads() {
             *.c) source=$word ;;
             *) continue ;;
             esac
-            grep -q 'pthread_' "$source" 2>/dev/null || continue
+            [ -n "${refers[$source]}" ] || refers[$source]=$(grep -cm 1 'pthread_' "$source" 2>/dev/null)
+            [ "${refers[$source]:-0}" = 1 ] || continue
             n=$((n + 1))
             case " $line " in
             *' -pthread '*) ;;

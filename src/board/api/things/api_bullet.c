@@ -398,8 +398,6 @@ bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool s
                                 .player = shot ? shooter(b, v) : 0,
                                 .delay = shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
                                 .by = tasks_serial(b) };
-    if (s->player && b->player.hit[s->player - 1]) /* it cannot fire */
-        return false;
     if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
     if (s->player && b->player.hit[s->player - 1]) /* it cannot fire */
