@@ -58,7 +58,7 @@ refuse "planted: a plot without its lines" "too few lines" well_formed "$scratch
 # What holds whatever the clock says: a section ends with exit code 1 when the engine does not do what it must.
 check "shots hit the nearest enemy, every sprite is drawn, and steps back find the frames that were" \
     "$bench" battle pictures rewind
-refuse "a section it does not have" "sections: machine crowd prices" "$bench" nothing
+refuse "a section it does not have" "sections: machine boss crowd prices" "$bench" nothing
 engine_copy
 sed 's/\(events_push(.*EV_SHOT, who, whom\))/\1 ^ 1)/' \
     src/board/hits/hit_shots.c >"$copy/src/board/hits/hit_shots.c"

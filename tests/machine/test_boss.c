@@ -48,6 +48,11 @@ static const struct story stories[] = {
       "one(phase { bonus = 700, run = function(e) hit() wait(5) e.hp = 0 end }) alone()\n"
       "task.go(function() wait(85) say(points(), player.get(1).lives) end)",
       99, "true 67 a true false 0 1" },
+    { "so does a bomb",
+      "one(phase { bonus = 700, run = function(e) sys.emit('bomb', player.get(1), false) wait(5) e.hp = 0 end }) "
+      "alone()\n"
+      "task.go(function() wait(85) say(points(), player.get(1).lives) end)",
+      99, "true 67 a true false 0 2" },
     { "of that phase alone",
       "one(phase { bonus = 700, run = function(e) hit() wait(5) e.hp = 0 end }, phase { id = 'c', bonus = 3, run = "
       "down(5) }) alone()\ntask.go(function() wait(95) say(points()) end)",
