@@ -6,7 +6,7 @@ return {
             lasers = 64, curve_points = 4096, options = 16, bodies = true, pierce = true }, -- for what the manual shows
   sounds = { boom = { mml = "t200 @noise E0,250,0,30 o4 v15 c2" }, drum = { file = "sfx/drum.wav" },
               shot = { mml = "t240 @pulse E0,20,0,5 o6 v9 {c<c}32", priority = 1, limit = 1 } },
-  music = { tide = { file = "music/tide.mml" } }, -- chapter 26
+  music = { tide = { file = "music/tide.mml" } }, -- chapter 25
   palette = "art/palette.png", font = "art/font.png",
   fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
     " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },
