@@ -23,7 +23,7 @@ threads() {
             *.c) source=$word ;;
             *) continue ;;
             esac
-            [ -n "${refers[$source]}" ] || refers[$source]=$(grep -cm 1 'pthread_' "$source" 2>/dev/null)
+            [ -n "${refers[$source]:-}" ] || refers[$source]=$(grep -cm 1 'pthread_' "$source" 2>/dev/null)
             [ "${refers[$source]:-0}" = 1 ] || continue
             n=$((n + 1))
             case " $line " in
