@@ -77,7 +77,9 @@ static size_t marks_at(const struct tune *t)
 
 struct tune tune_of(const uint8_t *p)
 {
-    return (struct tune){ p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], bytes_get32(p + 8) };
+    return (struct tune){
+        p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], p[20], bytes_get32(p + 8), bytes_get32(p + 24), bytes_get32(p + 28)
+    };
 }
 
 const char *tune_title(const struct tune *t)
@@ -108,7 +110,12 @@ static uint32_t loops(const struct tune *t, int i)
 
 bool tune_recording(const struct tune *t)
 {
-    return bytes_get32(t->data + 12) != 0;
+    return t->sides > 0;
+}
+
+bool tune_streams(const struct tune *t)
+{
+    return t->sides > 0 && bytes_get32(t->data + 12) == 0;
 }
 
 bool tune_endless(const struct tune *t)
@@ -139,7 +146,7 @@ struct tune_at tune_begin(const struct tune *t, int i)
 {
     struct tune_at c = { begins(t, i), 0 };
 
-    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK;
+    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
     return c;
 }
 
@@ -155,6 +162,7 @@ static void play_event(const struct tune *t, int track, struct tune_at *c, int s
             play(context, &e, sample);
             return;
         }
+        c->left += t->rest;
     } else {
         c->at += 1u + values_of[e.event];
         if (values_of[e.event] >= 2)
@@ -280,7 +288,7 @@ static bool inst_ok(const struct tune *t, const uint8_t *bytes)
     if (memcmp(again, bytes, INST_BYTES) != 0 || i.kind >= INST_KINDS || i.sustain > 32767 ||
         !name_ok(i.sample, TUNE_NAME))
         return false;
-    if (i.kind == INST_SAMPLE && !i.sample[0] && bytes_get32(t->data + 12) == 0)
+    if (i.kind == INST_SAMPLE && !i.sample[0] && !tune_recording(t))
         return false;
     return i.root >= 0 && i.root <= PITCH_MOST && i.attack <= 1 << 24 && i.decay <= 1 << 24 && i.fade <= 1 << 24 &&
            i.release <= 1 << 24 && i.vibrato <= 24 * 256 && i.vibrato_delay <= 1 << 24 && i.depth <= 32767 &&
@@ -296,24 +304,23 @@ static bool zero(const uint8_t *p, size_t n)
 
 bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    struct sample sample;
-
     if (size < TUNE_HEADER + TUNE_TITLE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
-        !zero(data + 20, 12))
+        !zero(data + 21, 3))
         return err_set(err, err_size, "it is no tune of format %d", TUNE_FORMAT);
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
     if (t.tracks < 1 || t.tracks > TUNE_TRACKS || t.insts > TUNE_INSTS || t.marks > TUNE_MARKS || t.priority > 7 ||
-        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST)
+        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST ||
+        t.sides > TUNE_SIDES || (t.sides == 0 && sample_at) || t.rest >= TUNE_TICK || t.lead > TUNE_LEAD)
         return err_set(err, err_size, "its header is out of range");
     if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MOST + 4 ||
         marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "it is shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE))
         return err_set(err, err_size, "its title is no line of text");
-    if (sample_at && !sample_open(data + sample_at, size - sample_at, &sample))
-        return err_set(err, err_size, "its sample is not good");
+    if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))
+        return err_set(err, err_size, "its samples are not good");
     for (int i = 0; i < t.insts; i++)
         if (!inst_ok(&t, tune_inst(&t, i)))
             return err_set(err, err_size, "instrument %d is out of range", i + 1);

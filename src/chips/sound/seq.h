@@ -23,7 +23,7 @@ struct seq {
     uint16_t mark;            /* the last marker it came by, its index + 1; 0: none yet */
     uint32_t marks;           /* how many it came by */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
-    uint64_t pos;             /* units since it began (TUNE_TICK a tick) */
+    uint64_t pos;             /* units since its first beat (TUNE_TICK a tick), of two's complement before it */
     uint32_t *at;             /* cursors */
     int64_t *left;
     uint8_t *inst, *volume, *pan; /* of the notes to come */
@@ -54,10 +54,10 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 /* Plays a frame of tune t. */
 void seq_step(struct seq *s, const struct tune *t, seq_play *play, void *context);
 
-/* Whole quarter notes since it began. */
+/* Whole quarter notes since its first beat; 0 before it. */
 static inline uint64_t seq_beats(const struct seq *s)
 {
-    return s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
+    return (int64_t)s->pos < 0 ? 0 : s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
 }
 
 struct cue {
