@@ -11,7 +11,7 @@
 #include "adpcm.h"
 #include "pitch.h"
 
-enum { EVENTS_A_RUN = 64, LONGEST = 1 << 24 /* ticks of a pause */ };
+enum { EVENTS_A_RUN = 64 };
 
 static const uint8_t values_of[TUNE_EVENTS] = {
     [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,  [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
@@ -208,7 +208,7 @@ static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
     if (from + 5 > c->end)
         return false;
     *ticks = read_ticks(c->t->data, at);
-    return *ticks <= LONGEST && (*at - from < 4 || c->t->data[*at - 1] < 128);
+    return *ticks <= TUNE_PAUSE && (*at - from < 4 || c->t->data[*at - 1] < 128);
 }
 
 static bool pitch_ok(const uint8_t *p)

@@ -44,6 +44,7 @@ enum {
     TEMPO_LEAST = 1000, /* 10 quarter notes a minute */
     TEMPO_MOST = 60000,
     TUNE_MOST = 1 << 20, /* bytes without the sample */
+    TUNE_PAUSE = 1 << 24, /* ticks between two events, at most */
     TUNE_SIDES = 2,
     TUNE_LEAD = 1 << 24, /* samples before the first beat, at most */
     TUNE_PAN = 64,       /* the middle; 0 left, 128 right */

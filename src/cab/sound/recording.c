@@ -5,6 +5,7 @@
  */
 #include "recording.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -258,6 +259,16 @@ static void add_conductor(struct writer *w, const struct art_sound *s, uint32_t 
     add_event(w, looping ? loop_ticks - (now - from) : 0, TUNE_END, 0);
 }
 
+/* How many frames go round: those of the loop, or of so many of it that they last. */
+static uint64_t loop_frames(const struct pcm *p)
+{
+    uint64_t n = p->loop < 0 ? 0 : p->n - (uint64_t)p->loop;
+
+    while (n > 0 && n < p->rate / 4)
+        n *= 2;
+    return n;
+}
+
 /* rom.lua's, or the file's, or 120, in hundredths. */
 static uint32_t tempo_of(const struct pcm *p, const struct art_sound *s)
 {
@@ -273,13 +284,16 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
 {
     const uint32_t tempo = tempo_of(p, s), lead = (uint32_t)llrint(s->offset * SND_RATE);
     const bool endless = p->loop >= 0;
-    const uint64_t loop = units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo);
-    const int64_t end = (int64_t)(units_of(p, p->n, tempo) - (uint64_t)lead * tempo);
-    const struct span span = { end - (int64_t)loop, end };
+    const uint64_t all = units_of(p, p->n, tempo), loop = units_of(p, loop_frames(p), tempo);
+    const int64_t end = (int64_t)(all - (uint64_t)lead * tempo);
+    const struct span span = { end - (int64_t)units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo), end };
     const uint32_t loop_ticks = (uint32_t)(loop / TUNE_TICK);
     struct place places[TUNE_MARKS];
     struct writer w;
 
+    if (ticks_up(all) > TUNE_PAUSE)
+        return err_set(err, err_size, "too long: at that tempo it has %" PRIu32 " beats, expected at most %d",
+                       ticks_up(all) / TUNE_QUARTER, TUNE_PAUSE / TUNE_QUARTER);
     if (!place_markers(s, markers, span, places, err, err_size))
         return false;
     add_head(&w, s, sides_of(p, s), s->n_markers, tempo);
@@ -289,7 +303,7 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     bytes_put32(w.bytes + 28, lead);
     add_conductor(&w, s, tempo, places, &span, endless, loop_ticks);
     for (int i = 0; i < sides_of(p, s); i++)
-        add_track(&w, i, sides_of(p, s), endless, endless ? loop_ticks : ticks_up(units_of(p, p->n, tempo)));
+        add_track(&w, i, sides_of(p, s), endless, endless ? loop_ticks : ticks_up(all));
     end_tune(&w);
     tune->n = w.n;
     tune->data = malloc(w.n);
