@@ -93,10 +93,10 @@ static void reference_orbit(struct ref *r, fx *x, fx *y)
 
 static void reference_place(int i)
 {
+    if (i < 0 || ref[i].done)
+        return;
     struct ref *r = &ref[i];
 
-    if (i < 0 || r->done)
-        return;
     r->done = true;
     reference_place(r->body);
     if (r->mode == CIRCLES)
