@@ -148,7 +148,15 @@ static bool ended(const struct voices *s, const uint8_t *rom, const struct inst 
     return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there */ };
+enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there; a place in a loop goes back by whole loops */ };
+
+/* How far a place goes back. Recordings are far shorter than OLDEST. */
+static uint64_t loops_back(const struct sample *s, uint64_t phase)
+{
+    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
+
+    return s->loop == SAMPLE_ENDS || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+}
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
@@ -157,6 +165,10 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
     const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
 
     s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    if (inst.kind == INST_SAMPLE && s->wave[i]) {
+        const struct sample sample = sample_of(rom + s->wave[i]);
+        s->phase[i] -= loops_back(&sample, s->phase[i]);
+    }
     s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
