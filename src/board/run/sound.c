@@ -331,6 +331,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
         return false;
     rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
     const struct tune t = tune_of(l.data);
+    const size_t bytes = l.size + cart_wave_size(&b->cart, music ? i : -1);
     *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
                                 tune_title(&t),
                                 music,
@@ -340,6 +341,6 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                l.size };
+                                bytes };
     return true;
 }

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# record.sh - games whose sound is recordings: what packs, what curtain sound says of it, that it sounds the same
+# everywhere, what is refused with which place, and a program without the libraries.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+
+seeds=$repo/tests/fuzz/seeds/fuzz_recording
+check "the example packs" "$curtain" pack "$repo/examples/tape" -o tape.rom
+"$curtain" sound tape.rom >list
+same "the list" "sound hit: 14636 bytes, recording, tracks 1, limit 2
+sound kill: 10220 bytes, recording, tracks 1, limit 3
+music reel: 390072 bytes, recording, tracks 2, markers 2, endless, The Reel" "$(cat list)"
+
+mkdir -p g/music
+cp "$seeds"/* g/music
+echo 'music.play("a")' >g/main.lua
+rom() { echo "return { title = \"g\", music = { $1 } }" >g/rom.lua; }
+packs() { rom "$1"; "$curtain" pack g -o g.rom && "$curtain" sound g.rom; }
+
+for f in stereo.wav loop.wav loop.ogg loop.flac mono.flac mono.opus tiny.mod tiny.xm tiny.s3m tiny.it; do
+    check "$f packs" packs "a = { file = 'music/$f' }"
+done
+
+# Of FLAC, which is lossless, the bytes that are heard are the same on every machine.
+rom "a = { file = 'music/loop.flac', tempo = 240 }"
+"$curtain" render g --frames 60 --wav run.wav
+same "the same bytes on every machine" 47220e157327d31b "$(sha256sum <run.wav | cut -c1-16)"
+rom "a = { file = 'music/loop.flac', tempo = 240, exact = true }"
+"$curtain" render g --frames 60 --wav exact.wav
+same "and of 16 bits" a5a4dfbaa081b8da "$(sha256sum <exact.wav | cut -c1-16)"
+
+# What a tick can read: the beat, not the samples.
+rom "a = { file = 'music/loop.flac', loop = { start = 0, length = 2400 } }"
+"$curtain" pack g -o one.rom
+rom "a = { file = 'music/loop.ogg', loop = { start = 0, length = 2400 } }"
+"$curtain" pack g -o two.rom
+hash_of() { "$curtain" list "$1" | grep "^game"; }
+check "other samples of the same length are the same game" cmp <(hash_of one.rom) <(hash_of two.rom)
+rom "a = { file = 'music/loop.flac', loop = { start = 0, length = 2400 }, tempo = 100 }"
+"$curtain" pack g -o two.rom
+refuse "another tempo is another" differ cmp <(hash_of one.rom) <(hash_of two.rom)
+
+bad() { # NAME WORDS MUSIC
+    rom "$3"
+    refuse "$1" "$2" "$curtain" pack g -o g.rom
+}
+head -c 2000 "$seeds/loop.ogg" >g/music/cut.ogg
+bad "a file that was cut off" 'music/cut.ogg: the page at byte ' "a = { file = 'music/cut.ogg' }"
+head -c 2000 "$seeds/loop.flac" >g/music/cut.flac
+bad "and one of FLAC" 'music/cut.flac: it ' "a = { file = 'music/cut.flac' }"
+echo hello >g/music/text.xm
+bad "no module" 'music/text.xm: libopenmpt knows no module in it' "a = { file = 'music/text.xm' }"
+bad "a loop that is not in it" "music/loop.flac: its loop, from frame 100 up to 3100, is not within its 2400" \
+    "a = { file = 'music/loop.flac', loop = { start = 100, length = 3000 } }"
+bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, lies behind its end, at beat 0.40' \
+    "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 4 } }"
+bad "a file of another kind" 'rom.lua: music.a: expected file="music/NAME.mml" (or .ogg, .flac, .wav)' \
+    "a = { file = 'music/a.mp3' }"
+bad "a file that is not there" 'there is no music/b.ogg' "a = { file = 'music/b.ogg' }"
+printf 'return { title = "g", sounds = { d = { file = "music/loop.flac", stereo = true } }, music = { a = { file = "m.mml" } } }' \
+    >g/rom.lua
+printf '@d sample d\nA @d c4\n' >g/m.mml
+refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo, and an instrument has one voice' \
+    "$curtain" pack g -o g.rom
+
+# A build of a machine that has neither library.
+cd "$repo" || exit 2
+# shellcheck disable=SC2046
+${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
+    src/cab/sound/{sndfile,module}.c \
+    $(find "$OUT/src" -name '*.o' ! -name sndfile.o ! -name module.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+    "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread -ldl
+cd "$scratch" || exit 2
+curtain=$scratch/plain
+check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
+bad "OGG is refused, and which package has it" 'music/loop.ogg: this curtain was built without libsndfile, which reads OGG and FLAC (Debian: libsndfile1-dev' \
+    "a = { file = 'music/loop.ogg' }"
+bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' "a = { file = 'music/tiny.xm' }"
+check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
+finish
