@@ -63,6 +63,44 @@ printf '@d sample d\nA @d c4\n' >g/m.mml
 refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo, and an instrument has one voice' \
     "$curtain" pack g -o g.rom
 
+# What check measures: three seconds at 8,000 frames of a sine of 250 Hz, with one thing wrong each.
+wav() { # PYTHON: an expression of t, in seconds; a WAV file of 16 bits
+    python3 -c "
+import math, struct, sys
+x = [max(-32768, min(32767, round(32767 * ($1)))) for i in range(24000) for t in [i / 8000]]
+sys.stdout.buffer.write(b'RIFF' + struct.pack('<I', 36 + 2 * len(x)) + b'WAVEfmt ' +
+                        struct.pack('<IHHIIHH', 16, 1, 1, 8000, 16000, 2, 16) +
+                        b'data' + struct.pack('<I', 2 * len(x)) + struct.pack('<%dh' % len(x), *x))"
+}
+rm g/m.mml
+sine='math.sin(2 * math.pi * 250 * t)'
+finds() { # NAME WORDS WAV ENTRY
+    rm -f g/music/*
+    wav "$3" >g/music/x.wav
+    rom "a = { file = 'music/x.wav'$4 }"
+    refuse "check: $1" "$2" "$curtain" check g
+}
+finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: it is too loud by itself' \
+    "(1.06 if 1 <= t < 1.5 else 0.5) * $sine" ''
+finds "an offset" 'music/x.wav: its mean is 5.0 % of full scale (DC offset)' "0.05 + 0.5 * $sine" ''
+finds "a click at the loop" \
+    'music/x.wav: its loop clicks: from its end, 3.000 s, to its beginning, 1.001 s, it bends by' \
+    "0.5 * $sine" ', loop = { start = 8008 }'
+finds "a loop that is no whole number of beats" \
+    'music/x.wav: its loop is 2.97 beats long at tempo 89: music.beat parts' \
+    "0.5 * $sine" ', loop = { start = 1, unit = "seconds" }, tempo = 89'
+wav "0.5 * $sine" >g/music/x.wav
+cp "$seeds/mono.flac" g/music/
+rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }, b = { file = 'music/x.wav' }"
+refuse "check: music that is not used" 'rom.lua:1: music "b": no script names it' "$curtain" check g
+refuse "check: and a file" 'music/mono.flac: rom.lua does not name it' "$curtain" check g
+rm g/music/mono.flac
+rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }"
+check "check: and nothing of what is right" "$curtain" check g
+echo hello >g/music/x.wav
+refuse "check: a file that is none" 'music/x.wav: expected a WAV file (RIFF, WAVE)' "$curtain" check g
+cp "$seeds"/* g/music
+
 # A build of a machine that has neither library.
 cd "$repo" || exit 2
 # shellcheck disable=SC2046

@@ -17,6 +17,7 @@
 #include "../../src/cab/host/files.h"
 #include "../../src/cab/host/library.h"
 #include "../../src/cab/sound/encode.h"
+#include "../../src/cab/sound/flaws.h"
 #include "../../src/cab/sound/recording.h"
 #include "../../src/cab/sound/wav.h"
 #include "../../src/snd/tune.h"
@@ -448,6 +449,31 @@ static void test_loops(void **state)
             "its loop, from frame 100 up to 5100, is not within its 1000");
 }
 
+static void test_flaws(void **state)
+{
+    struct pcm p = sine(10000, 10000, 500, 4000);
+    struct flaws f;
+
+    (void)state;
+    flaws_of_frames(&p, &f);
+    flaws_of_loop(&p, &f);
+    assert_true(f.clipped == 0 && fabs(f.mean) < 0.0001 && !f.clicks);
+    p.loop = 4003; /* of 20 frames: not where it goes on */
+    flaws_of_loop(&p, &f);
+    assert_true(f.clicks && f.jump > 0.2 && f.usual > 0.04 && f.usual < 0.06);
+    for (int i = 0; i < 10000; i++)
+        p.frames[i] = (int16_t)(p.frames[i] + 1638);
+    p.frames[300] = p.frames[301] = 32767; /* twice is no clipping */
+    p.frames[77] = p.frames[78] = p.frames[79] = p.frames[80] = -32768;
+    flaws_of_frames(&p, &f);
+    assert_true(f.clipped == 4 && f.first == 77 && fabs(f.mean - 0.05) < 0.001);
+    p.clipped = 5;
+    p.clipped_at = 9;
+    flaws_of_frames(&p, &f);
+    assert_true(f.clipped == 5 && f.first == 9);
+    pcm_free(&p);
+}
+
 /* ---- the tunes they become ---- */
 
 struct list {
@@ -669,10 +695,11 @@ static void test_damage(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),
-        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder),   cmocka_unit_test(test_encoder),
-        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),     cmocka_unit_test(test_sound),
-        cmocka_unit_test(test_music),   cmocka_unit_test(test_truncated), cmocka_unit_test(test_damage),
+        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library), cmocka_unit_test(test_modules),
+        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder), cmocka_unit_test(test_encoder),
+        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),   cmocka_unit_test(test_sound),
+        cmocka_unit_test(test_flaws),   cmocka_unit_test(test_music),   cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_damage),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

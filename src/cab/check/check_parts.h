@@ -67,6 +67,7 @@ bool check_mentioned(const struct check *c, const char *name);
 void check_scripts(struct check *c);
 void check_lua(struct check *c);
 void check_art(struct check *c);
+void check_recordings(struct check *c);
 void check_langs(struct check *c);
 void check_unused(struct check *c);
 void check_run(struct check *c);
