@@ -43,7 +43,7 @@ enum {
     TUNE_TICK = 600000,
     TEMPO_LEAST = 1000, /* 10 quarter notes a minute */
     TEMPO_MOST = 60000,
-    TUNE_MOST = 1 << 20, /* bytes without the sample */
+    TUNE_MOST = 1 << 20,  /* bytes without the sample */
     TUNE_PAUSE = 1 << 24, /* ticks between two events, at most */
     TUNE_SIDES = 2,
     TUNE_LEAD = 1 << 24, /* samples before the first beat, at most */

@@ -57,8 +57,8 @@ bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, lies b
 bad "a file of another kind" 'rom.lua: music.a: expected file="music/NAME.mml" (or .ogg, .flac, .wav)' \
     "a = { file = 'music/a.mp3' }"
 bad "a file that is not there" 'there is no music/b.ogg' "a = { file = 'music/b.ogg' }"
-printf 'return { title = "g", sounds = { d = { file = "music/loop.flac", stereo = true } }, music = { a = { file = "m.mml" } } }' \
-    >g/rom.lua
+echo 'return { title = "g", sounds = { d = { file = "music/loop.flac", stereo = true } },
+               music = { a = { file = "m.mml" } } }' >g/rom.lua
 printf '@d sample d\nA @d c4\n' >g/m.mml
 refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo, and an instrument has one voice' \
     "$curtain" pack g -o g.rom
@@ -111,8 +111,9 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
-bad "OGG is refused, and which package has it" 'music/loop.ogg: this curtain was built without libsndfile, which reads OGG and FLAC (Debian: libsndfile1-dev' \
-    "a = { file = 'music/loop.ogg' }"
-bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' "a = { file = 'music/tiny.xm' }"
+bad "OGG is refused" 'music/loop.ogg: this curtain was built without libsndfile, which' "a = { file = 'music/loop.ogg' }"
+bad "and which package has it" '(Debian: libsndfile1-dev, then build again)' "a = { file = 'music/loop.ogg' }"
+bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' \
+    "a = { file = 'music/tiny.xm' }"
 check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
 finish

@@ -346,13 +346,13 @@ static void test_encoder(void **state)
     for (int i = 0; i < N; i++)
         in[i] = (int16_t)(9000 * sin(i * 0.11) * exp(-(i % 1700) / 600.0) + 3000 * sin(i * 0.47 + sin(i * 0.013)));
     assert_int_equal(sample_size(N, SAMPLE_EXACT), sizeof bytes);
-    sample_write(bytes, in, N, 44100, 50, SAMPLE_EXACT);
+    encode_sample(bytes, in, N, 44100, 50, SAMPLE_EXACT);
     assert_true(sample_open(bytes, sizeof bytes, &s) && s.loop == 50 && s.coding == SAMPLE_EXACT);
     sample_read(&s, 0, N, out);
     assert_memory_equal(in, out, sizeof in);
     sample_read(&s, N + 49, 100, out);
     assert_memory_equal(in + 50 + 49, out, 200);
-    sample_write(bytes, in, N, 44100, SAMPLE_ENDS, SAMPLE_PACKED);
+    encode_sample(bytes, in, N, 44100, SAMPLE_ENDS, SAMPLE_PACKED);
     assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
     sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++) {

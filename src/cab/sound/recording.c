@@ -76,8 +76,8 @@ static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t
     out->data = malloc(out->n);
     for (int i = 0; side && out->data && i < sides; i++) {
         pcm_side(p, sides == 1 ? -1 : i, side);
-        sample_write(out->data + before + one * (size_t)i, side, p->n, p->rate,
-                     p->loop < 0 ? SAMPLE_ENDS : (uint32_t)p->loop, coding);
+        encode_sample(out->data + before + one * (size_t)i, side, p->n, p->rate,
+                      p->loop < 0 ? SAMPLE_ENDS : (uint32_t)p->loop, coding);
     }
     const bool good = side && out->data;
     free(side);
