@@ -111,7 +111,7 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
-bad "OGG is refused" 'music/loop.ogg: this curtain was built without libsndfile, which' "a = { file = 'music/loop.ogg' }"
+bad "OGG is refused" 'music/loop.ogg: this curtain was built without libsndfile' "a = { file = 'music/loop.ogg' }"
 bad "and which package has it" '(Debian: libsndfile1-dev, then build again)' "a = { file = 'music/loop.ogg' }"
 bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' \
     "a = { file = 'music/tiny.xm' }"
