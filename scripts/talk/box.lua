@@ -16,7 +16,7 @@ local cols = math.max(8, math.min(field_cols - 4, 40))
 local left = field_col + (field_cols - cols) // 2
 local last = (field.y + field.h) // 8 - 3
 local first = last - 2 * (ROWS - 1)
-local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 10 }
+local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
 local ARROW = hud.glyph(140, ">")
 
 -- Rows of at most `width` cells; a newline begins a row.
