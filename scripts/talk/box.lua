@@ -39,6 +39,7 @@ return function(look, may_skip)
   local mark -- the mark blinks
   local lines = {} -- what stands in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
+  hud.banner() -- a list stands where a banner does
 
   -- A plate outlives the scene it is made in: what was written on it is cleared with it.
   local function put_plate(key, x, y, w, h)

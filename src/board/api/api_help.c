@@ -144,6 +144,8 @@ static const struct {
     { "game.continues", "how often players went on, in this game" },
     { "game.frames", "frames since the game began" },
     { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
+    { "hud.cols", "cells of the screen in a row, of 8 px each" },
+    { "hud.rows", "rows of cells of the screen" },
     { "hud.banner(lines, frames)", "shows a list of texts in the middle of the field; without lines, ends that" },
     { "hud.centre(row, text, bank?, first?, cols?)", "puts a text, in the run's language, in the middle of the screen, "
                                                      "or of cols cells from first on; returns the row "
