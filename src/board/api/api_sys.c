@@ -268,6 +268,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 
     registers_start(&b->registers, b->registers.first, b->registers.count, 0);
     b->core.since = b->core.clock;
+    b->music.heard = 0;
     memset(b->core.continues, 0, sizeof b->core.continues);
     memset(b->core.continued, 0, sizeof b->core.continued);
     events_start(L, v[ARG_SCOPE].i);
@@ -524,16 +525,68 @@ static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
     return 4;
 }
 
-static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL } };
+enum { CUE_NAME, CUE_PAN };
+static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL },
+                                        { "pan", A_NUM, OPT, -1, 1, NULL, "0" } };
 
 /* Sounds are outside the hash, and so is this call. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[ARG_NAME].at)) : -1;
+    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
+    const int16_t place = (int16_t)(v[CUE_PAN].n * TUNE_PAN);
 
-    if (sound >= 0)
-        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
+    if (sound >= 0 && !tasks_skipping(&b->tasks))
+        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, place, 0 });
     return 0;
+}
+
+enum { BACK_NAME, BACK_FADE };
+static const struct api_param music_back[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
+                                               { "fade", A_INT, REQ, 0, 3600, "frames", NULL } };
+
+static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    sound_music_back(b, (int)v[BACK_NAME].i - 1, (int32_t)v[BACK_FADE].i);
+    return 0;
+}
+
+static const struct api_param sys_pass_on[] = { { "n", A_INT, OPT, 0, INT32_MAX, "frames", NULL } };
+
+enum { PASS_WORK = 64 /* of a frame of music */, PASS_CHARGED = 216000 /* frames: all that sound_pass does */ };
+
+/* On the way to a mark: so many frames pass for the music; none: the way is at its end. */
+static int sys_music_pass(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t n = v[0].i < PASS_CHARGED ? v[0].i : PASS_CHARGED;
+
+    if (!b->voices.s.cap)
+        return 0;
+    if (!v[0].given)
+        return sound_arrive(b), 0;
+    if (b->music.tune)
+        vm_charge(L, (uint64_t)n * PASS_WORK);
+    sound_pass(b, n);
+    return 0;
+}
+
+/* The pieces of rom.lua, by name: { name, title, heard } each. */
+static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_createtable(L, b->cart.tunes, 0);
+    for (int i = 0; i < b->cart.tunes; i++) {
+        const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, i));
+        lua_createtable(L, 0, 3);
+        lua_pushstring(L, cart_tune_name(&b->cart, i));
+        lua_setfield(L, -2, "name");
+        lua_pushstring(L, tune_title(&t));
+        lua_setfield(L, -2, "title");
+        lua_pushboolean(L, i < 64 && b->music.heard >> i & 1);
+        lua_setfield(L, -2, "heard");
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
 }
 
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
@@ -788,7 +841,12 @@ static const struct api_entry entries[] = {
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
     { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
-    { "sys.cue", sys_cue, PARAMS(cue), 1, API_SYS, NULL, "plays the sound of that name, if the game has one" },
+    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, "plays the sound of that name, if the game has one" },
+    { "sys.music_back", sys_music_back, PARAMS(music_back), 2, API_SYS | API_CHANGES, NULL,
+      "ends that piece: what was put aside goes on" },
+    { "sys.music_pass", sys_music_pass, PARAMS(sys_pass_on), 1, API_SYS | API_CHANGES, NULL,
+      "frames that the music is moved on in a skip; none: the skip is over" },
+    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", "the music of rom.lua" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

@@ -122,28 +122,71 @@ static void start_music(struct board *b, uint16_t index)
     cut_music(b);
     if (index)
         t = tune_of(rom(b) + cart_tune(&b->cart, index - 1));
+    if (index > 0 && index <= 64)
+        b->music.heard |= (uint64_t)1 << (index - 1);
     seq_start(&b->music, index, &t);
+}
+
+/* What was asked for begins, or comes back. */
+static void change_music(struct board *b, uint16_t index, bool back)
+{
+    struct seq *s = &b->music;
+
+    if (back)
+        seq_keep(s);
+    else
+        seq_forget(s);
+    start_music(b, index);
+}
+
+static void bring_back(struct board *b)
+{
+    cut_music(b);
+    seq_back(&b->music);
 }
 
 /* What is left of the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
     const struct seq *s = &b->music;
+    const int32_t left = s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN;
 
-    if (b->core.frozen > 0)
-        return 0;
-    return (uint16_t)(s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN);
+    return (uint16_t)(left * (SEQ_HUSH - s->hush) / SEQ_HUSH);
 }
 
-/* A frame of the music, unless a pause holds it. */
+static void end_fade(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    if (s->next && s->next == s->kept && !s->next_back)
+        bring_back(b);
+    else
+        change_music(b, s->next, s->next_back);
+}
+
+/* Its last notes ring on. */
+static void end_piece(struct seq *s)
+{
+    if (s->kept)
+        seq_back(s);
+    else
+        seq_start(s, 0, NULL);
+}
+
+/* A frame of the music. A pause holds it; what sounds fades and then stands, and comes back as it faded. */
 static void step_music(struct board *b)
 {
     struct seq *s = &b->music;
 
-    if (b->core.frozen > 0)
+    if (b->core.frozen > 0) {
+        s->hush = (uint8_t)(s->hush + (s->hush < SEQ_HUSH));
         return;
+    }
+    s->hush = (uint8_t)(s->hush - (s->hush > 0));
     if (s->fade_over && s->fade == 0)
-        start_music(b, s->next);
+        end_fade(b);
+    else if (s->tune && !s->fade_over && seq_over(s))
+        end_piece(s);
     if (s->fade)
         s->fade--;
     if (s->tune) {
@@ -193,38 +236,89 @@ int16_t sound_place(const struct board *b, fx x)
     return (int16_t)place;
 }
 
+/* Many in a row are a noise: frames from one to the next. */
+static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
+
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
 {
+    const uint32_t since = b->core.frame - b->cues.last[cue];
+
+    if (since > 0 && since < apart[cue])
+        return;
+    b->cues.last[cue] = b->core.frame;
     sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
 }
 
-void sound_music(struct board *b, int tune, int32_t fade, bool again)
+/* The piece begins when what plays has faded. */
+static void begin_fade(struct board *b, uint16_t next, int32_t fade, bool back)
+{
+    struct seq *s = &b->music;
+
+    s->next = next;
+    s->next_back = back;
+    s->fade = s->fade_over = (uint16_t)fade;
+}
+
+void sound_music(struct board *b, int tune, int32_t fade, unsigned how)
 {
     struct seq *s = &b->music;
     const uint16_t index = (uint16_t)(tune + 1);
+    const bool back = how & MUSIC_BACK, again = how & MUSIC_AGAIN, kept = s->kept == index && !again;
 
     if (s->tune == index && !s->fade_over && !again)
         return;
-    if (!s->tune || fade == 0) {
-        start_music(b, index);
-        return;
-    }
-    sound_music_stop(b, fade);
-    s->next = index;
+    if (s->tune && fade > 0)
+        begin_fade(b, index, fade, back && !kept);
+    else if (kept)
+        bring_back(b);
+    else
+        change_music(b, index, back);
+    if (again && !back)
+        seq_forget(s);
 }
 
 void sound_music_stop(struct board *b, int32_t fade)
 {
-    struct seq *s = &b->music;
+    if (!b->music.tune)
+        return;
+    if (fade > 0)
+        begin_fade(b, 0, fade, false);
+    else
+        change_music(b, 0, false);
+}
 
-    if (!s->tune)
+void sound_music_back(struct board *b, int tune, int32_t fade)
+{
+    struct seq *s = &b->music;
+    const uint16_t index = (uint16_t)(tune + 1);
+
+    if (s->fade_over && s->next == index && s->next_back) /* it has not begun */
+        s->fade = s->fade_over = s->next = s->next_back = 0;
+    else if (s->tune != index || s->fade_over)
         return;
-    if (fade == 0) {
-        start_music(b, 0);
+    else if (s->kept)
+        sound_music(b, s->kept - 1, fade, 0);
+    else
+        sound_music_stop(b, fade);
+}
+
+enum { LONGEST_PASS = 60 * 60 * 60 /* frames: an hour */ };
+
+void sound_pass(struct board *b, int64_t n)
+{
+    if (!b->music.tune)
         return;
+    for (int64_t i = 0; i < n && i < LONGEST_PASS; i++) {
+        step_music(b);
+        b->voices.gain1 = gain(b);
+        voices_step(&b->voices, rom(b));
     }
-    s->next = 0;
-    s->fade = s->fade_over = (uint16_t)fade;
+}
+
+void sound_arrive(struct board *b)
+{
+    if (b->music.fade_over)
+        end_fade(b);
 }
 
 /* ---- the frame's samples ---- */
@@ -301,7 +395,7 @@ bool board_box_play(struct board *b, const char *name)
     if (sound >= 0)
         sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
     else if (tune >= 0)
-        sound_music(b, tune, 0, true);
+        sound_music(b, tune, 0, MUSIC_AGAIN);
     return sound >= 0 || tune >= 0;
 }
 

@@ -10,13 +10,15 @@
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),        REGISTER(seq, next),         REGISTER(seq, fade),         REGISTER(seq, fade_over),
     REGISTER(seq, mark),        REGISTER(seq, marks),        REGISTER(seq, tempo),        REGISTER(seq, pos),
+    REGISTER(seq, next_back),   REGISTER(seq, hush),         REGISTER(seq, heard),        REGISTER(seq, kept),
+    REGISTER(seq, kept_mark),   REGISTER(seq, kept_marks),   REGISTER(seq, kept_tempo),   REGISTER(seq, kept_pos),
     DERIVED(seq, at, FOLLOWS),  DERIVED(seq, left, FOLLOWS), DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
     DERIVED(seq, pan, FOLLOWS),
 };
 static const struct column cues_columns[] = {
     COLUMN(cues, tune), COLUMN(cues, born),  COLUMN(cues, track),  COLUMN(cues, at),
     COLUMN(cues, left), COLUMN(cues, inst),  COLUMN(cues, volume), COLUMN(cues, pan),
-    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),
+    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),  REGISTERS(cues, last),
 };
 
 const struct chip seq_chip = { "music", seq_columns, sizeof seq_columns / sizeof *seq_columns, true, false };
@@ -28,10 +30,11 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 {
     s->tune = index;
     s->next = s->fade = s->fade_over = s->mark = 0;
+    s->next_back = 0;
     s->marks = 0;
     s->pos = 0;
     s->tempo = index ? t->tempo : 0;
-    for (int i = 0; i < SEQ_SLOTS; i++) {
+    for (int i = 0; i < SEQ_TRACKS; i++) {
         const struct tune_at c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct tune_at){ 0, 0 };
         s->at[i] = c.at;
         s->left[i] = c.left;
@@ -39,6 +42,95 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
         s->volume[i] = FIRST_VOLUME;
         s->pan[i] = TUNE_PAN;
     }
+}
+
+/* Where the tracks of one half are, in the other. */
+static void copy_tracks(struct seq *s, int to, int from)
+{
+    memcpy(s->at + to, s->at + from, SEQ_TRACKS * sizeof *s->at);
+    memcpy(s->left + to, s->left + from, SEQ_TRACKS * sizeof *s->left);
+    memcpy(s->inst + to, s->inst + from, SEQ_TRACKS);
+    memcpy(s->volume + to, s->volume + from, SEQ_TRACKS);
+    memcpy(s->pan + to, s->pan + from, SEQ_TRACKS);
+}
+
+void seq_keep(struct seq *s)
+{
+    if (s->kept || !s->tune)
+        return;
+    s->kept = s->tune;
+    s->kept_mark = s->mark;
+    s->kept_marks = s->marks;
+    s->kept_tempo = s->tempo;
+    s->kept_pos = s->pos;
+    copy_tracks(s, SEQ_TRACKS, 0);
+}
+
+void seq_forget(struct seq *s)
+{
+    s->kept = s->kept_mark = 0;
+    s->kept_marks = s->kept_tempo = 0;
+    s->kept_pos = 0;
+    for (int i = SEQ_TRACKS; i < SEQ_SLOTS; i++) {
+        s->at[i] = 0;
+        s->left[i] = 0;
+        s->inst[i] = s->volume[i] = s->pan[i] = 0;
+    }
+}
+
+void seq_back(struct seq *s)
+{
+    s->tune = s->kept;
+    s->mark = s->kept_mark;
+    s->marks = s->kept_marks;
+    s->tempo = s->kept_tempo;
+    s->pos = s->kept_pos;
+    s->next = s->fade = s->fade_over = 0;
+    s->next_back = 0;
+    copy_tracks(s, 0, SEQ_TRACKS);
+    seq_forget(s);
+}
+
+bool seq_over(const struct seq *s)
+{
+    for (int i = 1; i < SEQ_TRACKS; i++)
+        if (s->at[i] != 0)
+            return false;
+    return true;
+}
+
+struct looking {
+    int mark;
+    bool found;
+    uint32_t *work;
+};
+
+static void look_at(void *context, const struct tune_played *p, int sample)
+{
+    struct looking *l = context;
+
+    (void)sample;
+    ++*l->work;
+    l->found = l->found || (p->event == TUNE_MARK && p->value == l->mark);
+}
+
+/* The conductor's events from where it is, without their time; after its loop's end once more. A loop has time, so a
+ * run of events without any that passes its end stops before where it began. */
+bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
+{
+    struct tune_at c = { s->at[0], 0 };
+    struct looking l = { mark, false, work };
+    int loops = 0;
+
+    *work = 0;
+    while (c.at != 0 && loops < 2 && !l.found) {
+        const uint32_t was = c.at;
+        c.left = 0;
+        tune_run(t, -1, &c, 1, 0, 1, look_at, &l);
+        ++*work;
+        loops += c.at <= was;
+    }
+    return l.found;
 }
 
 struct playing {

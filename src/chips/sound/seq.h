@@ -3,8 +3,9 @@
  * floor: chips
  *
  * Music is game state: scripts read its beat, its bar and its markers. It has frames of its own, which a pause holds.
- * Where its tracks are follows from what is hashed: which piece, how far it is. The cues, which are the sounds that
- * play, no script can read; they are outside the combined hash, as voices are.
+ * Where its tracks are follows from what is hashed: which piece, how far it is. One piece may be put aside while another
+ * plays, to go on where it was. The cues, which are the sounds that play, no script can read; they are outside the
+ * combined hash, as voices are.
  */
 #ifndef CHIPS_SEQ_H
 #define CHIPS_SEQ_H
@@ -13,7 +14,13 @@
 #include "../../snd/tune.h"
 #include "../slots.h"
 
-enum { SEQ_SLOTS = 1 + TUNE_TRACKS /* slot 0: the conductor */, CUES = 8 };
+enum {
+    SEQ_TRACKS = 1 + TUNE_TRACKS, /* slot 0: the conductor */
+    SEQ_SLOTS = 2 * SEQ_TRACKS,   /* the second half: of the piece put aside */
+    SEQ_HUSH = 6,                 /* frames in which a pause silences the music, and brings it back */
+    CUES = 8,
+    CUE_KINDS = 16
+};
 
 struct seq {
     struct slots s;
@@ -24,7 +31,13 @@ struct seq {
     uint32_t marks;           /* how many it came by */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
     uint64_t pos;             /* units since it began (TUNE_TICK a tick) */
-    uint32_t *at;             /* cursors */
+    uint8_t next_back;        /* what plays is put aside when `next` begins */
+    uint8_t hush;             /* of SEQ_HUSH: how far a pause has silenced it */
+    uint64_t heard;           /* a bit for each piece that began in this game */
+    uint16_t kept, kept_mark; /* put aside: tune, mark, marks, tempo, pos; 0: nothing is */
+    uint32_t kept_marks, kept_tempo;
+    uint64_t kept_pos;
+    uint32_t *at; /* cursors */
     int64_t *left;
     uint8_t *inst, *volume, *pan; /* of the notes to come */
 };
@@ -38,9 +51,10 @@ struct cues {
     uint32_t *at;
     int64_t *left;
     uint8_t *inst, *volume, *pan;
-    uint16_t *loud; /* of 256: how loud the script asks for it */
-    int16_t *place; /* to the right, of TUNE_PAN */
-    int32_t *pitch; /* higher, in 65536ths of a semitone */
+    uint16_t *loud;           /* of 256: how loud the script asks for it */
+    int16_t *place;           /* to the right, of TUNE_PAN */
+    int32_t *pitch;           /* higher, in 65536ths of a semitone */
+    uint32_t last[CUE_KINDS]; /* frame in which each cue of the game's own played last (cart.h) */
 };
 
 extern const struct chip seq_chip, cues_chip;
@@ -50,6 +64,17 @@ typedef void seq_play(void *context, int voice, const struct tune_played *p, int
 
 /* Begins tune `index` + 1 at its beginning; 0: stops. t is that tune. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
+
+/* Puts what plays aside, unless something is, and forgets what was; what was put aside plays on. */
+void seq_keep(struct seq *s);
+void seq_forget(struct seq *s);
+void seq_back(struct seq *s);
+
+/* Have all its tracks ended? */
+bool seq_over(const struct seq *s);
+
+/* Will it come by that marker? work: events looked at. */
+bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
 /* Plays a frame of tune t. */
 void seq_step(struct seq *s, const struct tune *t, seq_play *play, void *context);

@@ -8,7 +8,7 @@
 
 /* Parameters by place. */
 enum { P_NAME, P_VOLUME, P_PAN, P_FROM, P_PITCH };
-enum { M_NAME, M_FADE, M_AGAIN };
+enum { M_NAME, M_FADE, M_AGAIN, M_BACK };
 enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 
 enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
@@ -25,6 +25,7 @@ static const struct api_param music_play_params[] = {
     { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
     { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" },
     { "again", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "back", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 static const struct api_param music_stop_params[] = { { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
 static const struct api_param beats[] = { { "beats", A_NUM, REQ, 0, 65536, NULL, NULL } };
@@ -64,7 +65,8 @@ static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
 static int music_play(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_music(b, (int)v[M_NAME].i - 1, (int32_t)v[M_FADE].i, v[M_AGAIN].i != 0);
+    sound_music(b, (int)v[M_NAME].i - 1, (int32_t)v[M_FADE].i,
+                (v[M_AGAIN].i ? MUSIC_AGAIN : 0u) | (v[M_BACK].i ? MUSIC_BACK : 0u));
     return 0;
 }
 
@@ -190,6 +192,17 @@ static int marker_named(lua_State *L, struct board *b, const char *name)
     return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);
 }
 
+/* A marker before the loop comes once, and after the piece's end none does. */
+static bool will_come(lua_State *L, struct board *b, int mark)
+{
+    struct tune t;
+    uint32_t work = 0;
+    const bool comes = playing(b, &t) && seq_comes(&b->music, &t, mark - 1, &work);
+
+    vm_charge(L, work);
+    return comes;
+}
+
 static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
     static const struct api_param whole = { "n", A_INT, REQ, 1, 65536, "beats", NULL };
@@ -207,6 +220,8 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
         const int yields = api_pass_wait(L, b);
         return yields ? yields : music_beat(L, b, v);
     }
+    if (mark && !will_come(L, b, mark))
+        return music_beat(L, b, v);
     lua_settop(L, 0);
     lua_pushinteger(L, b->music.tune);
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music) + n.i);
@@ -223,8 +238,10 @@ static const struct api_entry entries[] = {
       "skipped" },
     { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, "ends that sound; without a name, all" },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      "begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again" },
-    { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL, "ends the music" },
+      "begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again; back: what "
+      "plays is put aside, and goes on where it was when this one has ended, or when it is asked for" },
+    { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
+      "ends the music, and forgets what was put aside" },
     { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", "the piece that plays" },
     { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer", "whole quarter notes since it began, from 0" },
     { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", "whole bars since it began, from 0" },
@@ -232,6 +249,6 @@ static const struct api_entry entries[] = {
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
       "how long so many beats last at its tempo; 120 a minute with nothing playing" },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      "until its n-th next beat, or until a marker of that name; gives the beat. In a task" },
+      "until its n-th next beat, or until a marker of that name that still comes; gives the beat. In a task" },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };
