@@ -203,12 +203,11 @@ static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL
                                                { "text", A_STR, OPT, 0, 127, NULL, NULL },
                                                { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
 static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param talk_def[] = { { "who", A_STR, REQ, 1, 31, NULL, NULL },
-                                             { "name", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "faces", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "side", A_STR, OPT, 0, 0, NULL, "left" },
-                                             { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-                                             { "voice", A_SOUND, OPT, 0, 0, NULL, NULL } };
+static const struct api_param talk_def[] = {
+    { "who", A_STR, REQ, 1, 31, NULL, NULL },    { "name", A_STR, REQ, 0, 63, NULL, NULL },
+    { "faces", A_TABLE, OPT, 0, 0, NULL, NULL }, { "side", A_STR, OPT, 0, 0, NULL, "left" },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL }
+};
 static const struct api_param talk_face[] = { { "face", A_SPRITE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
                                              { "hold", A_STR, OPT, 0, 0, NULL, "fire" },
@@ -218,7 +217,8 @@ static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NUL
 static const struct api_param say[] = {
     { "who", A_STR, OPT, 0, 0, NULL, NULL },         { "text", A_STR, REQ, 0, 4096, NULL, NULL },
     { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_STR, OPT, 0, 0, NULL, NULL },
-    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT
+    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT,
+    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL },
 };
 static const struct api_param choose[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL },
                                            { "title", A_STR, OPT, 0, 0, NULL, NULL },
@@ -342,7 +342,8 @@ static const struct api_entry entries[] = {
     LUA("choose", choose, 1, API_GLOBAL, "number",
         "shows a list, returns the number chosen with up, down and fire; `chosen` where the talk is skipped"),
     LUA("boot.run", boot_run, 0, 0, NULL,
-        "title, attract, game, name entry; the last line of main.lua; music = { SCREEN = piece, .. }, and room = true or a "
+        "title, attract, game, name entry; the last line of main.lua; music = { SCREEN = piece, .. }, and room = true "
+        "or a "
         "list of pieces: the music room"),
     LUA("boot.run music", boot_music, 0, API_SYS, NULL, "one piece of boot.run's music"),
 };

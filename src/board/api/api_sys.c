@@ -41,6 +41,7 @@ static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL 
 static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
 static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+enum { BACK_FADE = 60 /* frames in which music goes */ };
 static const struct api_param wipe[] = { { "keep", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -268,7 +269,8 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 
     registers_start(&b->registers, b->registers.first, b->registers.count, 0);
     b->core.since = b->core.clock;
-    b->music.heard = 0;
+    if (b->voices.s.cap)
+        sound_game(b);
     memset(b->core.continues, 0, sizeof b->core.continues);
     memset(b->core.continued, 0, sizeof b->core.continued);
     events_start(L, v[ARG_SCOPE].i);
@@ -390,6 +392,8 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
         return 0;
     player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
     options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
+    if (b->voices.s.cap && !b->player.in[0] && !b->player.in[1]) /* the game is over */
+        sound_music_stop(b, BACK_FADE);
     return 0;
 }
 
@@ -474,6 +478,8 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
     if (v[SKIP_TASK].given)
         b->tasks.wait[i] = 0;
+    else if (b->voices.s.cap)
+        sound_skip(b, v[SKIP_ON].i && !board_lists(b));
     return 0;
 }
 
@@ -540,33 +546,52 @@ static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { BACK_NAME, BACK_FADE };
-static const struct api_param music_back[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
-                                               { "fade", A_INT, REQ, 0, 3600, "frames", NULL } };
+enum { ON_NAME, ON_FADE, LEAST_FADE = 30 };
+static const struct api_param music_on[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
+                                             { "fade", A_INT, OPT, 0, 65535, "frames", NULL } };
+static const struct api_param music_fight[] = { { "name", A_TUNE, OPT, 0, 0, NULL, NULL },
+                                                { "fade", A_INT, REQ, 0, 65535, "frames", NULL } };
+
+static int32_t least_fade(const struct api_value *v)
+{
+    return !v->given ? 0 : v->i < LEAST_FADE ? LEAST_FADE : (int32_t)v->i;
+}
+
+static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    lua_pushboolean(L, sound_music(b, (int)v[ON_NAME].i - 1, &how));
+    return 1;
+}
 
 static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_music_back(b, (int)v[BACK_NAME].i - 1, (int32_t)v[BACK_FADE].i);
+    sound_music_back(b, (int)v[ON_NAME].i - 1, v[ON_FADE].given ? (int32_t)v[ON_FADE].i : BACK_FADE);
     return 0;
 }
 
-static const struct api_param sys_pass_on[] = { { "n", A_INT, OPT, 0, INT32_MAX, "frames", NULL } };
+static const struct api_param music_clock[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
 
-enum { PASS_WORK = 64 /* of a frame of music */, PASS_CHARGED = 216000 /* frames: all that sound_pass does */ };
-
-/* On the way to a mark: so many frames pass for the music; none: the way is at its end. */
-static int sys_music_pass(lua_State *L, struct board *b, struct api_value *v)
+static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int64_t n = v[0].i < PASS_CHARGED ? v[0].i : PASS_CHARGED;
+    if (b->music.passes)
+        vm_charge(L, sound_pass_clock(b, v[0].i));
+    return 0;
+}
 
-    if (!b->voices.s.cap)
+/* All that boss/fight.lua does with music, in no time. */
+static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    if (!b->music.passes)
         return 0;
-    if (!v[0].given)
-        return sound_arrive(b), 0;
-    if (b->music.tune)
-        vm_charge(L, (uint64_t)n * PASS_WORK);
-    sound_pass(b, n);
+    const bool on = v[ON_NAME].given && sound_music(b, (int)v[ON_NAME].i - 1, &how);
+    vm_charge(L, sound_pass_fight(b));
+    if (on)
+        sound_music_back(b, (int)v[ON_NAME].i - 1, BACK_FADE);
     return 0;
 }
 
@@ -582,7 +607,7 @@ static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
         lua_setfield(L, -2, "name");
         lua_pushstring(L, tune_title(&t));
         lua_setfield(L, -2, "title");
-        lua_pushboolean(L, i < 64 && b->music.heard >> i & 1);
+        lua_pushboolean(L, i < SEQ_HEARD && b->music.heard[i / 64] >> i % 64 & 1);
         lua_setfield(L, -2, "heard");
         lua_rawseti(L, -2, i + 1);
     }
@@ -842,10 +867,14 @@ static const struct api_entry entries[] = {
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
     { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
     { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, "plays the sound of that name, if the game has one" },
-    { "sys.music_back", sys_music_back, PARAMS(music_back), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.music_on", sys_music_on, PARAMS(music_on), 2, API_SYS | API_CHANGES, "boolean",
+      "puts what plays aside for that piece, after a fade; false: it plays already" },
+    { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
       "ends that piece: what was put aside goes on" },
-    { "sys.music_pass", sys_music_pass, PARAMS(sys_pass_on), 1, API_SYS | API_CHANGES, NULL,
-      "frames that the music is moved on in a skip; none: the skip is over" },
+    { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
+      "on the way to a mark the stage's clock was put so many frames on" },
+    { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
+      "on the way to a mark a fight with that music was passed over" },
     { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", "the music of rom.lua" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };

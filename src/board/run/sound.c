@@ -109,40 +109,51 @@ static void play_cue(void *context, int slot, const struct tune_played *p, int s
     play_part(&g, p, sample);
 }
 
-static void cut_music(struct board *b)
+static void cut_music(struct board *b, int sample)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        voices_cut(&b->voices, i, 0);
+        voices_cut(&b->voices, i, sample);
 }
 
 static void start_music(struct board *b, uint16_t index)
 {
     struct tune t = { 0 };
 
-    cut_music(b);
     if (index)
         t = tune_of(rom(b) + cart_tune(&b->cart, index - 1));
-    if (index > 0 && index <= 64)
-        b->music.heard |= (uint64_t)1 << (index - 1);
+    if (index > 0 && index <= SEQ_HEARD)
+        b->music.heard[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
     seq_start(&b->music, index, &t);
 }
 
-/* What was asked for begins, or comes back. */
-static void change_music(struct board *b, uint16_t index, bool back)
+/* Behind a fade nothing of the old piece is heard, and the new one is at once. */
+static void silence_music(struct board *b)
 {
-    struct seq *s = &b->music;
-
-    if (back)
-        seq_keep(s);
-    else
-        seq_forget(s);
-    start_music(b, index);
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        if (i % VOICES < VOICES_MUSIC)
+            b->voices.inst[i] = 0;
+    b->voices.gain0 = b->music.level;
 }
 
-static void bring_back(struct board *b)
+/* What was asked for begins at that sample of the frame, or comes back. */
+static void change_music(struct board *b, int sample)
 {
-    cut_music(b);
-    seq_back(&b->music);
+    struct seq *s = &b->music;
+    const int kept = s->next && !s->next_back ? seq_kept(s, s->next) : -1;
+
+    if (b->voices.gain0 == 0 && sample == 0)
+        silence_music(b);
+    cut_music(b, sample);
+    if (kept >= 0) {
+        seq_forget(s, kept + 1);
+        seq_back(s);
+        return;
+    }
+    if (s->next_back)
+        seq_keep(s);
+    else
+        seq_forget(s, 0);
+    start_music(b, s->next);
 }
 
 /* What is left of the music's gain at the end of this frame. */
@@ -151,47 +162,54 @@ static uint16_t gain(const struct board *b)
     const struct seq *s = &b->music;
     const int32_t left = s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN;
 
-    return (uint16_t)(left * (SEQ_HUSH - s->hush) / SEQ_HUSH);
+    if (b->voices.held)
+        return 0;
+    return (uint16_t)(left * s->level / SEQ_FULL);
 }
 
-static void end_fade(struct board *b)
+/* Is it on its way out, for another or for none? */
+static bool goes(const struct seq *s)
 {
-    struct seq *s = &b->music;
-
-    if (s->next && s->next == s->kept && !s->next_back)
-        bring_back(b);
-    else
-        change_music(b, s->next, s->next_back);
+    return s->fade_over || s->next_waits;
 }
 
 /* Its last notes ring on. */
 static void end_piece(struct seq *s)
 {
-    if (s->kept)
+    if (s->aside)
         seq_back(s);
     else
         seq_start(s, 0, NULL);
 }
 
-/* A frame of the music. A pause holds it; what sounds fades and then stands, and comes back as it faded. */
+static void step_level(struct seq *s)
+{
+    if (!s->level_over)
+        return;
+    s->level = (uint16_t)(s->level + (s->level_to - s->level) / s->level_over);
+    s->level_over--;
+}
+
+/* A frame of the music, unless a pause holds it. */
 static void step_music(struct board *b)
 {
     struct seq *s = &b->music;
 
-    if (b->core.frozen > 0) {
-        s->hush = (uint8_t)(s->hush + (s->hush < SEQ_HUSH));
+    b->voices.held = b->core.frozen > 0;
+    if (b->voices.held)
         return;
-    }
-    s->hush = (uint8_t)(s->hush - (s->hush > 0));
+    step_level(s);
     if (s->fade_over && s->fade == 0)
-        end_fade(b);
-    else if (s->tune && !s->fade_over && seq_over(s))
+        change_music(b, 0);
+    else if (s->tune && !goes(s) && seq_over(s))
         end_piece(s);
     if (s->fade)
         s->fade--;
-    if (s->tune) {
+    for (int first = 0; s->tune && first < SND_FRAME;) {
         const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
-        seq_step(s, &t, play_music, b);
+        first = seq_step(s, &t, first, play_music, b);
+        if (first < SND_FRAME)
+            change_music(b, first);
     }
 }
 
@@ -249,76 +267,174 @@ void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
     sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
 }
 
-/* The piece begins when what plays has faded. */
-static void begin_fade(struct board *b, uint16_t next, int32_t fade, bool back)
+/* ---- music ---- */
+
+/* What is asked for begins when what plays has faded: one that fades already does not become louder for it. */
+static void begin_fade(struct board *b, int32_t fade)
 {
     struct seq *s = &b->music;
 
-    s->next = next;
-    s->next_back = back;
-    s->fade = s->fade_over = (uint16_t)fade;
+    if (s->fade_over && s->fade <= fade)
+        return;
+    const int32_t over = s->fade_over ? (int32_t)s->fade_over * fade / s->fade : fade;
+    s->fade_over = (uint16_t)(over > fade ? over : fade);
+    s->fade = (uint16_t)fade;
 }
 
-void sound_music(struct board *b, int tune, int32_t fade, unsigned how)
+/* Piece `index`, 0: none, begins now, at a beat or a bar, or after a fade. */
+static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
+{
+    struct seq *s = &b->music;
+
+    s->next_back = how->back && !(s->fade_over && !s->next); /* what ends is not put aside */
+    s->next = index;
+    s->next_waits = 0;
+    s->when = 0;
+    if (s->tune && how->at) {
+        const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+        s->fade = s->fade_over = 0;
+        seq_wait(s, how->at == MUSIC_AT_BAR ? t.bar : 1);
+    } else if (s->tune && how->fade > 0)
+        begin_fade(b, how->fade);
+    else
+        change_music(b, 0);
+}
+
+/* What was asked for is not: what plays goes on. */
+static void forget_next(struct seq *s)
+{
+    s->next = s->fade = s->fade_over = 0;
+    s->next_back = s->next_waits = 0;
+    s->when = 0;
+}
+
+bool sound_music(struct board *b, int tune, const struct music_how *how)
 {
     struct seq *s = &b->music;
     const uint16_t index = (uint16_t)(tune + 1);
-    const bool back = how & MUSIC_BACK, again = how & MUSIC_AGAIN, kept = s->kept == index && !again;
 
-    if (s->tune == index && !s->fade_over && !again)
-        return;
-    if (s->tune && fade > 0)
-        begin_fade(b, index, fade, back && !kept);
-    else if (kept)
-        bring_back(b);
-    else
-        change_music(b, index, back);
-    if (again && !back)
-        seq_forget(s);
+    if (how->again && !how->back && seq_kept(s, index) >= 0)
+        seq_forget(s, 0);
+    if (!how->again && goes(s) && s->next == index && s->next_back == how->back)
+        return false;
+    if (!how->again && s->tune == index && (!goes(s) || s->next_waits || s->fade == s->fade_over)) {
+        forget_next(s);
+        return false;
+    }
+    ask_music(b, index, how);
+    return true;
 }
 
 void sound_music_stop(struct board *b, int32_t fade)
 {
-    if (!b->music.tune)
-        return;
-    if (fade > 0)
-        begin_fade(b, 0, fade, false);
-    else
-        change_music(b, 0, false);
+    struct seq *s = &b->music;
+
+    if (fade == 0 || !s->tune) {
+        seq_forget(s, 0);
+        forget_next(s);
+    }
+    if (s->tune)
+        ask_music(b, 0, &(struct music_how){ .fade = fade });
 }
 
 void sound_music_back(struct board *b, int tune, int32_t fade)
 {
     struct seq *s = &b->music;
     const uint16_t index = (uint16_t)(tune + 1);
+    const int kept = seq_kept(s, index);
 
-    if (s->fade_over && s->next == index && s->next_back) /* it has not begun */
-        s->fade = s->fade_over = s->next = s->next_back = 0;
-    else if (s->tune != index || s->fade_over)
-        return;
-    else if (s->kept)
-        sound_music(b, s->kept - 1, fade, 0);
-    else
-        sound_music_stop(b, fade);
+    if (goes(s) && s->next == index && s->next_back)
+        forget_next(s);
+    else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
+        seq_drop(s, kept);
+        s->next = s->aside ? s->kept[s->aside - 1] : 0;
+    } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
+        s->next_back = 0;
+    else if (s->tune == index && !goes(s))
+        ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
+    else if (kept >= 0)
+        seq_drop(s, kept);
 }
 
-enum { LONGEST_PASS = 60 * 60 * 60 /* frames: an hour */ };
-
-void sound_pass(struct board *b, int64_t n)
+void sound_volume(struct board *b, uint16_t level, int32_t over)
 {
-    if (!b->music.tune)
-        return;
-    for (int64_t i = 0; i < n && i < LONGEST_PASS; i++) {
+    struct seq *s = &b->music;
+
+    s->level_to = level;
+    s->level_over = (uint16_t)over;
+    if (over == 0)
+        s->level = level;
+}
+
+void sound_power(struct board *b)
+{
+    b->music.level = b->music.level_to = SEQ_FULL;
+    b->voices.gain0 = b->voices.gain1 = VOICE_GAIN;
+}
+
+void sound_game(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    memset(s->heard, 0, sizeof s->heard);
+    sound_skip(b, false);
+    s->level = s->level_to = SEQ_FULL;
+    s->level_over = 0;
+    sound_music_stop(b, 0);
+}
+
+/* ---- on the way to a mark ---- */
+
+enum {
+    PASS_WORK = 64,             /* of a frame of music */
+    LONGEST_PASS = 60 * 60 * 60 /* frames: an hour, on all of the way */
+};
+
+/* n frames of the music alone, each the rest of one tick and the beginning of the next. */
+static uint64_t pass(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    int64_t i = 0;
+
+    for (; i < n && s->passed < LONGEST_PASS && s->tune; i++, s->passed++) {
         step_music(b);
         b->voices.gain1 = gain(b);
         voices_step(&b->voices, rom(b));
     }
+    return (uint64_t)i * PASS_WORK;
 }
 
-void sound_arrive(struct board *b)
+uint64_t sound_pass_wait(struct board *b, int64_t n)
 {
-    if (b->music.fade_over)
-        end_fade(b);
+    struct seq *s = &b->music;
+    const int64_t ahead = n < INT32_MAX ? s->ahead + n : INT32_MAX;
+
+    s->ahead = (uint32_t)(ahead < INT32_MAX ? ahead : INT32_MAX);
+    return pass(b, n);
+}
+
+uint64_t sound_pass_clock(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    const int64_t left = n - s->ahead;
+
+    s->ahead = left < 0 ? (uint32_t)-left : 0;
+    return pass(b, left);
+}
+
+uint64_t sound_pass_fight(struct board *b)
+{
+    uint64_t work = 0, more = 1;
+
+    while (goes(&b->music) && more > 0)
+        work += more = pass(b, 1);
+    return work;
+}
+
+void sound_skip(struct board *b, bool on)
+{
+    b->music.passes = on;
+    b->music.ahead = b->music.passed = 0;
 }
 
 /* ---- the frame's samples ---- */
@@ -385,6 +501,7 @@ struct board *board_box_open(void *ram, const struct rom *rom_, char *err, size_
         slots_layout(box_parts[i].chip, s, box_parts[i].cap, 0, &next);
         s->live = s->cap;
     }
+    sound_power(b);
     return b;
 }
 
@@ -395,7 +512,7 @@ bool board_box_play(struct board *b, const char *name)
     if (sound >= 0)
         sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
     else if (tune >= 0)
-        sound_music(b, tune, 0, MUSIC_AGAIN);
+        sound_music(b, tune, &(struct music_how){ .again = true });
     return sound >= 0 || tune >= 0;
 }
 
