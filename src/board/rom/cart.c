@@ -333,10 +333,11 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     return true;
 }
 
+const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item", "bomb",
+                                           "warning", "menu", "extend", "spell", "time" };
+
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
-    static const char *const names[CART_CUES] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
-
     struct lump first;
 
     c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
@@ -346,7 +347,7 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
         c->tune_data = first.data - TUNES_FIRST;
     }
     for (int i = 0; i < CART_CUES; i++) {
-        const int sound = cart_find_sound(c, names[i]);
+        const int sound = cart_find_sound(c, cart_cues[i]);
         c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
     }
     return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
