@@ -379,27 +379,81 @@ __attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const u
         mix_pair(d, s, add, mix);
 }
 
-/* Eight pixels wide, and no more from a row to the next: two rows as one of sixteen. */
-__attribute__((always_inline)) static inline void batch_eight(const struct blit_item *items, size_t n, ptrdiff_t d_row,
-                                                              int h, enum blit_mix mix)
+/* Two rows of eight as one of sixteen. */
+__attribute__((always_inline)) static inline void paint_two(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
+                                                            enum blit_mix mix)
 {
-    for (size_t i = 0; i < n; i++) {
-        const uint8_t *s = items[i].s;
-        uint8_t *d = items[i].d, two[16];
-        const uint8_t add = (uint8_t)(items[i].bank * 16);
-        int y = h;
-        for (; y > 1; y -= 2, s += 16, d += 2 * d_row) {
-            memcpy(two, d, 8);
-            memcpy(two + 8, d + d_row, 8);
-            paint_pair(two, s, add, mix);
-            memcpy(d, two, 8);
-            memcpy(d + d_row, two + 8, 8);
-        }
-        if (y > 0 && mix == BLIT_OPAQUE)
-            cover(d, words_load(s), WORDS_EACH(add));
-        else if (y > 0)
-            mix_eight(d, s, add, mix);
+    uint8_t two[16];
+
+    memcpy(two, d, 8);
+    memcpy(two + 8, d + d_row, 8);
+    paint_pair(two, s, add, mix);
+    memcpy(d, two, 8);
+    memcpy(d + d_row, two + 8, 8);
+}
+
+/* Eight pixels wide, and no more from a row to the next. */
+__attribute__((always_inline)) static inline void paint_narrow(const struct blit_item *item, ptrdiff_t d_row, int h,
+                                                               enum blit_mix mix)
+{
+    const uint8_t add = (uint8_t)(item->bank * 16), *s = item->s;
+    uint8_t *d = item->d;
+
+    for (; h >= 8; h -= 8, s += 64, d += 8 * d_row) {
+        paint_two(d, d_row, s, add, mix);
+        paint_two(d + 2 * d_row, d_row, s + 16, add, mix);
+        paint_two(d + 4 * d_row, d_row, s + 32, add, mix);
+        paint_two(d + 6 * d_row, d_row, s + 48, add, mix);
     }
+    for (; h > 1; h -= 2, s += 16, d += 2 * d_row)
+        paint_two(d, d_row, s, add, mix);
+    if (h > 0 && mix == BLIT_OPAQUE)
+        cover(d, words_load(s), WORDS_EACH(add));
+    else if (h > 0)
+        mix_eight(d, s, add, mix);
+}
+
+/* The same of sixteen. */
+__attribute__((always_inline)) static inline void paint_wide(const struct blit_item *item, ptrdiff_t d_row, int h,
+                                                             enum blit_mix mix)
+{
+    const uint8_t add = (uint8_t)(item->bank * 16), *s = item->s;
+    uint8_t *d = item->d;
+
+    for (; h >= 4; h -= 4, s += 64, d += 4 * d_row) {
+        paint_pair(d, s, add, mix);
+        paint_pair(d + d_row, s + 16, add, mix);
+        paint_pair(d + 2 * d_row, s + 32, add, mix);
+        paint_pair(d + 3 * d_row, s + 48, add, mix);
+    }
+    for (; h > 0; h--, s += 16, d += d_row)
+        paint_pair(d, s, add, mix);
+}
+
+/* mix is a constant in the calls. The heights that most bullets have are too. */
+__attribute__((always_inline)) static inline void batch_narrow(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                               int h, enum blit_mix mix)
+{
+    if (h == 8)
+        for (size_t i = 0; i < n; i++)
+            paint_narrow(&items[i], d_row, 8, mix);
+    else
+        for (size_t i = 0; i < n; i++)
+            paint_narrow(&items[i], d_row, h, mix);
+}
+
+__attribute__((always_inline)) static inline void batch_wide(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                             int h, enum blit_mix mix)
+{
+    if (h == 16)
+        for (size_t i = 0; i < n; i++)
+            paint_wide(&items[i], d_row, 16, mix);
+    else if (h == 12)
+        for (size_t i = 0; i < n; i++)
+            paint_wide(&items[i], d_row, 12, mix);
+    else
+        for (size_t i = 0; i < n; i++)
+            paint_wide(&items[i], d_row, h, mix);
 }
 
 /* One of any other width, by a rule. */
@@ -427,24 +481,35 @@ static void mix_job(const struct job *j, enum blit_mix rule)
         mix_rows(j, BLIT_RAMP_MAX);
 }
 
+/* Any size, one by one. */
+static void batch_others(const struct blit_item *items, size_t n, struct job j, enum blit_mix mix)
+{
+    for (size_t i = 0; i < n; i++) {
+        j.s = items[i].s;
+        j.d = items[i].d;
+        j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
+        if (mix == BLIT_OPAQUE)
+            paint(&j);
+        else
+            mix_job(&j, mix);
+    }
+}
+
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix)
 {
-    struct job j = { .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h };
+    const bool common = mix == BLIT_OPAQUE || mix == BLIT_RAMP_ADD;
 
     if (s_pitch == 8 && mix == BLIT_OPAQUE)
-        batch_eight(items, n, d_pitch, h, BLIT_OPAQUE);
-    else if (s_pitch == 8 && mix == BLIT_RAMP_ADD)
-        batch_eight(items, n, d_pitch, h, BLIT_RAMP_ADD);
+        batch_narrow(items, n, d_pitch, h, BLIT_OPAQUE);
+    else if (s_pitch == 8 && common)
+        batch_narrow(items, n, d_pitch, h, BLIT_RAMP_ADD);
+    else if (s_pitch == 16 && w > 8 && mix == BLIT_OPAQUE)
+        batch_wide(items, n, d_pitch, h, BLIT_OPAQUE);
+    else if (s_pitch == 16 && w > 8 && common)
+        batch_wide(items, n, d_pitch, h, BLIT_RAMP_ADD);
     else
-        for (size_t i = 0; i < n; i++) {
-            j.s = items[i].s;
-            j.d = items[i].d;
-            j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
-            if (mix == BLIT_OPAQUE)
-                paint(&j);
-            else
-                mix_job(&j, mix);
-        }
+        batch_others(items, n, (struct job){ .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h },
+                     mix);
 }
 
 bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,

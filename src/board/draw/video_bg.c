@@ -47,36 +47,58 @@ static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, 
         row_cover(d, s, n, b->bank);
 }
 
-/* Puts `n` tile rows from cell (col, row) on into `to`, starting over at the map's right edge; are all solid? The side
- * is a constant where this is called, so that each copy is a few instructions. */
-static inline bool put_tiles(const struct map *m, int col, int row, int in, int n, uint8_t *to, const int side)
+/* The tiles that a row of a layer shows: where each begins among the map's pixels. Rows of the same tiles share them. */
+struct tiles {
+    uint32_t at[ROW / 8];
+    int n, col, row; /* how many, from which cell on */
+    bool solid;      /* all are */
+};
+
+/* Finds n tiles from cell (col, row) on, starting over at the map's right edge. */
+static void find_tiles(const struct map *m, int col, int row, int n, struct tiles *t)
 {
     const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
-    const uint8_t *pix = m->pix + in * side;
+    const uint32_t size = (uint32_t)(m->side * m->side);
     uint8_t solid = 1;
 
-    for (; n > 0; n--, to += side) {
+    t->n = n;
+    t->col = col;
+    t->row = row;
+    for (int k = 0; k < n; k++) {
         size_t tile = bytes_get16(cells + 2 * col);
-        memcpy(to, pix + tile * (size_t)(side * side), (size_t)side);
+        t->at[k] = (uint32_t)tile * size;
         solid &= m->solid[tile];
         if (++col == m->cols)
             col = 0;
     }
-    return solid;
+    t->solid = solid;
 }
 
-/* n pixels of the map from (x, y) on, both inside; *solid: none is 0. */
-static const uint8_t *map_row(const struct map *m, int x, int y, int n, uint8_t row[ROW], bool *solid)
+/* Puts row `in` of each tile into `to`. The side is a constant where this is called, so that each copy is a few
+ * instructions; forced, for gcc would call it, and each copy would be a call then. */
+__attribute__((always_inline)) static inline void put_tiles(const struct map *m, const struct tiles *t, int in,
+                                                            uint8_t *restrict to, const int side)
 {
-    const int skip = x % m->side, tiles = (skip + n + m->side - 1) / m->side, in = y % m->side;
-    const int c = x / m->side, r = y / m->side;
+    const uint8_t *pix = m->pix + in * side;
 
+    for (int k = 0; k < t->n; k++)
+        memcpy(to + k * side, pix + t->at[k], (size_t)side);
+}
+
+/* n pixels of the map from (x, y) on, both inside. */
+static const uint8_t *map_row(const struct map *m, int x, int y, int n, struct tiles *t, uint8_t row[ROW])
+{
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    const int skip = x & mask, tiles = (skip + n + mask) >> shift;
+
+    if (t->n != tiles || t->col != x >> shift || t->row != y >> shift)
+        find_tiles(m, x >> shift, y >> shift, tiles, t);
     if (m->side == 8)
-        *solid = put_tiles(m, c, r, in, tiles, row, 8);
+        put_tiles(m, t, y & mask, row, 8);
     else if (m->side == 16)
-        *solid = put_tiles(m, c, r, in, tiles, row, 16);
+        put_tiles(m, t, y & mask, row, 16);
     else
-        *solid = put_tiles(m, c, r, in, tiles, row, 32);
+        put_tiles(m, t, y & mask, row, 32);
     return row + skip;
 }
 
@@ -101,33 +123,54 @@ static int shaken_y(const struct draw_target *c)
     return c->y - c->b->cart.m.field_y;
 }
 
+/* What row y of the field shows of a layer: columns [from, to) of the field, from (x, my) of the map on. */
+struct shown_row {
+    int64_t aside; /* the map's left edge, from the field's */
+    int64_t from, to, x, my;
+};
+
+/* The next row of a map that wraps. One that is as far aside as the last needs no division. */
+static void row_wraps(struct shown_row *r, int64_t aside, int64_t mw, int64_t mh)
+{
+    if (r->aside != aside)
+        r->x = modulo(-aside, mw);
+    r->aside = aside;
+    r->my += 1;
+    r->my -= r->my == mh ? mh : 0;
+}
+
+/* The next row of one that does not. False: nothing is there. */
+static bool row_once(struct shown_row *r, int64_t aside, int64_t mw, int64_t mh, int w)
+{
+    r->my += 1;
+    r->from = aside > 0 ? aside : 0;
+    r->to = mw + aside < w ? mw + aside : w;
+    r->x = r->from - aside;
+    return r->my >= 0 && r->my < mh && r->from < r->to;
+}
+
 static void draw_layer(struct draw_target *c, uint32_t i)
 {
     const struct bg *g = &c->b->bg;
     const struct brush brush = brush_of(c->b, i);
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
+    struct tiles tiles = { .n = -1 };
     uint8_t row[ROW];
     struct map m;
-    bool solid;
 
     cart_map(&c->b->cart, g->map[i] - 1, &m);
     const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
+    struct shown_row r = { .aside = INT64_MIN, .to = w, .my = (wraps ? modulo(-top, mh) : -top) - 1 };
     for (int y = 0; y < h; y++) {
         const int line = (int)int64_clamp(y - dy, 0, h - 1);
-        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) - dx;
-        int64_t from = 0, to = w, my = y - top;
-        if (wraps) {
-            at = modulo(at, mw);
-            my = modulo(my, mh);
-        } else {
-            from = at < 0 ? -at : 0;
-            to = mw - at < w ? mw - at : w;
-            if (my < 0 || my >= mh || from >= to)
-                continue;
-        }
-        const uint8_t *s = map_row(&m, (int)(at + from), (int)my, (int)(to - from), row, &solid);
-        lay(c, &brush, s, (int)from, y, (int)(to - from), solid);
+        const int64_t aside = ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
+        if (wraps)
+            row_wraps(&r, aside, mw, mh);
+        else if (!row_once(&r, aside, mw, mh, w))
+            continue;
+        const uint8_t *s = map_row(&m, (int)r.x, (int)r.my, (int)(r.to - r.from), &tiles, row);
+        lay(c, &brush, s, (int)r.from, y, (int)(r.to - r.from), tiles.solid);
     }
     c->drawn++;
 }
