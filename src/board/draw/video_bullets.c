@@ -14,7 +14,6 @@
 #include "../video.h"
 
 enum {
-    BATCH_MIN = 8,    /* fewer are not worth a stamp */
     BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
     TOP_OVERDRAW =
@@ -30,8 +29,10 @@ struct style {
     ang spin;
     int order;
     bool cloud;
-    bool alike;     /* all show one picture, opaque */
     unsigned blend; /* index + 1, 0: opaque */
+    enum blit_mix mix;
+    bool alike;  /* all show one picture, opaque or by a rule */
+    bool singly; /* drawn one by one: through a blend's table, and clouds, whose ages are stretched */
     uint32_t n;
     size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
@@ -134,7 +135,9 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->order = k->order[kind];
     style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
     style->cloud = k->flags[kind] & KIND_CLOUD;
-    style->alike = !style->turns && pic->frames == 1 && !style->blend;
+    style->mix = style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
+    style->alike = !style->turns && pic->frames == 1 && style->mix != BLIT_TABLE;
+    style->singly = style->mix == BLIT_TABLE || (style->cloud && (pic->frames > 1 || style->spin));
 }
 
 /* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
@@ -349,17 +352,6 @@ static void list_open(struct lists *l, const struct bullets *s, const struct vie
         list_some(l, s, t, block, open_ones(l, s, block));
 }
 
-static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
-{
-    struct image image = video_image(style->pic, 0, false, 0);
-    const uint32_t *list = l->list + style->list;
-    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
-
-    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
-        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
-    return stamp_make(&l->stamp, &image, banks);
-}
-
 /* ---- back to front ---- */
 
 static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
@@ -370,20 +362,6 @@ static void draw_other(struct draw_target *c, const struct bullets *s, const str
 
     corner(t, l, s, i, &x, &y);
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
-}
-
-static void draw_dest(struct draw_target *c, const struct style *style, uint32_t dest)
-{
-    struct image image = video_image(style->pic, 0, false, 0);
-    int at = (int)(dest & (STAMP_OTHER - 1)), pitch = c->fb->pitch;
-    struct stamp_corners corners = stamp_corners(c->fb, image.w, image.h);
-
-    blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
-}
-
-static enum blit_mix mix_of(const struct draw_target *c, const struct style *style)
-{
-    return style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
 }
 
 /* How the pictures of a kind that is turned or animated are picked: by multiplication. age * every >> AGE_BITS is the
@@ -449,7 +427,7 @@ static void draw_batch(struct draw_target *c, const struct style *style, struct 
 {
     const struct sprite *pic = style->pic;
 
-    blit_batch(batch->items, batch->n, c->fb->pitch, pic->w, pic->h, pic->pitch, mix_of(c, style));
+    blit_batch(batch->items, batch->n, c->fb->pitch, pic->w, pic->h, pic->pitch, style->mix);
     batch->n = 0;
 }
 
@@ -487,7 +465,6 @@ static void draw_batches(struct draw_target *c, const struct bullets *s, const s
     }
 }
 
-/* One by one: through a blend's table, and clouds, whose ages are stretched. */
 static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
                         const struct style *style, uint32_t n)
 {
@@ -497,31 +474,31 @@ static void draw_singly(struct draw_target *c, const struct bullets *s, const st
         draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
 }
 
-static void draw_kind(struct draw_target *c, const struct bullets *s, struct lists *l, const struct view *t,
+static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                       const struct style *style, uint32_t n)
+{
+    const struct image image = video_image(style->pic, 0, false, 0);
+    const uint32_t *list = l->list + style->list;
+
+    for (uint32_t k = 0; k < n; k++) {
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list + k, n - k);
+        if (k < n)
+            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+    }
+}
+
+static void draw_kind(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
                       uint16_t kind)
 {
     const struct style *style = &l->style[kind];
-    const uint32_t *list = l->list + style->list;
-    uint32_t n = listed(l, kind);
-    bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, style, n);
+    const uint32_t n = listed(l, kind);
 
-    if (!style->alike) {
-        if (mix_of(c, style) == BLIT_TABLE || style->cloud)
-            draw_singly(c, s, l, t, style, n);
-        else
-            draw_batches(c, s, l, t, style, n);
-        return;
-    }
-    for (uint32_t k = 0; k < n; k++) {
-        if (stamped)
-            k += (uint32_t)stamp_over(c->fb, &l->stamp, list + k, n - k);
-        if (k == n)
-            break;
-        if (list[k] & STAMP_OTHER)
-            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
-        else
-            draw_dest(c, style, list[k]);
-    }
+    if (style->alike)
+        draw_alike(c, s, l, t, style, n);
+    else if (style->singly)
+        draw_singly(c, s, l, t, style, n);
+    else
+        draw_batches(c, s, l, t, style, n);
 }
 
 static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
@@ -534,6 +511,17 @@ static void draw_over(struct draw_target *c, const struct bullets *s, struct lis
 }
 
 /* ---- front to back ---- */
+
+static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
+{
+    struct image image = video_image(style->pic, 0, false, 0);
+    const uint32_t *list = l->list + style->list;
+    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
+
+    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
+        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
+    return stamp_make(&l->stamp, &image, banks);
+}
 
 /* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
  * as destinations. */
