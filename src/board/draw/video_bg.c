@@ -3,14 +3,16 @@
  * front, over all sprites.
  *
  * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
- * which repeats if it wraps. Each row is put together from rows of tiles in a buffer and goes onto the surface in one
- * piece: copied where all of its tiles are solid. So line scroll costs nothing more, and no tile is clipped.
+ * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an empty
+ * tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows. What is
+ * mixed with what is under it is put together in a buffer first, a row at a time.
  *
  * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
  * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
  * the last, and only where a row begins is rounded.
  */
 #include "../../../fb/row.h"
+#include "../../../fb/tiles.h"
 #include "../../base/bytes.h"
 #include "../../base/int.h"
 #include "../../base/trig.h"
@@ -47,11 +49,11 @@ static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, 
         row_cover(d, s, n, b->bank);
 }
 
-/* The tiles that a row of a layer shows: where each begins among the map's pixels. Rows of the same tiles share them. */
+/* The tiles that rows of a layer show: where each begins among the map's pixels. Rows of the same tiles share them. */
 struct tiles {
     uint32_t at[ROW / 8];
-    int n, col, row; /* how many, from which cell on */
-    bool solid;      /* all are */
+    uint8_t tile[ROW / 8]; /* enum tile */
+    int n, col, row;       /* how many, from which cell on */
 };
 
 /* Finds n tiles from cell (col, row) on, starting over at the map's right edge. */
@@ -59,7 +61,6 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
 {
     const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
     const uint32_t size = (uint32_t)(m->side * m->side);
-    uint8_t solid = 1;
 
     t->n = n;
     t->col = col;
@@ -67,39 +68,17 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
     for (int k = 0; k < n; k++) {
         size_t tile = bytes_get16(cells + 2 * col);
         t->at[k] = (uint32_t)tile * size;
-        solid &= m->solid[tile];
+        t->tile[k] = m->solid[tile] ? TILE_SOLID : tile ? TILE_HOLES : TILE_EMPTY;
         if (++col == m->cols)
             col = 0;
     }
-    t->solid = solid;
 }
 
-/* Puts row `in` of each tile into `to`. The side is a constant where this is called, so that each copy is a few
- * instructions; forced, for gcc would call it, and each copy would be a call then. */
-__attribute__((always_inline)) static inline void put_tiles(const struct map *m, const struct tiles *t, int in,
-                                                            uint8_t *restrict to, const int side)
+/* Row `in` of each tile, in one piece. */
+static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_t *to)
 {
-    const uint8_t *pix = m->pix + in * side;
-
     for (int k = 0; k < t->n; k++)
-        memcpy(to + k * side, pix + t->at[k], (size_t)side);
-}
-
-/* n pixels of the map from (x, y) on, both inside. */
-static const uint8_t *map_row(const struct map *m, int x, int y, int n, struct tiles *t, uint8_t row[ROW])
-{
-    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
-    const int skip = x & mask, tiles = (skip + n + mask) >> shift;
-
-    if (t->n != tiles || t->col != x >> shift || t->row != y >> shift)
-        find_tiles(m, x >> shift, y >> shift, tiles, t);
-    if (m->side == 8)
-        put_tiles(m, t, y & mask, row, 8);
-    else if (m->side == 16)
-        put_tiles(m, t, y & mask, row, 16);
-    else
-        put_tiles(m, t, y & mask, row, 32);
-    return row + skip;
+        memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
 }
 
 static struct brush brush_of(const struct board *b, uint32_t i)
@@ -123,30 +102,95 @@ static int shaken_y(const struct draw_target *c)
     return c->y - c->b->cart.m.field_y;
 }
 
-/* What row y of the field shows of a layer: columns [from, to) of the field, from (x, my) of the map on. */
-struct shown_row {
+/* What rows of the field show of a layer: columns [from, to) of the field, from (x, my) of the map on. */
+struct shown_rows {
     int64_t aside; /* the map's left edge, from the field's */
     int64_t from, to, x, my;
+    int y, n; /* the first, and how many: all are of one row of tiles and as far aside */
 };
 
-/* The next row of a map that wraps. One that is as far aside as the last needs no division. */
-static void row_wraps(struct shown_row *r, int64_t aside, int64_t mw, int64_t mh)
+/* Columns of a map that wraps. What is as far aside as the last needs no division. */
+static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh)
 {
     if (r->aside != aside)
         r->x = modulo(-aside, mw);
     r->aside = aside;
-    r->my += 1;
     r->my -= r->my == mh ? mh : 0;
+    return true;
 }
 
-/* The next row of one that does not. False: nothing is there. */
-static bool row_once(struct shown_row *r, int64_t aside, int64_t mw, int64_t mh, int w)
+/* Of one that does not. False: nothing is there. */
+static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh, int w)
 {
-    r->my += 1;
     r->from = aside > 0 ? aside : 0;
     r->to = mw + aside < w ? mw + aside : w;
     r->x = r->from - aside;
     return r->my >= 0 && r->my < mh && r->from < r->to;
+}
+
+/* How far aside the layer is in row y of the field. */
+static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, int dy)
+{
+    const struct bg *g = &c->b->bg;
+    const int line = (int)int64_clamp(y - dy, 0, c->b->cart.m.field_h - 1);
+
+    return ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
+}
+
+/* A tile that is cut off by the clip: its columns [from, to). */
+static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
+                    int rows, int from, int to, uint8_t add)
+{
+    const uint8_t *s = m->pix + t->at[k] + in * m->side;
+
+    for (int y = 0; y < rows && t->tile[k] != TILE_EMPTY; y++, d += c->fb->pitch, s += m->side)
+        row_cover(d + from, s + from, to - from, add);
+}
+
+/* Rows onto the surface, tile by tile. A tile at an edge goes on into the surface's band where there is one. */
+static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int side = m->side, skip = (int)r->x & (side - 1), in = (int)r->my & (side - 1);
+    const int left = c->b->cart.m.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
+    uint8_t *d = c->fb->pix + (c->b->cart.m.field_y + r->y) * c->fb->pitch + left;
+    const bool cut_left = left<c->fb->sx0, cut_right = left + t->n * side> c->fb->sx1;
+    const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
+
+    if (cut_left)
+        lay_cut(c, t, m, 0, d, in, r->n, skip, end < side ? end : side, add);
+    tiles_draw(d + first * side, c->fb->pitch, m->pix + in * side, t->at + first, t->tile + first, last - first, side,
+               r->n, add);
+    if (last < t->n)
+        lay_cut(c, t, m, last, d + last * side, in, r->n, 0, end - last * side, add);
+}
+
+/* The same, mixed or shown otherwise, row by row. */
+static void lay_mixed(struct draw_target *c, const struct brush *b, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int skip = (int)r->x & (m->side - 1), in = (int)r->my & (m->side - 1);
+    uint8_t row[ROW];
+
+    for (int k = 0; k < r->n; k++) {
+        put_tiles(m, t, in + k, row);
+        lay(c, b, row + skip, (int)r->from, r->y + k, (int)(r->to - r->from), false);
+    }
+}
+
+static void lay_rows(struct draw_target *c, const struct brush *b, const struct map *m, struct tiles *t,
+                     const struct shown_rows *r)
+{
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    const int col = (int)r->x >> shift, row = (int)r->my >> shift;
+    const int n = (((int)r->x & mask) + (int)(r->to - r->from) + mask) >> shift;
+
+    if (t->n != n || t->col != col || t->row != row)
+        find_tiles(m, col, row, n, t);
+    if (b->to || b->table)
+        lay_mixed(c, b, m, t, r);
+    else
+        lay_tiles(c, b->bank, m, t, r);
 }
 
 static void draw_layer(struct draw_target *c, uint32_t i)
@@ -156,21 +200,20 @@ static void draw_layer(struct draw_target *c, uint32_t i)
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
-    uint8_t row[ROW];
     struct map m;
 
     cart_map(&c->b->cart, g->map[i] - 1, &m);
     const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
-    struct shown_row r = { .aside = INT64_MIN, .to = w, .my = (wraps ? modulo(-top, mh) : -top) - 1 };
-    for (int y = 0; y < h; y++) {
-        const int line = (int)int64_clamp(y - dy, 0, h - 1);
-        const int64_t aside = ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
-        if (wraps)
-            row_wraps(&r, aside, mw, mh);
-        else if (!row_once(&r, aside, mw, mh, w))
-            continue;
-        const uint8_t *s = map_row(&m, (int)r.x, (int)r.my, (int)(r.to - r.from), &tiles, row);
-        lay(c, &brush, s, (int)r.from, y, (int)(r.to - r.from), tiles.solid);
+    struct shown_rows r = { .aside = INT64_MIN, .to = w, .my = wraps ? modulo(-top, mh) : -top };
+    for (int64_t aside = aside_at(c, i, 0, dx, dy), next = aside; r.y < h; r.y += r.n, r.my += r.n, aside = next) {
+        const bool shown = wraps ? columns_wrap(&r, aside, mw, mh) : columns_once(&r, aside, mw, mh, w);
+        const int most = shown ? m.side - ((int)r.my & (m.side - 1)) : 1;
+        r.n = 0;
+        do
+            next = ++r.n + r.y < h ? aside_at(c, i, r.y + r.n, dx, dy) : aside;
+        while (r.n < most && r.y + r.n < h && next == aside);
+        if (shown)
+            lay_rows(c, &brush, &m, &tiles, &r);
     }
     c->drawn++;
 }
