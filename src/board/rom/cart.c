@@ -546,13 +546,12 @@ int cart_find_sound(const struct cart *cart, const char *name)
 
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
-    const struct inst i = inst_of(inst);
     uint32_t from = tune;
 
-    if (i.kind != INST_SAMPLE)
+    if (inst[0] != INST_SAMPLE)
         return 0;
-    if (i.sample[0]) {
-        const int sound = cart_find_sound(cart, i.sample);
+    if (inst_sample(inst)[0]) {
+        const int sound = cart_find_sound(cart, inst_sample(inst));
         if (sound < 0)
             return 0;
         from = cart_sound(cart, sound);

@@ -482,10 +482,10 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
     const struct tune t = tune_of(tune);
 
     for (int i = 0; i < t.insts; i++) {
-        const struct inst inst = inst_of(tune_inst(&t, i));
-        if (inst.sample[0] && !is_recording(p, inst.sample))
+        const char *sample = inst_sample(tune_inst(&t, i));
+        if (sample[0] && !is_recording(p, sample))
             return err_set(p->err, p->err_size, "%s: sample \"%s\" is no recording (a .wav) of rom.lua's sounds",
-                           s->file[0] ? s->file : s->name, inst.sample);
+                           s->file[0] ? s->file : s->name, sample);
     }
     return true;
 }

@@ -162,7 +162,13 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
     }
 }
 
-/* Instruments, macros and what stands behind #. */
+/* @E, @M or @P, then a blank? */
+static bool curve_line(const struct mml *m, uint32_t at, uint32_t end)
+{
+    return end - at > 2 && memchr("EMP", m->text[at + 1], 3) && blank(m->text[at + 2]);
+}
+
+/* Instruments, curves, macros and what stands behind #. */
 static void read_lines(struct mml *m)
 {
     uint32_t tracks, body;
@@ -171,7 +177,9 @@ static void read_lines(struct mml *m)
         const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
         if (first == end || track_line(m, first, end, &tracks, &body))
             continue;
-        if (m->text[first] == '@')
+        if (m->text[first] == '@' && curve_line(m, first, end))
+            mml_read_curve_line(m, first, end);
+        else if (m->text[first] == '@')
             mml_read_inst(m, first, end);
         else if (m->text[first] == '!')
             read_macro(m, first, end);
@@ -358,6 +366,8 @@ static void end(struct mml *m)
 {
     for (int i = 0; i < TUNE_TRACKS; i++)
         free(m->tracks[i].events);
+    for (uint32_t i = 0; i < m->n_pieces; i++)
+        free(m->pieces[i].bytes);
     free(m->conductor.events);
     free(m->line.text);
     free(m->line.from);
@@ -399,8 +409,10 @@ bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *abou
     if (setjmp(m->out) == 0) {
         const uint64_t ticks = ((uint64_t)s.n * SND_RATE / s.rate * RECORDING_TEMPO + TUNE_TICK - 1) / TUNE_TICK;
         struct mml_track *t = &m->tracks[0];
-        m->insts[m->n_insts++] =
-            (struct inst){ .kind = INST_SAMPLE, .sustain = 32767, .release = 480, .root = RECORDING_ROOT * PITCH_ONE };
+        const struct mml_inst inst = { .inst = { .kind = INST_SAMPLE,
+                                                 .env = { .sustain = 32767, .release = 480 },
+                                                 .root = RECORDING_ROOT * PITCH_ONE } };
+        mml_use_inst(m, &inst);
         t->used = true;
         mml_add(m, t, 0, TUNE_VOLUME, TUNE_LOUD, 0);
         mml_add(m, t, 0, TUNE_NOTE, RECORDING_ROOT * 256, 0);
