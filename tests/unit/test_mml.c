@@ -111,8 +111,9 @@ static void test_header(void **state)
     assert_string_equal(tune_mark(&t, 1), "down");
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
     const struct inst i = inst_of(tune_inst(&t, 0));
-    assert_true(i.kind == INST_FM && i.ratio == 896 && i.depth == 1304 && i.attack == 96 && i.vibrato == 51);
-    assert_int_equal(i.vibrato_delay, 9600);
+    const struct op o = inst_op(tune_inst(&t, 0), 0);
+    assert_true(i.kind == INST_FM && o.ratio == 896 && o.level == 1304 && i.env.attack == 96 && i.vibrato.depth == 51);
+    assert_int_equal(i.vibrato.delay, 9600);
     free((void *)(uintptr_t)t.data);
 }
 
@@ -129,7 +130,7 @@ static void test_mistakes(void **state)
         { "@b fm atack=3\nA c", "x.mml:1:7: unknown setting \"atack\" (did you mean \"attack\"?)" },
         { "@b fm attack=x\nA c", "x.mml:1:14: expected milliseconds from 0 to 60000, got \"x\"" },
         { "@b horn\nA c",
-          "x.mml:1:4: expected pulse, triangle, saw, sine, fm, noise, sample, or an instrument that stands "
+          "x.mml:1:4: expected pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument that stands "
           "above, got \"horn\"" },
         { "[c4", "x.mml:1:1: [ without ]" },
         { "c4]2", "x.mml:1:3: ] without [" },

@@ -347,10 +347,11 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     return true;
 }
 
+const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item", "bomb",
+                                           "warning", "menu", "extend", "spell", "time" };
+
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
-    static const char *const names[CART_CUES] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
-
     struct lump first;
 
     c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
@@ -360,7 +361,7 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
         c->tune_data = first.data - TUNES_FIRST;
     }
     for (int i = 0; i < CART_CUES; i++) {
-        const int sound = cart_find_sound(c, names[i]);
+        const int sound = cart_find_sound(c, cart_cues[i]);
         c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
     }
     return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
@@ -582,15 +583,15 @@ size_t cart_wave_size(const struct cart *cart, int i)
 
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
-    const struct inst i = inst_of(inst);
-    const int sound = i.sample[0] ? cart_find_sound(cart, i.sample) : -1;
+    const bool named = inst_sample(inst)[0] != 0;
+    const int sound = named ? cart_find_sound(cart, inst_sample(inst)) : -1;
     const uint32_t from = sound < 0 ? tune : cart_sound(cart, sound);
     const struct tune t = tune_of(cart->tune_data + from);
 
-    if (i.kind != INST_SAMPLE || (i.sample[0] && sound < 0) || t.sides == 0)
+    if (inst[0] != INST_SAMPLE || (named && sound < 0) || t.sides == 0)
         return 0;
     const uint32_t first = samples_of(cart, from);
-    if (first == 0 || t.sides == 1 || i.sample[0] || inst == tune_inst(&t, 0))
+    if (first == 0 || t.sides == 1 || named || inst == tune_inst(&t, 0))
         return first;
     const struct sample s = sample_of(cart->tune_data + first);
     return first + (uint32_t)sample_size(s.n, s.coding);

@@ -55,7 +55,21 @@ enum {
 
 /* Sounds of these names play by themselves. */
 enum { TUNES_FIRST = 16 /* the place of the first sound or piece of music */ };
-enum cart_cue { CUE_SHOT, CUE_HIT, CUE_GRAZE, CUE_KILL, CUE_ITEM, CUE_BOMB, CUE_WARNING, CUE_MENU, CART_CUES };
+enum cart_cue {
+    CUE_SHOT,
+    CUE_HIT,
+    CUE_GRAZE,
+    CUE_KILL,
+    CUE_ITEM,
+    CUE_BOMB,
+    CUE_WARNING,
+    CUE_MENU,
+    CUE_EXTEND,
+    CUE_SPELL,
+    CUE_TIME,
+    CART_CUES
+};
+extern const char *const cart_cues[CART_CUES]; /* "shot" */
 
 struct cart {
     const struct rom *rom;

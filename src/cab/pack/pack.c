@@ -498,15 +498,14 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
     const char *where = s->file[0] ? s->file : s->name;
 
     for (int i = 0; i < t.insts; i++) {
-        const struct inst inst = inst_of(tune_inst(&t, i));
-        const struct art_sound *found = inst.sample[0] ? find_recording(p, inst.sample) : NULL;
-        if (inst.sample[0] && !found)
+        const char *sample = inst_sample(tune_inst(&t, i));
+        const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
+        if (sample[0] && !found)
             return err_set(p->err, p->err_size,
-                           "%s: sample \"%s\" is no recording (.wav, .ogg, .flac) of rom.lua's sounds", where,
-                           inst.sample);
+                           "%s: sample \"%s\" is no recording (.wav, .ogg, .flac) of rom.lua's sounds", where, sample);
         if (found && found->stereo)
             return err_set(p->err, p->err_size, "%s: sample \"%s\" is stereo, and an instrument has one voice", where,
-                           inst.sample);
+                           sample);
     }
     return true;
 }

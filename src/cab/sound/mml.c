@@ -162,7 +162,13 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
     }
 }
 
-/* Instruments, macros and what stands behind #. */
+/* @E, @M or @P, then a blank? */
+static bool curve_line(const struct mml *m, uint32_t at, uint32_t end)
+{
+    return end - at > 2 && memchr("EMP", m->text[at + 1], 3) && blank(m->text[at + 2]);
+}
+
+/* Instruments, curves, macros and what stands behind #. */
 static void read_lines(struct mml *m)
 {
     uint32_t tracks, body;
@@ -171,7 +177,9 @@ static void read_lines(struct mml *m)
         const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
         if (first == end || track_line(m, first, end, &tracks, &body))
             continue;
-        if (m->text[first] == '@')
+        if (m->text[first] == '@' && curve_line(m, first, end))
+            mml_read_curve_line(m, first, end);
+        else if (m->text[first] == '@')
             mml_read_inst(m, first, end);
         else if (m->text[first] == '!')
             read_macro(m, first, end);
@@ -358,6 +366,8 @@ static void end(struct mml *m)
 {
     for (int i = 0; i < TUNE_TRACKS; i++)
         free(m->tracks[i].events);
+    for (uint32_t i = 0; i < m->n_pieces; i++)
+        free(m->pieces[i].bytes);
     free(m->conductor.events);
     free(m->line.text);
     free(m->line.from);

@@ -134,7 +134,10 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
 {
     const uint8_t head[] = { TUNE_FORMAT,     (uint8_t)s->volume, (uint8_t)s->priority, (uint8_t)s->limit,
                              (uint8_t)s->bar, (uint8_t)sides,     (uint8_t)sides,       (uint8_t)markers };
-    const struct inst inst = { .kind = INST_SAMPLE, .sustain = 32767, .release = RELEASE, .root = ROOT * PITCH_ONE };
+    const struct inst inst = { .kind = INST_SAMPLE,
+                               .env = { .sustain = 32767, .release = RELEASE },
+                               .root = ROOT * PITCH_ONE };
+    const struct op none[FM_OPS] = { 0 };
 
     memset(w, 0, sizeof *w);
     memcpy(w->bytes, head, sizeof head);
@@ -143,7 +146,7 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
     snprintf((char *)w->bytes + TUNE_HEADER, TUNE_TITLE, "%s", s->title);
     w->n = TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)sides + 1);
     for (int i = 0; i < sides; i++, w->n += INST_BYTES)
-        inst_write(w->bytes + w->n, &inst);
+        inst_write(w->bytes + w->n, &inst, none, "");
 }
 
 /* A track that plays sample i; it is `ticks` long, or its loop is. */
