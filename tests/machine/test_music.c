@@ -395,6 +395,285 @@ static void test_stop(void **state)
     done();
 }
 
+/* ---- the music room ---- */
+
+static void press(uint16_t button)
+{
+    const uint16_t down[PADS] = { button, 0 };
+
+    rig_tick(&rig, down);
+    rig_run(&rig, 3);
+}
+
+/* From the title: play, hear another, leave. "deep" needs what is not earned yet. */
+static void test_room(void **state)
+{
+    (void)state;
+    power("stage.def('s', function() end)\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, music = { title = 'tide', room = true } }");
+    rig_run(&rig, 5);
+    press(PAD_START);
+    press(PAD_DOWN);
+    press(PAD_DOWN); /* past "2 PLAYERS" */
+    press(PAD_FIRE);
+    rig_run(&rig, 20);
+    press(PAD_FIRE); /* "deep" comes first, as in rom.lua */
+    assert_string_equal(name_now(), "deep");
+    assert_int_equal(rig.b->music.aside, 1);
+    press(PAD_DOWN);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "tide");
+    assert_int_equal(rig.b->music.aside, 0);
+    press(PAD_UP);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "deep");
+    press(PAD_BOMB);
+    rig_run(&rig, 40);
+    assert_string_equal(name_now(), "tide");
+    assert_int_equal(rig.b->music.aside, 0);
+    done();
+    power("stage.def('s', function() end) unlock.def('tired', { when = { heard = 'tide' } })\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, music = { { name = 'tide', text = 'First' },\n"
+          "  { name = 'deep', title = 'Down', needs = 'tired' } } }");
+    rig_run(&rig, 5);
+    press(PAD_START);
+    press(PAD_DOWN);
+    press(PAD_DOWN); /* past "2 PLAYERS" */
+    press(PAD_FIRE);
+    rig_run(&rig, 20);
+    press(PAD_DOWN);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "-");
+    press(PAD_UP);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "tide");
+    done();
+}
+
+/* ---- sounds that play by themselves ---- */
+
+static const char scene[] =
+    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "shot.def('dart', { sprite = 'dot', hit = { circle = 4 }, damage = 5 })\n"
+    "item.def('coin', { sprite = 'dot', radius = 4, gives = { score = 10 } })\n"
+    "bomb.def('wave', { over = 20, run = function() end })\n"
+    "player.def('pilot', { sprite = 'dot', hit = { circle = 2 }, bomb = 'wave', lives = 9, registers = { bombs = 3 } })\n"
+    "sys.join(1, 'pilot')\n"
+    "local p = player.get(1)\n"
+    "local function at(n, f) task.go(function() wait(n) p.safe = 0 f() end) end\n"
+    "local e = enemy.spawn { kind = 'e', x = 100, y = 50 }\n"
+    "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300 }))\n";
+
+static const struct {
+    const char *name, *script;
+} deeds[CART_CUES] = {
+    { "shot", "at(5, function() shot.fire { kind = 'dart', from = p, dy = -8, speed = 4 } end)" },
+    { "hit", "at(5, function() bullet.fire { kind = 'orb', from = p, speed = 0 } end)" },
+    { "graze", "at(5, function() bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } end)" },
+    { "kill", "at(5, function() shot.fire { kind = 'dart', x = 100, y = 50, speed = 0 } end)" },
+    { "item", "at(5, function() item.drop { kind = 'coin', from = p } end)" },
+    { "bomb", "at(5, function() p:bomb() end)" },
+    { "warning", "at(5, function() boss.fight('b') end)" },
+    { "menu", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
+    { "extend", "at(5, function() score.add(900, p) end)" },
+    { "spell", "at(5, function() boss.fight('b') end)" },
+    { "time", "hud.start(task.scope(), 1) at(5, function() boss.fight('b') end)" },
+};
+
+/* A game with one sound, of that name. */
+static void power_sound(const char *name, const char *script)
+{
+    const struct mml_about about = { 255, 4, 2, "" };
+    struct manifest m = rig_manifest();
+    static char text[1 << 13], lump[64];
+    struct lump lumps[128];
+    struct rig_game had;
+    uint8_t *made;
+    size_t size;
+    int n;
+
+    m.sound = 1;
+    m.items = 8;
+    m.extends[0] = 500;
+    m.n_extends = 1;
+    snprintf(text, sizeof text, "%s%s%s", ship, scene, script);
+    rig_with_sys(&game, &m, text);
+    had = game;
+    n = (int)had.image.rom.count;
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    assert_true(mml_compile("t200 @noise o6 c8", 17, name, &about, &made, &size, text, sizeof text));
+    snprintf(lump, sizeof lump, "sound/%s", name);
+    lumps[n++] = (struct lump){ lump, made, (uint32_t)size };
+    rig_write(&game, lumps, n);
+    free(made);
+    free(had.image.bytes);
+    rig_power(&rig, &game, NULL);
+}
+
+/* How often a sound began in so many frames, DOWN held in every other one. */
+static int begun(int frames)
+{
+    int n = 0;
+
+    for (int f = 0; f < frames; f++) {
+        const uint16_t pads[PADS] = { f % 2 ? PAD_DOWN : 0, 0 };
+        rig_tick(&rig, pads);
+        for (int i = 0; i < CUES; i++)
+            n += rig.b->cues.tune[i] && rig.b->cues.born[i] + 1 == rig.b->core.frame;
+    }
+    return n;
+}
+
+/* Each plays in a game that names it, alone; in a game of another sound none does. */
+static void test_cues(void **state)
+{
+    (void)state;
+    for (int i = 0; i < CART_CUES; i++) {
+        assert_string_equal(deeds[i].name, cart_cues[i]);
+        power_sound(deeds[i].name, deeds[i].script);
+        for (int k = 0; k < CART_CUES; k++)
+            assert_true((rig.b->cart.cue[k] != 0) == (k == i));
+        const int n = begun(200);
+        if (n == 0)
+            fail_msg("no sound of \"%s\"", deeds[i].name);
+        done();
+        power_sound("other", deeds[i].script);
+        if (begun(200) != 0)
+            fail_msg("a sound that is not \"%s\"", deeds[i].name);
+        done();
+    }
+}
+
+/* Grazes in every frame are heard in every fourth. */
+static void test_apart(void **state)
+{
+    (void)state;
+    power_sound("graze", "task.go(function() while true do p.safe = 0\n"
+                         "bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } wait(1) end end)");
+    assert_int_equal(begun(41), 11);
+    assert_true(rig.b->player.grazes[0] > 30);
+    done();
+}
+
+/* ---- mistakes ---- */
+
+static void refuses(const char *script, const char *message)
+{
+    struct manifest m = rig_manifest();
+
+    m.sound = 1;
+    rig_script(&game, &m, script);
+    rig_sounds(&game);
+    assert_string_equal(rig_said(&game, 60, true), message);
+    rig_game_free(&game);
+}
+
+static void test_mistakes(void **state)
+{
+    (void)state;
+    refuses("music.play('tied', { back = true })",
+            "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
+    refuses("music.play('boom')", "main.lua:1: music.play: \"boom\" is not in rom.lua's music: it is in its sounds");
+    refuses("music.play('tide', { at = 'bear' })", "main.lua:1: music.play: at: expected \"beat\" or \"bar\", got \"bear\"");
+    refuses("music.play('tide', { at = 'bar', fade = 9 })", "main.lua:1: music.play: expected at or fade, not both");
+    refuses("music.play('tide', { fade = 3601 })",
+            "main.lua:1: music.play: fade: expected a whole number from 0 to 3600 frames, got 3601");
+    refuses("music.play('tide', { fede = 3 })",
+            "main.lua:1: music.play: unknown argument \"fede\" (did you mean \"fade\"?)");
+    refuses("music.volume(-0.1)", "main.lua:1: music.volume: share: expected a number from 0 to 1, got -0.1");
+    refuses("music.volume(0.5, 0.5)",
+            "main.lua:1: music.volume: over: expected a whole number from 0 to 3600 frames, got 0.5");
+    refuses("music.frames(-1)", "main.lua:1: music.frames: beats: expected a number from 0 to 65536, got -1");
+    refuses("music.frames(0/0)", "main.lua:1: music.frames: beats: expected a number from 0 to 65536, got nan");
+    refuses("task.go(function() music.wait(1 << 40) end)",
+            "main.lua:1: music.wait: n: expected a whole number from 1 to 65536 beats, got 1099511627776");
+    refuses("task.go(function() music.wait({}) end)",
+            "main.lua:1: music.wait: n: expected a whole number from 1 to 65536 beats, got a table");
+    refuses("sound.play('boom', { pitch = 1e9 })",
+            "main.lua:1: sound.play: pitch: expected a number from -48 to 48 semitones, got 1000000000.0");
+    refuses("sound.play('boom', { volume = -1 })",
+            "main.lua:1: sound.play: volume: expected a number from 0 to 1, got -1");
+    refuses("sound.stop('tide')", "main.lua:1: sound.stop: \"tide\" is not in rom.lua's sounds: it is in its music");
+    refuses("stage.def('s', print, { music = 'dep' })",
+            "main.lua:1: stage.def: \"dep\" is not in rom.lua's music (did you mean \"deep\"?)");
+    refuses("boss.def('b', { title = 'B', music = 3, phases = {} })",
+            "main.lua:1: boss.def: music: expected the name of a piece of music, got 3");
+    refuses("talk.def('iri', { name = 'IRI', voice = 'hut' })",
+            "main.lua:1: talk.def: \"hut\" is not in rom.lua's sounds (did you mean \"hit\"?)");
+    refuses("task.go(function() say(nil, 'A', { voice = 'bel' }) end)",
+            "main.lua:1: say: \"bel\" is not in rom.lua's sounds (did you mean \"bell\"?)");
+    refuses("unlock.def('u', { when = { heard = 'tides' } })",
+            "main.lua:1: unlock.def when: \"tides\" is not in rom.lua's music (did you mean \"tide\"?)");
+}
+
+#define BOOT "stage.def('s', print) player.def('p', { sprite = 'dot', hit = { circle = 1 } })\n" \
+             "boot.run { stages = { 's' }, players = { 'p' }, music = "
+
+static void test_room_mistakes(void **state)
+{
+    (void)state;
+    refuses(BOOT "{ titel = 'tide' } }",
+            "main.lua:2: boot.run: unknown screen of music: \"titel\" (did you mean \"title\"?)");
+    refuses(BOOT "{ title = 'tidy' } }",
+            "main.lua:2: boot.run music: \"tidy\" is not in rom.lua's music (did you mean \"tide\"?)");
+    refuses(BOOT "{ 'tide' } }",
+            "main.lua:2: boot.run: music 1: expected a table, as { name = \"tide\" }, got a string");
+    refuses(BOOT "{ { name = 'deap' } } }",
+            "main.lua:2: boot.run music: \"deap\" is not in rom.lua's music (did you mean \"deep\"?)");
+    refuses(BOOT "{ { nam = 'deep' } } }", "main.lua:2: boot.run music: unknown argument \"nam\" (did you mean \"name\"?)");
+    refuses(BOOT "{ { name = 'deep' }, room = true } }",
+            "main.lua:2: boot.run: music: expected room = true or a list of pieces, got both");
+    refuses(BOOT "{ { name = 'deep', needs = 'all' } } }",
+            "main.lua:2: boot.run: unlock \"all\" is not declared (there is none)");
+    refuses("unlock.def('one', { when = { clear = true } })\n" BOOT "{ { name = 'deep', needs = 'ane' } } }",
+            "main.lua:3: boot.run: unlock \"ane\" is not declared (did you mean \"one\"?)");
+}
+
+/* At the bounds nothing breaks; in an event, while scripts load, in a task that ends at once. */
+static void test_extremes(void **state)
+{
+    (void)state;
+    refuses("assert(music.volume(0, 3600) == 1 and music.volume(1) == 1 and music.frames(65536) == 1966080)\n"
+            "for i = 1, 2000 do sound.play('boom', { pitch = i % 97 - 48, pan = i % 3 - 1, volume = i % 2 }) end\n"
+            "for i = 1, 500 do music.play(i % 2 == 0 and 'tide' or 'deep', { back = i % 3 == 0, again = i % 5 == 0,\n"
+            "  fade = i % 7 }) end\n"
+            "music.stop { fade = 3600 } music.stop() music.stop() sound.stop() sound.stop('bell')\n"
+            "on.start(function() music.play('tide', { at = 'bar' }) end)\n"
+            "task.go(function() wait(1) music.play('tide') print(music.wait(), music.name(), music.marker(), music.bar())\n"
+            "  music.volume(0.5) print(music.volume(0) - 0.5 < 0.001) end)",
+            "1\ttide\tnil\t0\ntrue\n");
+}
+
+/* ---- voices of a talk ---- */
+
+static int voices_of(const char *line, int frames)
+{
+    char text[512];
+    int n;
+
+    snprintf(text, sizeof text,
+             "talk.def('iri', { name = 'IRI', voice = 'hit' }) talk.def('sen', { name = 'SEN', side = 'right' })\n"
+             "task.go(function() wait(2) %s end)",
+             line);
+    power(text);
+    n = begun(frames);
+    done();
+    return n;
+}
+
+static void test_voices(void **state)
+{
+    (void)state;
+    assert_int_equal(voices_of("say('sen', 'ABCDEFGH')", 60), 0);
+    assert_int_equal(voices_of("say(nil, 'ABCDEFGH')", 60), 0);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { letter = 4 })", 60), 8);
+    assert_int_equal(voices_of("say('iri', 'ABCD EFGH')", 60), 4);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { letter = 0 })", 60), 1);
+    assert_int_equal(voices_of("say('sen', 'ABCDEFGH', { voice = 'bell' })", 60), 1);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { voice = 'bell' })", 60), 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -405,6 +684,13 @@ int main(void)
         cmocka_unit_test(test_pause),
         cmocka_unit_test(test_cue_in_pause),
         cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_cues),
+        cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_room_mistakes),
+        cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_voices),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);
