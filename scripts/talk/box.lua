@@ -18,7 +18,7 @@ local cols = math.max(8, math.min(field_cols - 4, 40))
 local left = field_col + (field_cols - cols) // 2
 local last = (field.y + field.h) // 8 - 3
 local first = last - 2 * (ROWS - 1)
-local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 10 }
+local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
 local ARROW = hud.glyph(140, ">")
 
 -- Rows of at most `width` cells; a newline begins a row.
@@ -41,6 +41,7 @@ return function(look, may_skip)
   local mark -- the mark blinks
   local lines = {} -- what stands in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
+  hud.banner() -- a list stands where a banner does
 
   -- A plate outlives the scene it is made in: what was written on it is cleared with it.
   local function put_plate(key, x, y, w, h)

@@ -2,6 +2,7 @@
  * api_sys.c - sys, which only the standard library (@std) sees.
  */
 #include <string.h>
+#include "../../base/bytes.h"
 #include "../../base/edit.h"
 #include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
@@ -711,6 +712,52 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+/* The columns of the cells, one behind the other, low bytes first. */
+static size_t text_bytes(const struct fix *f)
+{
+    return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
+}
+
+static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    luaL_Buffer out;
+    char *to = luaL_buffinitsize(L, &out, text_bytes(f));
+
+    (void)v;
+    vm_charge(L, text_bytes(f) / 64);
+    memcpy(to, f->code, cells);
+    memcpy(to + cells, f->bank, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        to[2 * cells + i] = (char)f->font[i];
+        bytes_put16((uint8_t *)to + 3 * cells + 2 * i, f->page[i]);
+    }
+    luaL_pushresultsize(&out, text_bytes(f));
+    return 1;
+}
+
+static const struct api_param kept_text[] = { { "kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL } };
+
+static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    size_t n = 0;
+    const char *from = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
+
+    if (!from || n != text_bytes(f))
+        return api_error(L, "sys.text_back", "expected what sys.keep_text returned");
+    vm_charge(L, n / 64);
+    memcpy(f->code, from, cells);
+    memcpy(f->bank, from + cells, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        f->font[i] = (uint8_t)from[2 * cells + i];
+        f->page[i] = bytes_get16((const uint8_t *)from + 3 * cells + 2 * i);
+    }
+    return 0;
+}
+
 static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
 
 static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
@@ -857,6 +904,8 @@ static const struct api_entry entries[] = {
     { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
     { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", "all that stands in the cells" },
+    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL, "puts it there again" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },

@@ -20,6 +20,7 @@
  *         demo/X          demos
  *         tune/X          a piece of music: tune.h; a tick reads it
  *         sound/X         a sound: tune.h, its recording behind it
+ *         wave/X          samples of the piece of music X, which is a stream: adpcm.h
  *         data/X          text files for rom.text
  */
 #ifndef BOARD_CART_H

@@ -41,7 +41,7 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
     end_next(s);
     s->mark = 0;
     s->marks = 0;
-    s->pos = 0;
+    s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
     s->tempo = index ? t->tempo : 0;
     for (int i = 0; i < SEQ_TRACKS; i++) {
         const struct tune_at c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct tune_at){ 0, 0 };

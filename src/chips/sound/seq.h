@@ -32,7 +32,7 @@ struct seq {
     uint16_t mark;            /* the last marker it came by, its index + 1; 0: none yet */
     uint32_t marks;           /* how many it came by */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
-    uint64_t pos;             /* units since it began (TUNE_TICK a tick) */
+    uint64_t pos;             /* units since its first beat (TUNE_TICK a tick), of two's complement before it */
     uint8_t next_back;        /* what plays is put aside when `next` begins */
     uint8_t next_waits;       /* `next` begins when pos is `when`, exactly there */
     uint64_t when;
@@ -95,10 +95,10 @@ int seq_step(struct seq *s, const struct tune *t, int first, seq_play *play, voi
 /* `next` is to begin at the piece's next beat; or bar, of so many beats. */
 void seq_wait(struct seq *s, int beats);
 
-/* Whole quarter notes since it began. */
+/* Whole quarter notes since its first beat; 0 before it. */
 static inline uint64_t seq_beats(const struct seq *s)
 {
-    return s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
+    return (int64_t)s->pos < 0 ? 0 : s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
 }
 
 struct cue {
