@@ -552,7 +552,7 @@ static void test_report(void **state)
     assert_string_equal(line, "sound: none was played");
     even(600);
     speaker_report(&speaker, line, sizeof line);
-    if (strncmp(line, "sound: 44.", 10) != 0 || !strstr(line, "gaps 0, blocks left out 0"))
+    if (strncmp(line, "sound: 40.", 10) != 0 || !strstr(line, "gaps 0, blocks left out 0"))
         fail_msg("%s", line);
     flush();
     even(10);
