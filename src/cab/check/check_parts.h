@@ -46,8 +46,8 @@ struct check {
     struct name_set changed; /* what scripts have put into places */
     bool any_global;         /* scripts may have made new ones */
     int demos;               /* that were played */
-    int samples;             /* frames of them whose bullets' contrast was looked at */
     int sections;            /* stages and phases that were */
+    int samples;             /* frames of all of them whose bullets' contrast was looked at */
     size_t lua_most;         /* bytes of Lua RAM, at most at one time in any run */
 };
 
@@ -75,5 +75,8 @@ void check_run(struct check *c);
 /* Characters without a glyph; cart: the game, packed. Part of check_run. */
 struct cart;
 void check_text(struct check *c, const struct cart *cart);
+
+/* Capacities that no script can use. Part of check_run. */
+void check_rooms(struct check *c, const struct cart *cart);
 
 #endif
