@@ -2,11 +2,8 @@
  * stamp.c - see stamp.h.
  *
  * Over what is there, a picture is painted from its own pixels (paint.h). In a layer a byte is what was there or, where
- * that is 0, the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn
- * into vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
+ * that is 0, the colour: a picture drawn later is the one below. A word may hang over the picture's edge by up to 7
  * pixels, which are 0: fb.h's band and slack are there for it. The common sizes have loops of their own.
- *
- * `unroll 1` keeps the loops over sixteen bytes loops, as in paint.h.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -43,11 +40,14 @@ static inline void under(uint8_t *d, uint64_t colour)
     words_store(d, s | (colour & ~words_opaque(s)));
 }
 
-static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colour)
+static inline void under_pair(uint8_t *d, const uint8_t *colour)
 {
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++)
-        d[k] = (uint8_t)(d[k] | (colour[k] & (uint8_t)(0 - (d[k] == 0))));
+    sixteen s, c;
+
+    memcpy(&s, d, sizeof s);
+    memcpy(&c, colour, sizeof c);
+    s |= c & (s == 0);
+    memcpy(d, &s, sizeof s);
 }
 
 static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colour, int row, int h)
