@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# levels.sh - what must be fast at every level of optimisation: stamps, pictures and tiles (fb/paint.h), of which sixteen
-# bytes are a vector instruction with gcc and clang, at -O2 and at -O3. Reads the compilers' output, and no clock.
+# levels.sh - what must be fast at every level of optimisation: stamps, pictures and tiles (fb/paint.h), of which
+# sixteen bytes are a vector with gcc and clang, at -O2 and at -O3. Reads the compilers' output, and no clock.
 . "$(dirname "$0")/../tap.sh"
 
 vectors() { # COMPILER LEVEL FILE: instructions that work on a single byte; 110 are the rest's, 300 a loop taken apart

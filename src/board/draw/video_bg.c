@@ -4,8 +4,8 @@
  *
  * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
  * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an
- * empty tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows. What is
- * mixed with what is under it is put together in a buffer first, a row at a time.
+ * empty tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows.
+ * What is mixed with what is under it is put together in a buffer first, a row at a time.
  *
  * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
  * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
