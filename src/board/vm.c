@@ -14,11 +14,6 @@
 #include "script.h"
 #include "std.h"
 
-struct board *vm_board(lua_State *L)
-{
-    return *(struct board **)lua_getextraspace(L);
-}
-
 const char *board_lua_release(void)
 {
     return &LUA_RELEASE[sizeof "Lua"];

@@ -38,6 +38,14 @@ struct vm_weight {
     size_t n;
 };
 
+/* Where something of a name was found when a name that looked like it was last searched for: api_guess. What stands
+ * here changes nothing but the time that a search takes. */
+enum { VM_GUESSES = 128 };
+struct vm_guesses {
+    uint8_t props[VM_GUESSES];
+    uint16_t names[VM_GUESSES];
+};
+
 struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
@@ -55,6 +63,9 @@ struct vm {
     bool loading;
     bool practice_read;         /* a script read the practice start (sys.practice) */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
+    bool plain;                 /* a test's: arguments are read without plans (api_plan.c) */
+    uint32_t planned;           /* how often they were read by one, for tests */
+    struct vm_guesses guesses;
 };
 
 /* Opens Lua with the sandbox in the board's heap. False: not even that fits. */
@@ -64,7 +75,10 @@ bool vm_open(struct board *b, void *block, size_t size);
 bool vm_call(struct board *b, lua_CFunction f);
 
 /* The board a script's API call belongs to. */
-struct board *vm_board(lua_State *L);
+static inline struct board *vm_board(lua_State *L)
+{
+    return *(struct board **)lua_getextraspace(L);
+}
 
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);

@@ -461,6 +461,15 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
+static int things_tagged(const struct slots *s, const uint16_t *tags, uint32_t tag)
+{
+    int n = 0;
+
+    EACH_LIVE (i, s)
+        n += api_has_tag(tags, i, tag);
+    return n;
+}
+
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
              const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
@@ -468,7 +477,7 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *e
     int list = lua_gettop(L) + 1;
     lua_Integer n = 0;
 
-    lua_newtable(L);
+    lua_createtable(L, things_tagged(s, tags, tag), 0);
     EACH_LIVE (i, s)
         if (api_has_tag(tags, i, tag)) {
             lua_pushinteger(L, board_handle(b, kind, (int32_t)i));
