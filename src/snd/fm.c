@@ -69,14 +69,14 @@ static void add_heard(const int16_t sine[FM_BLOCK], const struct fm_op *op, int1
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(ops, algorithm);
+    const unsigned heard = inst_heard(ops, algorithm);
     int32_t bend[FM_OPS][FM_BLOCK] = { { 0 } };
     uint32_t phase[FM_BLOCK];
     int16_t sine[FM_BLOCK];
 
     memset(out, 0, FM_BLOCK * sizeof *out);
     for (int k = 0; k < ops; k++) {
-        const unsigned bends = fm_bends(ops, algorithm, k);
+        const unsigned bends = inst_bends(ops, algorithm, k);
         make_phases(&op[k], bend[k], phase);
         if (k == 0 && (rows[0] | rows[1]))
             feedback_sines(t, phase, rows, sine);
@@ -186,7 +186,7 @@ static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t o
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(f->ops, f->algorithm);
+    const unsigned heard = inst_heard(f->ops, f->algorithm);
     struct fm_op op[FM_OPS];
     int32_t from[FM_OPS], rows[2] = { 0, 0 };
 

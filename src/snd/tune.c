@@ -34,7 +34,7 @@ static size_t marks_at(const struct tune *t)
 
 struct tune tune_of(const uint8_t *p)
 {
-    return (struct tune){ p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], p[32], bytes_get32(p + 8) };
+    return (struct tune){ p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], p[TUNE_DUCK_AT], bytes_get32(p + 8) };
 }
 
 const char *tune_title(const struct tune *t)

@@ -11,8 +11,8 @@
  *      4  u8 beats a bar               hundredths of a quarter note a minute      32  u8 duck, of 255; three zero bytes
  *
  * then its title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and for each track u32 where it is,
- * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each (inst.h); its markers, TUNE_NAME bytes
- * each; waves, curves and the tracks; and the sample (adpcm.h), aligned to 4.
+ * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each (inst.h); its markers, of TUNE_NAME
+ * bytes; waves, curves and the tracks; and the sample (adpcm.h), aligned to 4.
  *
  * A track is events: how many ticks after the one before (seven bits a byte, low ones first, the eighth: more follow),
  * the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a tick is TUNE_TICK units, a
@@ -29,6 +29,7 @@
 enum {
     TUNE_FORMAT = 2,
     TUNE_HEADER = 36,
+    TUNE_DUCK_AT = 32, /* where in the header it is */
     TUNE_TITLE = 64,
     TUNE_TRACKS = 16,
     TUNE_INSTS = 64,

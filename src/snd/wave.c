@@ -31,8 +31,8 @@ static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32
 /* Of a tune's own wave. */
 static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
 {
-    const uint8_t *p = wave + wave_at_version(version);
-    const int bits = wave_bits(version);
+    const uint8_t *p = wave + inst_wave_at(version);
+    const int bits = inst_wave_bits(version);
 
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
         const uint32_t q = phase + n * step, i = 2 * (q >> (32 - bits));

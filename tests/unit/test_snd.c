@@ -236,7 +236,7 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
 static void test_time(void **state)
 {
     static struct played whole, parts;
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     const char *text = "t137.31 l16 c d e4. r32 L f&g {ab}4 v3 p9 [c32]5 {{cdefgab}}2 r";
     const int pieces[] = { 1, 7, 32, 799, 800, 12345 };
     uint8_t *bytes;
