@@ -59,10 +59,10 @@ static void test_sinc(void **state)
         int sum = 0;
         for (int j = 0; j < SINC_TAPS; j++)
             sum += tables.sinc[p][j];
-        assert_int_equal(sum, 1 << 14);
+        assert_int_equal(sum, 1 << 15);
     }
     for (int j = 0; j < SINC_TAPS; j++)
-        assert_true(abs(tables.sinc[0][j] - (j == 3 ? 1 << 14 : 0)) < 600);
+        assert_true(abs(tables.sinc[0][j] - (j == 3 ? 1 << 15 : 0)) < 1200);
 }
 
 /* A sine read at another speed, against the right one. */

@@ -26,6 +26,8 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
 {
     const uint64_t most = (uint64_t)4 << 32;
 
+    if (i->kind == INST_NOISE)
+        return pitch_step(pitch) >> 12;
     if (i->kind != INST_SAMPLE)
         return pitch_step(pitch);
     if (wave == 0)
