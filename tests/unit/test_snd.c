@@ -11,6 +11,7 @@
 #include <math.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
+#include "../../src/cab/sound/encode.h"
 #include "../../src/cab/sound/mml.h"
 #include "../../src/chips/sound/voices.h"
 #include "../../src/snd/adpcm.h"
@@ -168,7 +169,7 @@ static void test_adpcm(void **state)
 {
     enum { N = 3000 };
     static int16_t in[N], all[4 * N], part[200];
-    uint8_t *bytes = malloc(sample_size(N));
+    uint8_t *bytes = malloc(sample_size(N, SAMPLE_PACKED));
     struct sample s;
     struct rng r;
 
@@ -178,8 +179,8 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS);
-        assert_true(sample_open(bytes, sample_size(N), &s));
+        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
+        assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {
             wrong += (all[i] - in[i]) * (double)(all[i] - in[i]);
@@ -196,8 +197,8 @@ static void test_adpcm(void **state)
         }
     }
     bytes[SAMPLE_HEADER + 2] = 89;
-    assert_false(sample_open(bytes, sample_size(N), &s));
-    assert_false(sample_open(bytes, sample_size(N) - 1, &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED) - 1, &s));
     free(bytes);
 }
 

@@ -486,7 +486,7 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
     if (!any_track(m))
         mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
     mml_look_at_notes(m, about);
-    mml_make(m, about, NULL, 0, out, size);
+    mml_make(m, about, out, size);
 }
 
 static struct mml *begin(const char *file, char *err, size_t err_size)
@@ -535,36 +535,6 @@ bool mml_compile(const char *text, size_t n, const char *file, const struct mml_
     m->n = n;
     if (setjmp(m->out) == 0)
         compile(m, about, out, size);
-    end(m);
-    return *out != NULL;
-}
-
-/* At 6,000 quarter notes in hundredths a tick is 100 samples. */
-enum { RECORDING_TEMPO = 6000, RECORDING_ROOT = 60 };
-
-bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *about, uint8_t **out, size_t *size)
-{
-    const struct sample s = sample_of(sample);
-    char err[64];
-    struct mml *m = begin("", err, sizeof err);
-
-    *out = NULL;
-    if (m == NULL)
-        return false;
-    if (setjmp(m->out) == 0) {
-        const uint64_t ticks = ((uint64_t)s.n * SND_RATE / s.rate * RECORDING_TEMPO + TUNE_TICK - 1) / TUNE_TICK;
-        struct mml_track *t = &m->tracks[0];
-        const struct mml_inst inst = { .inst = { .kind = INST_SAMPLE,
-                                                 .env = { .sustain = 32767, .release = 480 },
-                                                 .root = RECORDING_ROOT * PITCH_ONE } };
-        mml_use_inst(m, &inst);
-        t->used = true;
-        mml_add(m, t, 0, TUNE_VOLUME, TUNE_LOUD, 0);
-        mml_add(m, t, 0, TUNE_NOTE, RECORDING_ROOT * 256, 0);
-        t->end = s.loop == SAMPLE_ENDS ? (uint32_t)ticks : MML_TICKS;
-        mml_add(m, &m->conductor, 0, TUNE_TEMPO, RECORDING_TEMPO, 0);
-        mml_make(m, about, sample, n, out, size);
-    }
     end(m);
     return *out != NULL;
 }

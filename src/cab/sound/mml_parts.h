@@ -157,7 +157,6 @@ int mml_tempo_at(const struct mml_track *conductor, uint32_t tick);
 void mml_read_track(struct mml *m, struct mml_track *t);
 
 /* The tune of what was read. */
-void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
-              size_t *size);
+void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size);
 
 #endif

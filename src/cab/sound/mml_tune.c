@@ -219,12 +219,10 @@ static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
     add_pieces(b, TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)tracks + 1));
 }
 
-void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
-              size_t *size)
+void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
 {
     struct bytes b = { m, NULL, 0, 0 };
     int last = TUNE_TRACKS - 1;
-    uint32_t sample_at = 0;
 
     while (!m->tracks[last].used)
         last--;
@@ -238,18 +236,6 @@ void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sampl
         put_place(&b, k, at, loop);
     }
     add_zeros(&b, 8 + (0 - b.n) % 4);
-    if (sample) {
-        sample_at = (uint32_t)b.n;
-        uint8_t *more = realloc(b.p, b.n + sample_size);
-        if (more == NULL) {
-            free(b.p);
-            mml_bad(m, 0, "out of memory");
-        }
-        b.p = more;
-        memcpy(b.p + b.n, sample, sample_size);
-        b.n += sample_size;
-    }
-    bytes_put32(b.p + 12, sample_at);
     bytes_put32(b.p + 16, (uint32_t)b.n);
     *out = b.p;
     *size = b.n;

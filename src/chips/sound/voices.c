@@ -10,11 +10,11 @@
 #include "../../snd/fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),   COLUMN(voices, step0), COLUMN(voices, step1), COLUMN(voices, age),
-    COLUMN(voices, off),     COLUMN(voices, kill),  COLUMN(voices, pitch), COLUMN(voices, goal),
-    COLUMN(voices, glide),   COLUMN(voices, inst),  COLUMN(voices, wave),  COLUMN(voices, vol0),
-    COLUMN(voices, vol1),    COLUMN(voices, pan0),  COLUMN(voices, pan1),  REGISTER(voices, gain0),
-    REGISTER(voices, gain1),
+    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1), COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch), COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),  COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),  REGISTER(voices, gain0),
+    REGISTER(voices, gain1), REGISTER(voices, held),
 };
 
 const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
@@ -207,10 +207,8 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
 
 void voices_step(struct voices *s, const uint8_t *rom)
 {
-    const bool stands = s->gain0 == 0 && s->gain1 == 0;
-
     for (int i = 0; i < VOICE_SLOTS; i++)
-        if (voices_busy(s, i) && !(stands && i % VOICES < VOICES_MUSIC))
+        if (voices_busy(s, i) && !(s->held && i % VOICES < VOICES_MUSIC))
             step_slot(s, rom, i);
     s->gain0 = s->gain1;
 }
