@@ -23,8 +23,8 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
         const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
         const int16_t far = (int16_t)(2 * ((x ^ sign) - 16384) + 1); /* from the crest, of a quarter turn, Q15 */
         const uint16_t w = (uint16_t)((uint32_t)((int32_t)far * far) >> 14);
-        const uint16_t bent = high(w, (uint16_t)(15308 - high(w, (uint16_t)(16568 - high(w, 1260)))));
-        const int16_t crest = (int16_t)((uint16_t)(65535 - w - bent) >> 1);
+        const uint16_t bent = high(w, (uint16_t)(15303 - high(w, (uint16_t)(16560 - high(w, 1257)))));
+        const int16_t crest = (int16_t)((uint16_t)(65534 - w - bent) >> 1);
         out[n] = (int16_t)((crest ^ sign) - sign);
     }
 }
@@ -63,20 +63,20 @@ static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32
 static void add_heard(const int16_t sine[FM_BLOCK], const struct fm_op *op, int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++)
-        out[n] = (int16_t)(out[n] + (sine[n] * op->gain[n] >> 15));
+        out[n] = (int16_t)(out[n] + ((sine[n] * op->gain[n] + (1 << 14)) >> 15));
 }
 
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(ops, algorithm);
+    const unsigned heard = inst_heard(ops, algorithm);
     int32_t bend[FM_OPS][FM_BLOCK] = { { 0 } };
     uint32_t phase[FM_BLOCK];
     int16_t sine[FM_BLOCK];
 
     memset(out, 0, FM_BLOCK * sizeof *out);
     for (int k = 0; k < ops; k++) {
-        const unsigned bends = fm_bends(ops, algorithm, k);
+        const unsigned bends = inst_bends(ops, algorithm, k);
         make_phases(&op[k], bend[k], phase);
         if (k == 0 && (rows[0] | rows[1]))
             feedback_sines(t, phase, rows, sine);
@@ -160,6 +160,14 @@ void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
         f->op[k] = inst_op(bytes, k);
 }
 
+/* unit times level of 32767, to the nearest. */
+static int32_t gain_of(int32_t unit, int32_t level)
+{
+    const int64_t gain = ((int64_t)unit * level * 65538 + (1 << 30)) >> 31; /* 65538: 2^31 / 32767 */
+
+    return gain > 32767 ? 32767 : (int32_t)gain;
+}
+
 /* The gains of an operator whose level goes from l0 at `age` to l1 at the block's end, times its own level. */
 static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
                        struct fm_op *out)
@@ -175,10 +183,10 @@ static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t o
     }
     if (wave_corner(e, age, age + FM_BLOCK, off)) {
         for (int n = 0; n < FM_BLOCK; n++)
-            out->gain[n] = (int16_t)(wave_level(e, age + n, off) * unit >> 15);
+            out->gain[n] = (int16_t)gain_of(unit, wave_level(e, age + n, off));
         return;
     }
-    const int32_t from = level[0] * unit >> 15, by = (level[1] * unit >> 15) - from;
+    const int32_t from = gain_of(unit, level[0]), by = gain_of(unit, level[1]) - from;
     for (int n = 0; n < FM_BLOCK; n++)
         out->gain[n] = (int16_t)(from + by * n / FM_BLOCK);
 }
@@ -186,7 +194,7 @@ static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t o
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(f->ops, f->algorithm);
+    const unsigned heard = inst_heard(f->ops, f->algorithm);
     struct fm_op op[FM_OPS];
     int32_t from[FM_OPS], rows[2] = { 0, 0 };
 

@@ -131,28 +131,28 @@ static inline int inst_ops(int kind)
 }
 
 /* Which operators are heard (bit k), and which ones operator k bends. */
-unsigned fm_heard(int ops, int algorithm);
-unsigned fm_bends(int ops, int algorithm, int k);
+unsigned inst_heard(int ops, int algorithm);
+unsigned inst_bends(int ops, int algorithm, int k);
 
 /* A curve's bytes. */
-static inline size_t curve_size(const uint8_t *curve)
+static inline size_t inst_curve_size(const uint8_t *curve)
 {
     return 4 + 2 * (size_t)curve[0];
 }
 
 /* Its value at an age in samples. */
-int32_t curve_at(const uint8_t *curve, int32_t age);
+int32_t inst_curve(const uint8_t *curve, int32_t age);
 
 /* Has it a corner between two ages? */
-bool curve_corner(const uint8_t *curve, int32_t from, int32_t to);
+bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to);
 
 /* The length of version v of a wave, a power of two; where it begins in the wave; the bytes of a wave of n versions. */
 enum { WAVE_SHORTEST = 8 /* bits: 256 of one harmonic */ };
-int wave_bits(int version);
-size_t wave_at_version(int version);
-static inline size_t wave_size(int versions)
+int inst_wave_bits(int version);
+size_t inst_wave_at(int version);
+static inline size_t inst_wave_size(int versions)
 {
-    return wave_at_version(versions);
+    return inst_wave_at(versions);
 }
 
 /* Are all fields in range? end: bytes from the instrument's first one to where its curves and its wave may end;

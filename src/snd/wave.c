@@ -31,8 +31,8 @@ static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32
 /* Of a tune's own wave. */
 static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
 {
-    const uint8_t *p = wave + wave_at_version(version);
-    const int bits = wave_bits(version);
+    const uint8_t *p = wave + inst_wave_at(version);
+    const int bits = inst_wave_bits(version);
 
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
         const uint32_t q = phase + n * step, i = 2 * (q >> (32 - bits));
@@ -76,11 +76,11 @@ static uint32_t mixed(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* Sixteen values a turn, each a mix of its number. */
+/* Each value is a mix of its number; the phase is in 2^-44 turns (wave_at). */
 static void read_noise(const struct wave_at *at, int16_t out[SND_BLOCK])
 {
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
-        const uint32_t number = (uint32_t)((at->phase + n * at->step) >> 52);
+        const uint32_t number = (uint32_t)((at->phase + n * at->step) >> 40);
         out[n] = (int16_t)(mixed(number * 0x9e3779b9u + at->seed) >> 16);
     }
 }
@@ -104,11 +104,11 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
     uint64_t at = phase;
 
     for (int n = 0; n < SND_BLOCK; n++, at += step) {
-        const int16_t *s = x + (at >> 32) - 3, *weight = t->sinc[(uint32_t)at >> 22];
-        int32_t sum = 1 << 13;
+        const int16_t *s = x + (at >> 32) - 3, *weight = t->sinc[((at & 0xffffffff) + (1 << 21)) >> 22];
+        int32_t sum = 1 << 14;
         for (int j = 0; j < SINC_TAPS; j++)
             sum += s[j] * weight[j];
-        sum >>= 14;
+        sum >>= 15;
         out[n] = (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
     }
 }

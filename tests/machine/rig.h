@@ -267,7 +267,7 @@ static inline void rig_sounds(struct rig_game *g)
         { "sound/boom", "A t240 @noise E0,200,0,5 o4 v15 c4\nB @sine E0,200,0,5 v15 {o4c<<c}4" },
         { "sound/hit", "t200 @noise E0,60,0,10 o6 c8" },
     };
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     struct rig_game had = *g;
     struct lump lumps[RIG_LUMPS];
     struct recording_bytes bell;

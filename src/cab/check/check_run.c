@@ -520,6 +520,13 @@ static void run_all(struct run *r)
     judge_memory(r);
 }
 
+static void found_in_music(void *context, const char *sentence)
+{
+    struct check *c = context;
+
+    check_rom_sentence(c, sentence);
+}
+
 /* Colours are looked at elsewhere; here the nearest will do. */
 void check_run(struct check *c)
 {
@@ -531,7 +538,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder(c->dir, true, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder_told(c->dir, true, found_in_music, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;

@@ -99,9 +99,9 @@ static void balance(struct mml_inst *i)
     uint32_t loud = 0;
 
     for (int k = 0; k < n; k++)
-        loud += fm_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
+        loud += inst_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
     for (int k = 0; k < n && loud > 32767; k++)
-        if (fm_heard(n, i->inst.algorithm) >> k & 1)
+        if (inst_heard(n, i->inst.algorithm) >> k & 1)
             i->ops[k].level = (uint16_t)((uint32_t)i->ops[k].level * 32767 / loud);
 }
 
@@ -212,7 +212,7 @@ static void read_op(struct setting *s, int k)
     if (!next(s))
         return;
     o->level =
-        fm_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
+        inst_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
     if (!next(s))
         return;
     o->env.attack = time_of(s);
@@ -236,7 +236,7 @@ static void read_algorithm(struct setting *s)
         mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
     s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
     for (int k = 0; k < FM_OPS; k++) {
-        const bool heard = fm_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
             mml_bad(s->m, from, "expected the algorithm before the operators, for it says which ones are heard");

@@ -26,6 +26,8 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
 {
     const uint64_t most = (uint64_t)4 << 32;
 
+    if (i->kind == INST_NOISE)
+        return pitch_step(pitch) >> 12;
     if (i->kind != INST_SAMPLE)
         return pitch_step(pitch);
     if (wave == 0)
@@ -58,7 +60,7 @@ static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
     if (inst->vibrato.depth)
         by = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
     if (inst->pitch_curve)
-        by += curve_at(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+        by += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
     return by;
 }
 
@@ -294,7 +296,7 @@ static int32_t level_at(const struct note *n, int32_t age)
         level -= (level * tremolo->depth >> 15) * softer >> 15;
     }
     if (n->inst.volume_curve)
-        level = level * curve_at(n->bytes + n->inst.volume_curve, age) / 32767;
+        level = level * inst_curve(n->bytes + n->inst.volume_curve, age) / 32767;
     if (n->kill == NOTE_HELD || age <= n->kill)
         return level;
     return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
@@ -305,7 +307,7 @@ static bool has_corner(const struct note *n, int32_t from, int32_t to)
     return wave_corner(&n->inst.env, from, to, n->off) ||
            (n->kill != NOTE_HELD &&
             ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE))) ||
-           (n->inst.volume_curve && curve_corner(n->bytes + n->inst.volume_curve, from, to));
+           (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
 /* The levels of a block's samples; false: all are 0. */
@@ -333,7 +335,7 @@ static int32_t side_at(const struct note *n, int b, bool right)
     int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
 
     if (n->inst.pan_curve) {
-        pan += 2 * curve_at(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
+        pan += 2 * inst_curve(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
         pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
     }
     if (i % VOICES < VOICES_MUSIC)

@@ -27,7 +27,7 @@ enum {
 
 struct voices {
     struct slots s;
-    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of a sample its place, Q32 */
+    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of noise 2^-44; of a sample its place, Q32 */
     uint64_t *step0, *step1; /* of a sample, at the frame's first one and at its end */
     int32_t *age;            /* samples since the note began, at the first one; negative: it begins within */
     int32_t *off, *kill;     /* the age at which it is let go; from which on it fades in VOICE_FADE; or NOTE_HELD */
