@@ -27,9 +27,9 @@ wave_of() { # ENTRY
     "$curtain" pack g -o g.rom
     "$curtain" list g.rom | grep wave/
 }
-same "as ADPCM" "wave/a 2592 1bc69af7" "$(wave_of '')"
+same "as ADPCM" "wave/a 2592 9eb7e709" "$(wave_of '')"
 same "as 16 bits" "wave/a 9632 bc89c73c" "$(wave_of ', exact = true')"
-same "of one side" "wave/a 1296 627ab6ed" "$(wave_of ', stereo = false')"
+same "of one side" "wave/a 1296 e0011eb8" "$(wave_of ', stereo = false')"
 
 # What a tick can read: the beat, not the samples.
 rom "a = { file = 'music/loop.flac', loop = { start = 0, length = 2400 } }"
