@@ -365,7 +365,7 @@ static void test_encoder(void **state)
         greedy[i] = (int16_t)a.value;
     }
     printf("# signal to noise: %.1f dB, of the nearest codes %.1f\n", below(in, out, N), below(in, greedy, N));
-    assert_true(below(in, out, N) > 29 && below(in, out, N) > below(in, greedy, N) + 5);
+    assert_true(below(in, out, N) > 29.45 && below(in, out, N) > below(in, greedy, N) + 5);
     bytes[12] = SAMPLE_CODINGS;
     assert_false(sample_open(bytes, sizeof bytes, &s));
 }
@@ -645,6 +645,27 @@ static void test_truncated(void **state)
     }
 }
 
+/* An OGG file of many pages that was cut off behind one of them. */
+static void test_cut_pages(void **state)
+{
+    uint8_t *data;
+    size_t n, last;
+    struct pcm p;
+    char err[256];
+
+    (void)state;
+    assert_true(files_read("examples/tape/music/reel.ogg", "reel.ogg", 1 << 20, &data, &n, err, sizeof err));
+    assert_true(takes("reel.ogg", data, n));
+    for (last = n - 4; memcmp(data + last, "OggS", 4) != 0;)
+        last--;
+    assert_false(recording_read("reel.ogg", data, last, &p, err, sizeof err));
+    assert_string_equal(err, "it ends before its last page");
+    data[last - 1] ^= 1;
+    assert_false(recording_read("reel.ogg", data, n, &p, err, sizeof err));
+    assert_non_null(strstr(err, "is damaged: its checksum is another"));
+    free(data);
+}
+
 /* Some bytes of a page are changed and its checksum is made good, so that what is behind that sees them. */
 static void repair_page(uint8_t *p, size_t n)
 {
@@ -695,11 +716,11 @@ static void test_damage(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library), cmocka_unit_test(test_modules),
-        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder), cmocka_unit_test(test_encoder),
-        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),   cmocka_unit_test(test_sound),
-        cmocka_unit_test(test_flaws),   cmocka_unit_test(test_music),   cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_damage),
+        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),
+        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder),   cmocka_unit_test(test_encoder),
+        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),     cmocka_unit_test(test_sound),
+        cmocka_unit_test(test_flaws),   cmocka_unit_test(test_music),     cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_damage),  cmocka_unit_test(test_cut_pages),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

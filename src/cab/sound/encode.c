@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 
-enum { WAYS = 8, TRIED = 3 /* codes of each way */, CODES = ADPCM_SAMPLES - 1 };
+enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_SAMPLES - 1 };
 
 struct way {
     struct adpcm at;

@@ -111,7 +111,7 @@ static void add_ticks(struct writer *w, uint32_t v)
 static void add_event(struct writer *w, uint32_t ticks, enum tune_event event, int v)
 {
     add_ticks(w, ticks);
-    add_byte(w, event);
+    add_byte(w, (int)event);
     if (event == TUNE_NOTE || event == TUNE_TEMPO)
         add_byte(w, v & 255);
     if (event != TUNE_END)
