@@ -551,6 +551,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                l.size };
+                                l.size,
+                                l.data };
     return true;
 }
