@@ -187,6 +187,7 @@ struct board_tune {
     bool music, recording, endless;
     int tracks, priority, limit, marks;
     size_t bytes;
+    const uint8_t *data; /* tune.h */
 };
 bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 

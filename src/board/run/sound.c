@@ -552,6 +552,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                bytes };
+                                bytes,
+                                l.data };
     return true;
 }
