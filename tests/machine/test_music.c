@@ -467,7 +467,11 @@ static const char scene[] = "bullet.def('orb', { sprite = 'dot', hit = { circle 
                             "local p = player.get(1)\n"
                             "local function at(n, f) task.go(function() wait(n) p.safe = 0 f() end) end\n"
                             "local e = enemy.spawn { kind = 'e', x = 100, y = 50 }\n"
-                            "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300 }))\n";
+                            "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300, bonus = 9 }))\n";
+
+#define BOOTED                                                                                                         \
+    "sys.leave(1) stage.def('s', function() wait(forever) end)\n"                                                      \
+    "boot.run { stages = { 's' }, players = { 'pilot' }, screens = { title = function() return 'start', 1 end } }"
 
 static const struct {
     const char *name, *script;
@@ -482,7 +486,17 @@ static const struct {
     { "menu", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
     { "extend", "at(5, function() score.add(900, p) end)" },
     { "spell", "at(5, function() boss.fight('b') end)" },
+    { "bonus", "at(5, function() boss.fight('b') end)" },
     { "time", "hud.start(task.scope(), 1) at(5, function() boss.fight('b') end)" },
+    { "select", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
+    { "back", "task.go(function() while true do menu.choose { items = { 'A' }, row = 3, back = 1 } end end)" },
+    { "wrong", "task.go(function() sys.read('menu/page').list { items = { 'A' }, row = 3, closed = { true } } end)" },
+    { "pause", BOOTED },
+    { "continue", "sys.leave(1) player.def('solo', { sprite = 'dot', hit = { circle = 2 }, lives = 1 })\n"
+                  "stage.def('s', function() while true do player.each(function(q) q.safe = 0\n"
+                  "  bullet.fire { kind = 'orb', from = q, speed = 0 } end) wait(5) end end)\n"
+                  "boot.run { stages = { 's' }, players = { 'solo' }, continues = 3, screens = {\n"
+                  "  title = function() return 'start', 1 end, continue = function() return true end } }" },
 };
 
 /* A game with one sound, of that name. */
@@ -516,13 +530,14 @@ static void power_sound(const char *name, const char *script)
     rig_power(&rig, &game, NULL);
 }
 
-/* How often a sound began in so many frames, DOWN held in every other one. */
-static int begun(int frames)
+/* How often a sound began in so many frames, in which first DOWN is pressed, then FIRE, BOMB and START. */
+static int begun(int frames, bool presses_any)
 {
     int n = 0;
 
     for (int f = 0; f < frames; f++) {
-        const uint16_t pads[PADS] = { f % 2 ? PAD_DOWN : 0, 0 };
+        static const uint16_t presses[] = { PAD_DOWN, PAD_FIRE, PAD_BOMB, PAD_START };
+        const uint16_t pads[PADS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
         rig_tick(&rig, pads);
         for (int i = 0; i < CUES; i++)
             n += rig.b->cues.tune[i] && rig.b->cues.born[i] + 1 == rig.b->core.frame;
@@ -539,12 +554,12 @@ static void test_cues(void **state)
         power_sound(deeds[i].name, deeds[i].script);
         for (int k = 0; k < CART_CUES; k++)
             assert_true((rig.b->cart.cue[k] != 0) == (k == i));
-        const int n = begun(200);
+        const int n = begun(200, true);
         if (n == 0)
             fail_msg("no sound of \"%s\"", deeds[i].name);
         done();
         power_sound("other", deeds[i].script);
-        if (begun(200) != 0)
+        if (begun(200, true) != 0)
             fail_msg("a sound that is not \"%s\"", deeds[i].name);
         done();
     }
@@ -556,7 +571,7 @@ static void test_apart(void **state)
     (void)state;
     power_sound("graze", "task.go(function() while true do p.safe = 0\n"
                          "bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } wait(1) end end)");
-    assert_int_equal(begun(41), 11);
+    assert_int_equal(begun(41, false), 11);
     assert_true(rig.b->player.grazes[0] > 30);
     done();
 }
@@ -666,7 +681,7 @@ static int voices_of(const char *line, int frames)
              "task.go(function() wait(2) %s end)",
              line);
     power(text);
-    n = begun(frames);
+    n = begun(frames, false);
     done();
     return n;
 }

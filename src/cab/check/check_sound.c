@@ -56,10 +56,10 @@ void check_sounds(struct check *c)
 
 enum {
     SLOTS = 32,
-    FULL = 27913,   /* what the limiter makes of a mix at full scale (wave.h): above it bends hard */
-    RARELY = 100,   /* one frame in so many may be above */
-    FEW = 10,       /* sounds that began, of which nothing is said */
-    TENTH = 10      /* one in so many may lose its end */
+    FULL = 27913, /* what the limiter makes of a mix at full scale (wave.h): above it bends hard */
+    RARELY = 100, /* one frame in so many may be above */
+    FEW = 10,     /* sounds that began, of which nothing is said */
+    TENTH = 10    /* one in so many may lose its end */
 };
 
 struct heard_sound {

@@ -21,7 +21,7 @@ enum {
     SEQ_FULL = 32767, /* of its volume */
     SEQ_HEARD = 1024,
     CUES = 8,
-    CUE_KINDS = 16
+    CUE_KINDS = 32
 };
 
 struct seq {
