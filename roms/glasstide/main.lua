@@ -26,10 +26,14 @@ on.death(function(p)
 end)
 
 on.extend(function(p) spark.burst { kind = "glint", from = p, n = 24, speed = 3 } end)
-on.phase(function(e, _, _)
+on.phase(function(e, _, won)
   if e.alive then spark.burst { kind = "shock", from = e, speed = 0 } end
+  if won then sound.play("phase", { from = e }) end
 end)
-on.stage(function(_, state) sea.speed(state == "start" and 1.6 or 0.6) end)
+on.stage(function(_, state)
+  sea.speed(state == "start" and 1.6 or 0.6)
+  if state == "start" then sound.play("ready") end
+end)
 on.game_over(function()
   sea.speed(0.4)
   music.stop { fade = 120 }

@@ -125,7 +125,8 @@ static const struct story {
       "music.stop { fade = 20 } end)",
       "0 tide 3, 20 deep 2, 70 - 0", 300 },
     /* a fade that is forgotten in its first frame; one that another takes over */
-    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } music.play('tide') end)", "0 tide 3", 200 },
+    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } music.play('tide') end)", "0 tide 3",
+      200 },
     { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } wait(1) music.play('tide') end)",
       "0 tide 3, 21 tide 3", 200 },
     { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } wait(30)\n"
@@ -139,11 +140,13 @@ static const struct story {
       100 },
     { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'bar' }) end)", "0 tide 3, 133 deep 1",
       200 },
-    { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'bar' }) wait(9) music.play('tide') end)",
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'bar' }) wait(9) music.play('tide') "
+      "end)",
       "0 tide 3", 200 },
     { "music.play('deep', { at = 'bar' })", "0 deep 2", 40 },
     /* three deep, and one more, which loses what it covers */
-    { "music.play('tide') task.go(function() for _ = 1, 4 do wait(10) music.play('deep', { back = true, again = true }) "
+    { "music.play('tide') task.go(function() for _ = 1, 4 do wait(10) music.play('deep', { back = true, again = true "
+      "}) "
       "end end)",
       "0 tide 3, 10 deep 2, 20 deep 2, 30 deep 2, 40 deep 2, 201 deep 27, 352 deep 27, 503 tide 40", 600 },
     /* a boss's, and a phase's over it: the ways in and out are 60 frames */
@@ -154,7 +157,8 @@ static const struct story {
       "0 tide 3, 70 deep 2, 211 tide 232", 400 },
     { "music.play('tide') one({ music = 'tide' }, phase('a', 20)) task.go(function() wait(20) boss.fight('b') end)",
       "0 tide 3", 300 },
-    { "music.play('tide') one({}, phase('a', 80, { music = 'deep' }), phase('b', 80, { music = 'deep' }), phase('c', 9))\n"
+    { "music.play('tide') one({}, phase('a', 80, { music = 'deep' }), phase('b', 80, { music = 'deep' }), phase('c', "
+      "9))\n"
       "task.go(function() wait(20) boss.fight('b') end)",
       "0 tide 3, 110 deep 2", 260 },
     { "music.play('tide') one({}, phase('a', 80, { music = 'deep' }), phase('c', 99))\n"
@@ -362,8 +366,9 @@ static void test_pause(void **state)
 static void test_cue_in_pause(void **state)
 {
     (void)state;
-    power("music.play('tide') local scope = task.scope() task.own(scope, function() wait(9) sys.freeze(scope) wait(20)\n"
-          "sound.play('hit') music.play('deep') wait(20) sys.freeze() end)");
+    power(
+        "music.play('tide') local scope = task.scope() task.own(scope, function() wait(9) sys.freeze(scope) wait(20)\n"
+        "sound.play('hit') music.play('deep') wait(20) sys.freeze() end)");
     rig_run(&rig, 29);
     assert_int_equal(loudest(rig.b), 0);
     rig_run(&rig, 1);
@@ -452,17 +457,21 @@ static void test_room(void **state)
 
 /* ---- sounds that play by themselves ---- */
 
-static const char scene[] =
-    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
-    "shot.def('dart', { sprite = 'dot', hit = { circle = 4 }, damage = 5 })\n"
-    "item.def('coin', { sprite = 'dot', radius = 4, gives = { score = 10 } })\n"
-    "bomb.def('wave', { over = 20, run = function() end })\n"
-    "player.def('pilot', { sprite = 'dot', hit = { circle = 2 }, bomb = 'wave', lives = 9, registers = { bombs = 3 } })\n"
-    "sys.join(1, 'pilot')\n"
-    "local p = player.get(1)\n"
-    "local function at(n, f) task.go(function() wait(n) p.safe = 0 f() end) end\n"
-    "local e = enemy.spawn { kind = 'e', x = 100, y = 50 }\n"
-    "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300 }))\n";
+static const char scene[] = "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+                            "shot.def('dart', { sprite = 'dot', hit = { circle = 4 }, damage = 5 })\n"
+                            "item.def('coin', { sprite = 'dot', radius = 4, gives = { score = 10 } })\n"
+                            "bomb.def('wave', { over = 20, run = function() end })\n"
+                            "player.def('pilot', { sprite = 'dot', hit = { circle = 2 }, bomb = 'wave', lives = 9, "
+                            "registers = { bombs = 3 } })\n"
+                            "sys.join(1, 'pilot')\n"
+                            "local p = player.get(1)\n"
+                            "local function at(n, f) task.go(function() wait(n) p.safe = 0 f() end) end\n"
+                            "local e = enemy.spawn { kind = 'e', x = 100, y = 50 }\n"
+                            "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300, bonus = 9 }))\n";
+
+#define BOOTED                                                                                                         \
+    "sys.leave(1) stage.def('s', function() wait(forever) end)\n"                                                      \
+    "boot.run { stages = { 's' }, players = { 'pilot' }, screens = { title = function() return 'start', 1 end } }"
 
 static const struct {
     const char *name, *script;
@@ -477,7 +486,17 @@ static const struct {
     { "menu", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
     { "extend", "at(5, function() score.add(900, p) end)" },
     { "spell", "at(5, function() boss.fight('b') end)" },
+    { "bonus", "at(5, function() boss.fight('b') end)" },
     { "time", "hud.start(task.scope(), 1) at(5, function() boss.fight('b') end)" },
+    { "select", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
+    { "back", "task.go(function() while true do menu.choose { items = { 'A' }, row = 3, back = 1 } end end)" },
+    { "wrong", "task.go(function() sys.read('menu/page').list { items = { 'A' }, row = 3, closed = { true } } end)" },
+    { "pause", BOOTED },
+    { "continue", "sys.leave(1) player.def('solo', { sprite = 'dot', hit = { circle = 2 }, lives = 1 })\n"
+                  "stage.def('s', function() while true do player.each(function(q) q.safe = 0\n"
+                  "  bullet.fire { kind = 'orb', from = q, speed = 0 } end) wait(5) end end)\n"
+                  "boot.run { stages = { 's' }, players = { 'solo' }, continues = 3, screens = {\n"
+                  "  title = function() return 'start', 1 end, continue = function() return true end } }" },
 };
 
 /* A game with one sound, of that name. */
@@ -511,13 +530,14 @@ static void power_sound(const char *name, const char *script)
     rig_power(&rig, &game, NULL);
 }
 
-/* How often a sound began in so many frames, DOWN held in every other one. */
-static int begun(int frames)
+/* How often a sound began in so many frames, in which first DOWN is pressed, then FIRE, BOMB and START. */
+static int begun(int frames, bool presses_any)
 {
     int n = 0;
 
     for (int f = 0; f < frames; f++) {
-        const uint16_t pads[PADS] = { f % 2 ? PAD_DOWN : 0, 0 };
+        static const uint16_t presses[] = { PAD_DOWN, PAD_FIRE, PAD_BOMB, PAD_START };
+        const uint16_t pads[PADS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
         rig_tick(&rig, pads);
         for (int i = 0; i < CUES; i++)
             n += rig.b->cues.tune[i] && rig.b->cues.born[i] + 1 == rig.b->core.frame;
@@ -534,12 +554,12 @@ static void test_cues(void **state)
         power_sound(deeds[i].name, deeds[i].script);
         for (int k = 0; k < CART_CUES; k++)
             assert_true((rig.b->cart.cue[k] != 0) == (k == i));
-        const int n = begun(200);
+        const int n = begun(200, true);
         if (n == 0)
             fail_msg("no sound of \"%s\"", deeds[i].name);
         done();
         power_sound("other", deeds[i].script);
-        if (begun(200) != 0)
+        if (begun(200, true) != 0)
             fail_msg("a sound that is not \"%s\"", deeds[i].name);
         done();
     }
@@ -551,7 +571,7 @@ static void test_apart(void **state)
     (void)state;
     power_sound("graze", "task.go(function() while true do p.safe = 0\n"
                          "bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } wait(1) end end)");
-    assert_int_equal(begun(41), 11);
+    assert_int_equal(begun(41, false), 11);
     assert_true(rig.b->player.grazes[0] > 30);
     done();
 }
@@ -575,7 +595,8 @@ static void test_mistakes(void **state)
     refuses("music.play('tied', { back = true })",
             "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
     refuses("music.play('boom')", "main.lua:1: music.play: \"boom\" is not in rom.lua's music: it is in its sounds");
-    refuses("music.play('tide', { at = 'bear' })", "main.lua:1: music.play: at: expected \"beat\" or \"bar\", got \"bear\"");
+    refuses("music.play('tide', { at = 'bear' })",
+            "main.lua:1: music.play: at: expected \"beat\" or \"bar\", got \"bear\"");
     refuses("music.play('tide', { at = 'bar', fade = 9 })", "main.lua:1: music.play: expected at or fade, not both");
     refuses("music.play('tide', { fade = 3601 })",
             "main.lua:1: music.play: fade: expected a whole number from 0 to 3600 frames, got 3601");
@@ -607,8 +628,9 @@ static void test_mistakes(void **state)
             "main.lua:1: unlock.def when: \"tides\" is not in rom.lua's music (did you mean \"tide\"?)");
 }
 
-#define BOOT "stage.def('s', print) player.def('p', { sprite = 'dot', hit = { circle = 1 } })\n" \
-             "boot.run { stages = { 's' }, players = { 'p' }, music = "
+#define BOOT                                                                                                           \
+    "stage.def('s', print) player.def('p', { sprite = 'dot', hit = { circle = 1 } })\n"                                \
+    "boot.run { stages = { 's' }, players = { 'p' }, music = "
 
 static void test_room_mistakes(void **state)
 {
@@ -621,7 +643,8 @@ static void test_room_mistakes(void **state)
             "main.lua:2: boot.run: music 1: expected a table, as { name = \"tide\" }, got a string");
     refuses(BOOT "{ { name = 'deap' } } }",
             "main.lua:2: boot.run music: \"deap\" is not in rom.lua's music (did you mean \"deep\"?)");
-    refuses(BOOT "{ { nam = 'deep' } } }", "main.lua:2: boot.run music: unknown argument \"nam\" (did you mean \"name\"?)");
+    refuses(BOOT "{ { nam = 'deep' } } }",
+            "main.lua:2: boot.run music: unknown argument \"nam\" (did you mean \"name\"?)");
     refuses(BOOT "{ { name = 'deep' }, room = true } }",
             "main.lua:2: boot.run: music: expected room = true or a list of pieces, got both");
     refuses(BOOT "{ { name = 'deep', needs = 'all' } } }",
@@ -634,15 +657,16 @@ static void test_room_mistakes(void **state)
 static void test_extremes(void **state)
 {
     (void)state;
-    refuses("assert(music.volume(0, 3600) == 1 and music.volume(1) == 1 and music.frames(65536) == 1966080)\n"
-            "for i = 1, 2000 do sound.play('boom', { pitch = i % 97 - 48, pan = i % 3 - 1, volume = i % 2 }) end\n"
-            "for i = 1, 500 do music.play(i % 2 == 0 and 'tide' or 'deep', { back = i % 3 == 0, again = i % 5 == 0,\n"
-            "  fade = i % 7 }) end\n"
-            "music.stop { fade = 3600 } music.stop() music.stop() sound.stop() sound.stop('bell')\n"
-            "on.start(function() music.play('tide', { at = 'bar' }) end)\n"
-            "task.go(function() wait(1) music.play('tide') print(music.wait(), music.name(), music.marker(), music.bar())\n"
-            "  music.volume(0.5) print(music.volume(0) - 0.5 < 0.001) end)",
-            "1\ttide\tnil\t0\ntrue\n");
+    refuses(
+        "assert(music.volume(0, 3600) == 1 and music.volume(1) == 1 and music.frames(65536) == 1966080)\n"
+        "for i = 1, 2000 do sound.play('boom', { pitch = i % 97 - 48, pan = i % 3 - 1, volume = i % 2 }) end\n"
+        "for i = 1, 500 do music.play(i % 2 == 0 and 'tide' or 'deep', { back = i % 3 == 0, again = i % 5 == 0,\n"
+        "  fade = i % 7 }) end\n"
+        "music.stop { fade = 3600 } music.stop() music.stop() sound.stop() sound.stop('bell')\n"
+        "on.start(function() music.play('tide', { at = 'bar' }) end)\n"
+        "task.go(function() wait(1) music.play('tide') print(music.wait(), music.name(), music.marker(), music.bar())\n"
+        "  music.volume(0.5) print(music.volume(0) - 0.5 < 0.001) end)",
+        "1\ttide\tnil\t0\ntrue\n");
 }
 
 /* ---- voices of a talk ---- */
@@ -657,7 +681,7 @@ static int voices_of(const char *line, int frames)
              "task.go(function() wait(2) %s end)",
              line);
     power(text);
-    n = begun(frames);
+    n = begun(frames, false);
     done();
     return n;
 }
@@ -677,20 +701,11 @@ static void test_voices(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),
-        cmocka_unit_test(test_restored),
-        cmocka_unit_test(test_screens),
-        cmocka_unit_test(test_marks),
-        cmocka_unit_test(test_pause),
-        cmocka_unit_test(test_cue_in_pause),
-        cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_cues),
-        cmocka_unit_test(test_apart),
-        cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_room_mistakes),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_voices),
+        cmocka_unit_test(test_stories),  cmocka_unit_test(test_restored), cmocka_unit_test(test_screens),
+        cmocka_unit_test(test_marks),    cmocka_unit_test(test_pause),    cmocka_unit_test(test_cue_in_pause),
+        cmocka_unit_test(test_stop),     cmocka_unit_test(test_room),     cmocka_unit_test(test_cues),
+        cmocka_unit_test(test_apart),    cmocka_unit_test(test_mistakes), cmocka_unit_test(test_room_mistakes),
+        cmocka_unit_test(test_extremes), cmocka_unit_test(test_voices),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

@@ -86,10 +86,12 @@ local function held(e)
     wait(18)
     do
       local still <close> = sea.still()
+      sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
       gather(by_difficulty { easy = 5, normal = 8, hard = 12 })
       bullet.group().frozen = 0
+      sound.play("flow", { from = e })
     end
     let_go(e)
     wander(e, 60)

@@ -227,9 +227,18 @@ void sound_end(struct board *b)
 
 /* ---- what is asked for ---- */
 
+static uint32_t ringing(const struct board *b)
+{
+    uint32_t rings = 0;
+
+    for (int i = 0; i < CUES; i++)
+        rings |= (uint32_t)voices_busy(&b->voices, VOICES_MUSIC + i) << i;
+    return rings;
+}
+
 void sound_play(struct board *b, const struct cue *cue)
 {
-    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame);
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame, ringing(b));
 
     for (int i = 0; i < CUES; i++)
         if (ended >> i & 1)
@@ -460,6 +469,29 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         voices_mix(&b->voices, rom(b), tables, out);
     else
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
+}
+
+bool board_cue(const struct board *b, int slot, struct board_cue *out)
+{
+    const struct cues *c = &b->cues;
+    int sound = 0;
+
+    if (!board_has_sound(b) || slot >= CUES)
+        return false;
+    *out = (struct board_cue){ 0 };
+    if (c->tune[slot] == 0)
+        return true;
+    while (cart_sound(&b->cart, sound) != c->tune[slot])
+        sound++;
+    out->name = cart_sound_name(&b->cart, sound);
+    out->began = c->born[slot];
+    out->first = c->track[slot] == 0;
+    return true;
+}
+
+const char *board_music(const struct board *b)
+{
+    return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
 }
 
 /* ---- a box ---- */
