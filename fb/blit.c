@@ -7,7 +7,7 @@
  * A word may hang over the sprite's edge by up to 7 pixels: fb.h's band and slack are there for it.
  */
 #include "blit.h"
-#include "words.h"
+#include "paint.h"
 #include <string.h>
 
 static inline uint64_t reverse(uint64_t v)
@@ -15,48 +15,6 @@ static inline uint64_t reverse(uint64_t v)
     v = (v & 0x00ff00ff00ff00ffu) << 8 | (v >> 8 & 0x00ff00ff00ff00ffu);
     v = (v & 0x0000ffff0000ffffu) << 16 | (v >> 16 & 0x0000ffff0000ffffu);
     return v << 32 | v >> 32;
-}
-
-static inline void cover(uint8_t *d, uint64_t s, uint64_t add)
-{
-    uint64_t mask = words_opaque(s);
-
-    words_store(d, (words_load(d) & ~mask) | (words_add(s, add) & mask));
-}
-
-/* Sixteen pixels at once, in a form that compilers turn into vector instructions of the plainest kind: a select by
- * mask, no branch, a constant count. */
-static inline void cover_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
-{
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++) {
-        uint8_t mask = (uint8_t)(0 - (s[k] != 0)), colour = (uint8_t)(s[k] + add);
-        d[k] = (uint8_t)(d[k] ^ ((d[k] ^ colour) & mask));
-    }
-}
-
-/* The same, each mixed by a rule; rule is a constant in the calls. */
-static inline void mix_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add, enum blit_mix rule)
-{
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++) {
-        uint8_t mask = (uint8_t)(0 - (s[k] != 0)), over = (uint8_t)(s[k] + add);
-        uint8_t a = d[k] & 15, b = over & 15, sum = (uint8_t)(a + b), most = a > b ? a : b;
-        uint8_t half = (uint8_t)((uint8_t)(sum + 1) >> 1), added = sum < 15 ? sum : 15;
-        uint8_t shade = rule == BLIT_RAMP_ADD ? added : rule == BLIT_RAMP_HALF ? half : most;
-        d[k] = (uint8_t)(d[k] ^ ((d[k] ^ ((over & 0xf0) | shade)) & mask));
-    }
-}
-
-/* Eight pixels: half of sixteen. */
-static inline void mix_eight(uint8_t *d, const uint8_t *s, uint8_t add, enum blit_mix rule)
-{
-    uint8_t pair[16] = { 0 }, from[16] = { 0 };
-
-    memcpy(pair, d, 8);
-    memcpy(from, s, 8);
-    mix_pair(pair, from, add, rule);
-    memcpy(d, pair, 8);
 }
 
 enum { TURNED = 1024 }; /* bytes */
@@ -370,37 +328,23 @@ static inline struct job whole_job(const struct fb *fb, const struct image *imag
     };
 }
 
-/* Sixteen pixels, opaque or by a rule. */
-__attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const uint8_t *s, uint8_t add,
-                                                             enum blit_mix mix)
+static inline uint8_t bank_of(const struct blit_item *item)
 {
-    if (mix == BLIT_OPAQUE)
-        cover_pair(d, s, add);
-    else
-        mix_pair(d, s, add, mix);
+    return (uint8_t)(item->bank * 16);
 }
 
-/* Eight pixels wide, and no more from a row to the next: two rows as one of sixteen. */
-__attribute__((always_inline)) static inline void batch_eight(const struct blit_item *items, size_t n, ptrdiff_t d_row,
-                                                              int h, enum blit_mix mix)
+__attribute__((always_inline)) static inline void batch_narrow(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                               int h, enum blit_mix mix)
 {
-    for (size_t i = 0; i < n; i++) {
-        const uint8_t *s = items[i].s;
-        uint8_t *d = items[i].d, two[16];
-        const uint8_t add = (uint8_t)(items[i].bank * 16);
-        int y = h;
-        for (; y > 1; y -= 2, s += 16, d += 2 * d_row) {
-            memcpy(two, d, 8);
-            memcpy(two + 8, d + d_row, 8);
-            paint_pair(two, s, add, mix);
-            memcpy(d, two, 8);
-            memcpy(d + d_row, two + 8, 8);
-        }
-        if (y > 0 && mix == BLIT_OPAQUE)
-            cover(d, words_load(s), WORDS_EACH(add));
-        else if (y > 0)
-            mix_eight(d, s, add, mix);
-    }
+    for (size_t i = 0; i < n; i++)
+        paint_narrow(items[i].d, d_row, items[i].s, bank_of(&items[i]), h, mix);
+}
+
+__attribute__((always_inline)) static inline void batch_wide(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                             int h, enum blit_mix mix)
+{
+    for (size_t i = 0; i < n; i++)
+        paint_wide(items[i].d, d_row, items[i].s, bank_of(&items[i]), h, mix);
 }
 
 /* One of any other width, by a rule. */
@@ -428,24 +372,47 @@ static void mix_job(const struct job *j, enum blit_mix rule)
         mix_rows(j, BLIT_RAMP_MAX);
 }
 
+/* Any size, one by one. */
+static void batch_others(const struct blit_item *items, size_t n, struct job j, enum blit_mix mix)
+{
+    for (size_t i = 0; i < n; i++) {
+        j.s = items[i].s;
+        j.d = items[i].d;
+        j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
+        if (mix == BLIT_OPAQUE)
+            paint(&j);
+        else
+            mix_job(&j, mix);
+    }
+}
+
+/* The widths and heights that most bullets have are constants; so is mix where this is called. */
+__attribute__((always_inline)) static inline void batch_usual(const struct blit_item *items, size_t n, ptrdiff_t d_row,
+                                                              int h, bool wide, enum blit_mix mix)
+{
+    if (!wide && h == 8)
+        batch_narrow(items, n, d_row, 8, mix);
+    else if (!wide)
+        batch_narrow(items, n, d_row, h, mix);
+    else if (h == 16)
+        batch_wide(items, n, d_row, 16, mix);
+    else if (h == 12)
+        batch_wide(items, n, d_row, 12, mix);
+    else
+        batch_wide(items, n, d_row, h, mix);
+}
+
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix)
 {
-    struct job j = { .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h };
+    const bool wide = s_pitch == 16 && w > 8, usual = s_pitch == 8 || wide;
 
-    if (s_pitch == 8 && mix == BLIT_OPAQUE)
-        batch_eight(items, n, d_pitch, h, BLIT_OPAQUE);
-    else if (s_pitch == 8 && mix == BLIT_RAMP_ADD)
-        batch_eight(items, n, d_pitch, h, BLIT_RAMP_ADD);
+    if (usual && mix == BLIT_OPAQUE)
+        batch_usual(items, n, d_pitch, h, wide, BLIT_OPAQUE);
+    else if (usual && mix == BLIT_RAMP_ADD)
+        batch_usual(items, n, d_pitch, h, wide, BLIT_RAMP_ADD);
     else
-        for (size_t i = 0; i < n; i++) {
-            j.s = items[i].s;
-            j.d = items[i].d;
-            j.add = WORDS_EACH((uint8_t)(items[i].bank * 16));
-            if (mix == BLIT_OPAQUE)
-                paint(&j);
-            else
-                mix_job(&j, mix);
-        }
+        batch_others(items, n, (struct job){ .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h },
+                     mix);
 }
 
 bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,

@@ -1,18 +1,17 @@
 /*
  * stamp.c - see stamp.h.
  *
- * A byte that is drawn over is (what was there & keep) | colour. In a layer it is what was there or, where that is 0,
- * the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn into
- * vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
- * pixels, whose `keep` is 255: fb.h's band and slack are there for it. The common sizes have loops of their own.
+ * Over what is there, a picture is painted from its own pixels (paint.h). In a layer a byte is what was there or, where
+ * that is 0, the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn
+ * into vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
+ * pixels, which are 0: fb.h's band and slack are there for it. The common sizes have loops of their own.
  *
- * `unroll 1` keeps the loops over sixteen bytes loops: gcc's -O3 would unroll them first and then find no vectors in
- * what is left. A 24 px picture took 180 ns instead of 33. tests/house/levels.sh reads the compilers' output for it.
+ * `unroll 1` keeps the loops over sixteen bytes loops, as in paint.h.
  */
 #include "stamp.h"
 #include <assert.h>
 #include <string.h>
-#include "words.h"
+#include "paint.h"
 
 static uint64_t bank_bytes(unsigned bank)
 {
@@ -30,24 +29,11 @@ bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks)
     for (int at = 0, y = 0; y < image->h; y++)
         for (int x = 0; x < stamp->row; x += 8, at += 8) {
             uint64_t s = words_load(image->pix + (ptrdiff_t)y * image->pitch + x), mask = words_opaque(s);
-            words_store(stamp->keep + at, ~mask);
             for (unsigned bank = 0; bank < 16; bank++)
                 if (banks >> bank & 1)
                     words_store(stamp->colour + (int)bank * stamp->bytes + at, words_add(s, bank_bytes(bank)) & mask);
         }
     return true;
-}
-
-static inline void over(uint8_t *d, const uint8_t *keep, const uint8_t *colour)
-{
-    words_store(d, (words_load(d) & words_load(keep)) | words_load(colour));
-}
-
-static inline void over_pair(uint8_t *restrict d, const uint8_t *restrict keep, const uint8_t *restrict colour)
-{
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++)
-        d[k] = (uint8_t)((d[k] & keep[k]) | colour[k]);
 }
 
 static inline void under(uint8_t *d, uint64_t colour)
@@ -64,18 +50,6 @@ static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colou
         d[k] = (uint8_t)(d[k] | (colour[k] & (uint8_t)(0 - (d[k] == 0))));
 }
 
-/* All rows of a picture; row and h are constants in most calls. */
-static inline void paint_over(uint8_t *d, ptrdiff_t pitch, const uint8_t *keep, const uint8_t *colour, int row, int h)
-{
-    for (int y = 0; y < h; y++, d += pitch, keep += row, colour += row) {
-        int k = 0;
-        for (; k + 16 <= row; k += 16)
-            over_pair(d + k, keep + k, colour + k);
-        if (k < row)
-            over(d + k, keep + k, colour + k);
-    }
-}
-
 static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colour, int row, int h)
 {
     for (int y = 0; y < h; y++, d += pitch, colour += row) {
@@ -85,19 +59,6 @@ static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colou
         if (k < row)
             under(d + k, words_load(colour + k));
     }
-}
-
-/* Eight rows of eight: most bullets. Written out, because compilers leave the loop. */
-static inline void paint_eight(uint8_t *d, ptrdiff_t pitch, const uint8_t *keep, const uint8_t *colour)
-{
-    over(d, keep, colour), d += pitch;
-    over(d, keep + 8, colour + 8), d += pitch;
-    over(d, keep + 16, colour + 16), d += pitch;
-    over(d, keep + 24, colour + 24), d += pitch;
-    over(d, keep + 32, colour + 32), d += pitch;
-    over(d, keep + 40, colour + 40), d += pitch;
-    over(d, keep + 48, colour + 48), d += pitch;
-    over(d, keep + 56, colour + 56);
 }
 
 /* The first byte of a surface's band. */
@@ -114,36 +75,66 @@ struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
     return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
 }
 
-/* row is a constant in its calls, or 0; so is h. Forced, for gcc makes one loop of all calls: 16x16 px took twice as
- * long. */
-__attribute__((always_inline)) static inline size_t draw_over(const struct fb *fb, const struct stamp *stamp,
-                                                              const uint32_t *dests, size_t n, int row, int h)
+/* mix is a constant where this is called, and so are the widths and heights that most bullets have. */
+__attribute__((always_inline)) static inline size_t over_usual(const struct fb *fb, const struct image *image,
+                                                               enum blit_mix mix, const uint32_t *dests, size_t n,
+                                                               bool wide, int h)
 {
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
+    const uint8_t *s = image->pix;
     const ptrdiff_t pitch = fb->pitch;
-    const uint32_t bytes = (uint32_t)(row && h ? row * h : stamp->bytes);
-    uint8_t *first = fb->pix + fb->sy0 * pitch + fb->sx0;
 
     for (size_t i = 0; i < n; i++) {
-        uint32_t dest = dests[i];
-        if (dest & STAMP_OTHER)
+        const uint8_t add = (uint8_t)(dests[i] >> 28 << 4);
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+        if (dests[i] & STAMP_OTHER)
             return i;
-        uint8_t *d = first + (dest & (STAMP_OTHER - 1));
-        const uint8_t *colour = stamp->colour + (dest >> 28) * bytes;
-        if (row == 8 && h == 8)
-            paint_eight(d, pitch, stamp->keep, colour);
+        if (wide)
+            paint_wide(d, pitch, s, add, h, mix);
         else
-            paint_over(d, pitch, stamp->keep, colour, row ? row : stamp->row, h ? h : stamp->h);
+            paint_narrow(d, pitch, s, add, h, mix);
     }
     return n;
 }
 
-size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *dests, size_t n)
+__attribute__((always_inline)) static inline size_t over_sizes(const struct fb *fb, const struct image *image,
+                                                               enum blit_mix mix, const uint32_t *dests, size_t n)
 {
-    if (stamp->row == 8)
-        return stamp->h == 8 ? draw_over(fb, stamp, dests, n, 8, 8) : draw_over(fb, stamp, dests, n, 8, 0);
-    if (stamp->row == 16)
-        return stamp->h == 16 ? draw_over(fb, stamp, dests, n, 16, 16) : draw_over(fb, stamp, dests, n, 16, 0);
-    return draw_over(fb, stamp, dests, n, 0, 0);
+    const int h = image->h;
+
+    if (image->pitch == 8)
+        return h == 8 ? over_usual(fb, image, mix, dests, n, false, 8) : over_usual(fb, image, mix, dests, n, false, h);
+    if (h == 12)
+        return over_usual(fb, image, mix, dests, n, true, 12);
+    return h == 16 ? over_usual(fb, image, mix, dests, n, true, 16) : over_usual(fb, image, mix, dests, n, true, h);
+}
+
+/* Any size and rule. */
+static size_t over_others(const struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests,
+                          size_t n)
+{
+    enum { BATCH = 64 };
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
+    struct blit_item items[BATCH];
+    size_t i = 0, k = 0;
+
+    while (i < n && !(dests[i] & STAMP_OTHER)) {
+        for (k = 0; k < BATCH && i < n && !(dests[i] & STAMP_OTHER); k++, i++)
+            items[k] = (struct blit_item){ image->pix, first + (dests[i] & (STAMP_OTHER - 1)), dests[i] >> 28 };
+        blit_batch(items, k, fb->pitch, image->w, image->h, image->pitch, mix);
+    }
+    return i;
+}
+
+size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n)
+{
+    const bool usual = image->pitch == 8 || (image->pitch == 16 && image->w > 8);
+
+    if (usual && mix == BLIT_OPAQUE)
+        return over_sizes(fb, image, BLIT_OPAQUE, dests, n);
+    if (usual && mix == BLIT_RAMP_ADD)
+        return over_sizes(fb, image, BLIT_RAMP_ADD, dests, n);
+    return over_others(fb, image, mix, dests, n);
 }
 
 /* ---- layers ---- */

@@ -15,11 +15,10 @@ enum {
     STAMP_OTHER = 1 << 27 /* in a list of destinations: this is not one, but a number of the caller's, below 2^27 */
 };
 
-/* A picture made ready: of each byte what to keep of the surface, and, in each bank, what to put there. */
+/* A picture made ready for a layer: in each bank what to put there. */
 struct stamp {
     int w, h;
-    int row, bytes; /* of a row, a multiple of 8; of all rows */
-    uint8_t keep[STAMP_BYTES];
+    int row, bytes;                   /* of a row, a multiple of 8; of all rows */
     uint8_t colour[16 * STAMP_BYTES]; /* `bytes` a bank */
 };
 
@@ -41,9 +40,9 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Draws at destinations in order up to the first STAMP_OTHER; returns how many. The same picture as so many calls of
- * blit_sprite, but that pixels of the band may change. */
-size_t stamp_over(struct fb *fb, const struct stamp *stamp, const uint32_t *dests, size_t n);
+/* Draws an image at destinations in order up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same
+ * picture as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
+size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n);
 
 /*
  * Front to back. A layer is a surface that begins all 0, with its clip the whole picture; no pixel that is drawn is 0.

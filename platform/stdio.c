@@ -50,6 +50,24 @@ static inline uint64_t eight(const uint8_t *p)
            (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
 }
 
+/* The first two of each half come first, so that no load waits for the one before it. */
+static inline void eight_rgb(uint32_t *to, const uint8_t *from, const uint32_t rgb[256])
+{
+    uint32_t a = (uint32_t)eight(from), b = (uint32_t)(eight(from) >> 32);
+
+    to[0] = rgb[a & 255];
+    to[1] = rgb[a >> 8 & 255];
+    to[4] = rgb[b & 255];
+    to[5] = rgb[b >> 8 & 255];
+    a >>= 16;
+    b >>= 16;
+    to[2] = rgb[a & 255];
+    to[3] = rgb[a >> 8];
+    to[6] = rgb[b & 255];
+    to[7] = rgb[b >> 8];
+}
+
+/* Sixteen a round: a shorter loop takes a fifth longer where it happens to begin at a bad address. */
 DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
                       const uint32_t rgb[256])
 {
@@ -57,18 +75,9 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
         const uint8_t *from = pix;
         uint32_t *to = out;
         int left = w;
-        for (; left >= 8; left -= 8, from += 8, to += 8) {
-            uint32_t a = (uint32_t)eight(from), b = (uint32_t)(eight(from) >> 32);
-            to[0] = rgb[a & 255];
-            to[1] = rgb[a >> 8 & 255];
-            to[4] = rgb[b & 255];
-            to[5] = rgb[b >> 8 & 255];
-            a >>= 16;
-            b >>= 16;
-            to[2] = rgb[a & 255];
-            to[3] = rgb[a >> 8];
-            to[6] = rgb[b & 255];
-            to[7] = rgb[b >> 8];
+        for (; left >= 16; left -= 16, from += 16, to += 16) {
+            eight_rgb(to, from, rgb);
+            eight_rgb(to + 8, from + 8, rgb);
         }
         while (left-- > 0)
             *to++ = rgb[*from++];

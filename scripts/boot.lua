@@ -120,6 +120,8 @@ local function play(a, run)
   run.clear = not stopped()
   sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
   local new = left and {} or records().over(run)
+  local jingle = screens[run.clear and "clear" or "over"]
+  if jingle and not left then jingle() end
   last_words(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
   for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
   leave(game, #ships)

@@ -1,12 +1,12 @@
 -- pictures.lua - n pictures that stand still, drawn as DIP picture says: bullets of one kind, in banks of their own, turned,
--- across the left edge or blended; free sprites, plain and flipped.
+-- across the left edge or blended, by a table or a rule; free sprites, plain and flipped.
 local how = board.dip("picture")
 local free = how == "sprite" or how == "flipped"
-local blended = how == "blended" or how == "blended_banks"
+local blend = ({ blended = "glow", blended_banks = "glow", ramp = "shine" })[how]
 local banks = how == "banks" or how == "blended_banks"
 
 if not free then
-  bullet.def("thing", { sprite = "kind1", hit = "none", turns = how == "turned", blend = blended and "glow" or nil })
+  bullet.def("thing", { sprite = "kind1", hit = "none", turns = how == "turned", blend = blend })
 end
 
 return function(n)

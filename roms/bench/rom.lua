@@ -47,6 +47,6 @@ return {
       "near_box", "near_line", "found" },
     price_look = { "none", "dots", "sparks_fly", "sparks_burst", "sparks_ring", "sparks_row", "trails", "stand", "follow" },
     price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing" },
-    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks" } },
+    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks", "ramp" } },
   players = 1,
 }

@@ -110,6 +110,7 @@ end
 local function draw_clock(left)
   local n, bank = math.min((left + 59) // 60, 99), hud.banks.plain
   if n <= LATE and (n > LAST or left // 15 % 2 == 0) then bank = hud.banks.alarm end
+  if n <= LATE and n > 0 and new("second", n) then sys.cue("time") end
   if new("clock", n * 16 + bank) then hud.put(LEFT + WIDTH - CLOCK, top, ("%2d"):format(n), bank, 2) end
 end
 

@@ -5,7 +5,7 @@
 #ifndef BOARD_VIDEO_H
 #define BOARD_VIDEO_H
 
-#include "../../fb/blit.h"
+#include "../../fb/stamp.h"
 #include "machine.h"
 
 /* Where and onto what a part of the picture is drawn. */
@@ -36,6 +36,27 @@ void video_clip_field(const struct draw_target *c);
 /* One picture. blend: a blend's index + 1, 0: opaque. */
 void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend);
+
+/* Pictures that are painted in order, those of one size that follow each other in one go. */
+enum { VIDEO_BATCH = 64 };
+struct video_batch {
+    struct draw_target *c;
+    struct image size;         /* of those that wait, but for pix */
+    enum blit_mix mix;         /* theirs */
+    struct stamp_corners safe; /* where such a picture needs no clipping */
+    size_t n;
+    struct blit_item items[VIDEO_BATCH];
+};
+
+/* An empty one, whose room is not written. The clip must not change while something waits. */
+void video_batch_begin(struct video_batch *q, struct draw_target *c);
+
+/* As video_paint, but it may wait. */
+void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
+                     unsigned blend);
+
+/* Paints all that waits. */
+void video_batch_end(struct video_batch *q);
 
 /* Bullets or shots. Kinds in the draw order, then slots. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);

@@ -25,6 +25,7 @@
 #include "../../src/cab/demo/demo.h"
 #include "../../src/cab/sound/mml.h"
 #include "../../src/cab/pack/pack.h"
+#include "../../src/cab/sound/recording.h"
 #include "../../src/snd/adpcm.h"
 
 /* A game in memory. */
@@ -269,7 +270,8 @@ static inline void rig_sounds(struct rig_game *g)
     const struct mml_about about = { 255, 4, 2, "" };
     struct rig_game had = *g;
     struct lump lumps[RIG_LUMPS];
-    uint8_t *made[8], sample[2048];
+    struct recording_bytes bell;
+    uint8_t *made[8];
     int16_t wave[1500];
     char err[256];
     size_t size;
@@ -284,10 +286,10 @@ static inline void rig_sounds(struct rig_game *g)
     }
     for (int i = 0; i < 1500; i++)
         wave[i] = (int16_t)((i * 577 % 1000 - 500) * (1500 - i) / 40);
-    sample_write(sample, wave, 1500, 22050, SAMPLE_ENDS);
-    if (!mml_of_sample(sample, sample_size(1500), &about, &made[k], &size))
-        fail_msg("no recording");
-    lumps[n++] = (struct lump){ "sound/bell", made[k++], (uint32_t)size };
+    if (!recording_sound(&(struct pcm){ .frames = wave, .n = 1500, .rate = 22050, .channels = 1, .loop = -1 },
+                         &(struct art_sound){ .volume = 255, .priority = 4, .limit = 2 }, &bell, err, sizeof err))
+        fail_msg("%s", err);
+    lumps[n++] = (struct lump){ "sound/bell", made[k++] = bell.data, (uint32_t)bell.n };
     rig_write(g, lumps, n);
     while (k-- > 0)
         free(made[k]);

@@ -96,7 +96,8 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
     int frames = below(3) ? 1 : 1 + below(5), turns = below(3) ? 1 : 1 + below(9), solid = below(2) ? 100 : below(101);
     int ox = below(3) ? w / 2 : below(8) ? below(4 * w) - w : below(3073) - 1024;
     int oy = below(3) ? h / 2 : below(8) ? below(4 * h) - h : below(3073) - 1024;
-    const int header[] = { w, h, pitch, ox, oy, frames, 1 + below(3), turns, bank };
+    const int every = 1 + (below(4) ? below(3) : below(1 << below(17)));
+    const int header[] = { w, h, pitch, ox, oy, frames, every < 65536 ? every : 65535, turns, bank };
     *size = (uint32_t)(CART_GFX_HEADER + frames * turns * h * pitch);
     uint8_t *lump = calloc(1, *size);
 
@@ -180,7 +181,8 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
             shape.y = (below(2 * WORLD + 1) - WORLD) * 65536;
         if (k->flags[shape.kind] & KIND_CLOUD || below(5) == 0)
             shape.delay = (uint32_t)(1 + below(150));
-        bullets_fire(s, &shape, b->core.clock - (uint32_t)below(100));
+        const bool old = !shape.delay && below(9) == 0;
+        bullets_fire(s, &shape, b->core.clock - (old ? (uint32_t)rng_next(&rng) >> below(32) : (uint32_t)below(100)));
     }
     EACH_LIVE (i, &s->s)
         if (holes && below(9) == 0) {

@@ -19,6 +19,7 @@ static const struct way {
     { "flipped", "free sprites, flipped" },
     { "blended", "bullets of one kind, blended (`add`)" },
     { "blended_banks", "blended, each in a bank of its own" },
+    { "ramp", "blended by a ramp's rule (`{ ramp = \"add\" }`)" },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
 static const int SIDES[] = { 8, 16, 32, 64, 128 };

@@ -12,6 +12,7 @@
 #include <string.h>
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
+#include "../../base/bytes.h"
 #include "../video.h"
 
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir)
@@ -32,6 +33,48 @@ void video_paint(struct draw_target *c, const struct image *img, int x, int y, u
         blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
 }
 
+void video_batch_begin(struct video_batch *q, struct draw_target *c)
+{
+    q->c = c;
+    q->n = 0;
+    q->size = (struct image){ 0 };
+    q->mix = BLIT_OPAQUE;
+}
+
+void video_batch_end(struct video_batch *q)
+{
+    blit_batch(q->items, q->n, q->c->fb->pitch, q->size.w, q->size.h, q->size.pitch, q->mix);
+    q->n = 0;
+}
+
+/* From here on another size and mix wait. */
+static void open_batch(struct video_batch *q, const struct image *image, enum blit_mix mix)
+{
+    video_batch_end(q);
+    q->size = *image;
+    q->mix = mix;
+    q->safe = stamp_corners(q->c->fb, image->w, image->h);
+}
+
+void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
+                     unsigned blend)
+{
+    const struct fb *fb = q->c->fb;
+    const enum blit_mix mix = blend ? (enum blit_mix)q->c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+
+    if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
+        open_batch(q, image, mix);
+    if (flip || mix == BLIT_TABLE || (uint32_t)(x - q->safe.x0) >= q->safe.wide ||
+        (uint32_t)(y - q->safe.y0) >= q->safe.high) {
+        video_batch_end(q);
+        video_paint(q->c, image, x, y, bank, flip, blend);
+        return;
+    }
+    q->items[q->n++] = (struct blit_item){ image->pix, fb->pix + (ptrdiff_t)y * fb->pitch + x, bank };
+    if (q->n == VIDEO_BATCH)
+        video_batch_end(q);
+}
+
 static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                 unsigned blend)
 {
@@ -42,6 +85,17 @@ static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y
     c->drawn++;
 }
 
+/* The same, in a batch. */
+static void put_later(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                      unsigned blend)
+{
+    const struct sprite *s = &q->c->b->pictures[sprite];
+    struct image img = video_image(s, age, false, 0);
+
+    video_batch_put(q, &img, q->c->x + fx_floor(x) - s->ox, q->c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    q->c->drawn++;
+}
+
 void video_clip_field(const struct draw_target *c)
 {
     const struct manifest *m = &c->b->cart.m;
@@ -49,27 +103,41 @@ void video_clip_field(const struct draw_target *c)
     fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
 }
 
+/* One of the screen's own, beside the field's. */
+static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
+{
+    const struct sprites *s = &c->b->sprites;
+    struct draw_target at = *c;
+
+    fb_clip_all(c->fb);
+    at.x = at.y = 0;
+    put(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+        (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+    c->drawn++;
+    video_clip_field(c);
+}
+
 static void draw_sprites(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
+    struct video_batch q;
 
+    video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s) {
         if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
             continue;
-        struct draw_target at = *c;
-        if (s->flags[i] & SPRITE_SCREEN) {
-            fb_clip_all(c->fb);
-            at.x = at.y = 0;
-        }
+        const uint32_t age = c->b->core.clock - s->born[i];
         fx x = s->x[i], y = s->y[i];
         if (s->flags[i] & SPRITE_FOLLOW)
             board_where(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
-        put(&at, s->sprite[i], c->b->core.clock - s->born[i], x, y, s->bank[i],
-            s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y), (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
-        if (s->flags[i] & SPRITE_SCREEN)
-            video_clip_field(c);
-        c->drawn++;
+        if (s->flags[i] & SPRITE_SCREEN) {
+            video_batch_end(&q);
+            put_on_screen(c, i, x, y, age);
+        } else
+            put_later(&q, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+                      (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
     }
+    video_batch_end(&q);
 }
 
 /* Options of a layer. */
@@ -87,10 +155,13 @@ static void draw_items(struct draw_target *c)
 {
     const struct items *s = &c->b->items;
     const struct item_kinds *k = &c->b->item_kinds;
+    struct video_batch q;
 
+    video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s)
-        put(c, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
-            (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
+        put_later(&q, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
+                  (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
+    video_batch_end(&q);
 }
 
 /* The brightest colour there is, or the darkest; of several the first. */
@@ -152,15 +223,35 @@ static void draw_players(struct draw_target *c)
 static void draw_sparks(struct draw_target *c)
 {
     const struct sparks *s = &c->b->sparks;
+    struct video_batch q;
 
+    video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
-        put(c, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i], bank & SPARK_BANK,
-            0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
+        put_later(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
+                  bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
+    video_batch_end(&q);
+}
+
+/* Do eight cells from i on show nothing? */
+static bool eight_empty(const struct fix *f, uint32_t i)
+{
+    const uint16_t *page = f->page ? f->page + i : NULL;
+
+    return i + 8 <= f->s.live && !bytes_get64(f->code + i) &&
+           (!page || !(page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7]));
+}
+
+/* The first cell from i on that shows a character; as many as there are cells: none does. */
+static uint32_t next_cell(const struct fix *f, uint32_t i)
+{
+    while (i < f->s.live && !fix_code(f, i))
+        i += eight_empty(f, i) ? 8 : 1;
+    return i;
 }
 
 /* All rims, so that none covers a letter. */
@@ -169,8 +260,8 @@ static void draw_rims(struct draw_target *c, const struct font *font)
     const struct fix *f = &c->b->fix;
     int dark = -1;
 
-    for (uint32_t i = 0; i < f->s.live; i++) {
-        if (!(f->bank[i] & FIX_RIM) || !fix_code(f, i))
+    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1)) {
+        if (!(f->bank[i] & FIX_RIM))
             continue;
         dark = dark < 0 ? extreme(c->b, false) : dark;
         if (f->page || f->bank[i] & FIX_QUARTERS)
@@ -189,10 +280,10 @@ static void draw_text(struct draw_target *c)
 
     fb_clip_all(c->fb);
     draw_rims(c, &font);
-    for (uint32_t i = 0; i < f->s.live; i++)
-        if ((f->page || f->bank[i] & FIX_QUARTERS) && fix_code(f, i))
+    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1))
+        if (f->page || f->bank[i] & FIX_QUARTERS)
             video_cell(c, i);
-        else if (f->code[i])
+        else
             text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
                        f->bank[i] & FIX_BANK);
 }

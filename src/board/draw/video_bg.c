@@ -3,14 +3,16 @@
  * front, over all sprites.
  *
  * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
- * which repeats if it wraps. Each row is put together from rows of tiles in a buffer and goes onto the surface in one
- * piece: copied where all of its tiles are solid. So line scroll costs nothing more, and no tile is clipped.
+ * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an empty
+ * tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows. What is
+ * mixed with what is under it is put together in a buffer first, a row at a time.
  *
  * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
  * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
  * the last, and only where a row begins is rounded.
  */
 #include "../../../fb/row.h"
+#include "../../../fb/tiles.h"
 #include "../../base/bytes.h"
 #include "../../base/int.h"
 #include "../../base/trig.h"
@@ -47,37 +49,36 @@ static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, 
         row_cover(d, s, n, b->bank);
 }
 
-/* Puts `n` tile rows from cell (col, row) on into `to`, starting over at the map's right edge; are all solid? The side
- * is a constant where this is called, so that each copy is a few instructions. */
-static inline bool put_tiles(const struct map *m, int col, int row, int in, int n, uint8_t *to, const int side)
+/* The tiles that rows of a layer show: where each begins among the map's pixels. Rows of the same tiles share them. */
+struct tiles {
+    uint32_t at[ROW / 8];
+    uint8_t tile[ROW / 8]; /* enum tile */
+    int n, col, row;       /* how many, from which cell on */
+};
+
+/* Finds n tiles from cell (col, row) on, starting over at the map's right edge. */
+static void find_tiles(const struct map *m, int col, int row, int n, struct tiles *t)
 {
     const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
-    const uint8_t *pix = m->pix + in * side;
-    uint8_t solid = 1;
+    const uint32_t size = (uint32_t)(m->side * m->side);
 
-    for (; n > 0; n--, to += side) {
+    t->n = n;
+    t->col = col;
+    t->row = row;
+    for (int k = 0; k < n; k++) {
         size_t tile = bytes_get16(cells + 2 * col);
-        memcpy(to, pix + tile * (size_t)(side * side), (size_t)side);
-        solid &= m->solid[tile];
+        t->at[k] = (uint32_t)tile * size;
+        t->tile[k] = m->solid[tile] ? TILE_SOLID : tile ? TILE_HOLES : TILE_EMPTY;
         if (++col == m->cols)
             col = 0;
     }
-    return solid;
 }
 
-/* n pixels of the map from (x, y) on, both inside; *solid: none is 0. */
-static const uint8_t *map_row(const struct map *m, int x, int y, int n, uint8_t row[ROW], bool *solid)
+/* Row `in` of each tile, in one piece. */
+static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_t *to)
 {
-    const int skip = x % m->side, tiles = (skip + n + m->side - 1) / m->side, in = y % m->side;
-    const int c = x / m->side, r = y / m->side;
-
-    if (m->side == 8)
-        *solid = put_tiles(m, c, r, in, tiles, row, 8);
-    else if (m->side == 16)
-        *solid = put_tiles(m, c, r, in, tiles, row, 16);
-    else
-        *solid = put_tiles(m, c, r, in, tiles, row, 32);
-    return row + skip;
+    for (int k = 0; k < t->n; k++)
+        memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
 }
 
 static struct brush brush_of(const struct board *b, uint32_t i)
@@ -101,33 +102,118 @@ static int shaken_y(const struct draw_target *c)
     return c->y - c->b->cart.m.field_y;
 }
 
+/* What rows of the field show of a layer: columns [from, to) of the field, from (x, my) of the map on. */
+struct shown_rows {
+    int64_t aside; /* the map's left edge, from the field's */
+    int64_t from, to, x, my;
+    int y, n; /* the first, and how many: all are of one row of tiles and as far aside */
+};
+
+/* Columns of a map that wraps. What is as far aside as the last needs no division. */
+static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh)
+{
+    if (r->aside != aside)
+        r->x = modulo(-aside, mw);
+    r->aside = aside;
+    r->my -= r->my == mh ? mh : 0;
+    return true;
+}
+
+/* Of one that does not. False: nothing is there. */
+static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh, int w)
+{
+    r->from = aside > 0 ? aside : 0;
+    r->to = mw + aside < w ? mw + aside : w;
+    r->x = r->from - aside;
+    return r->my >= 0 && r->my < mh && r->from < r->to;
+}
+
+/* How far aside the layer is in row y of the field. */
+static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, int dy)
+{
+    const struct bg *g = &c->b->bg;
+    const int line = (int)int64_clamp(y - dy, 0, c->b->cart.m.field_h - 1);
+
+    return ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
+}
+
+/* A tile that is cut off by the clip: its columns [from, to). */
+static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
+                    int rows, int from, int to, uint8_t add)
+{
+    const uint8_t *s = m->pix + t->at[k] + in * m->side;
+
+    for (int y = 0; y < rows && t->tile[k] != TILE_EMPTY; y++, d += c->fb->pitch, s += m->side)
+        row_cover(d + from, s + from, to - from, add);
+}
+
+/* Rows onto the surface, tile by tile. A tile at an edge goes on into the surface's band where there is one. */
+static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int side = m->side, skip = (int)r->x & (side - 1), in = (int)r->my & (side - 1);
+    const int left = c->b->cart.m.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
+    uint8_t *d = c->fb->pix + (c->b->cart.m.field_y + r->y) * c->fb->pitch + left;
+    const bool cut_left = left<c->fb->sx0, cut_right = left + t->n * side> c->fb->sx1;
+    const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
+
+    if (cut_left)
+        lay_cut(c, t, m, 0, d, in, r->n, skip, end < side ? end : side, add);
+    tiles_draw(d + first * side, c->fb->pitch, m->pix + in * side, t->at + first, t->tile + first, last - first, side,
+               r->n, add);
+    if (last < t->n)
+        lay_cut(c, t, m, last, d + last * side, in, r->n, 0, end - last * side, add);
+}
+
+/* The same, mixed or shown otherwise, row by row. */
+static void lay_mixed(struct draw_target *c, const struct brush *b, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int skip = (int)r->x & (m->side - 1), in = (int)r->my & (m->side - 1);
+    uint8_t row[ROW];
+
+    for (int k = 0; k < r->n; k++) {
+        put_tiles(m, t, in + k, row);
+        lay(c, b, row + skip, (int)r->from, r->y + k, (int)(r->to - r->from), false);
+    }
+}
+
+static void lay_rows(struct draw_target *c, const struct brush *b, const struct map *m, struct tiles *t,
+                     const struct shown_rows *r)
+{
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    const int col = (int)r->x >> shift, row = (int)r->my >> shift;
+    const int n = (((int)r->x & mask) + (int)(r->to - r->from) + mask) >> shift;
+
+    if (t->n != n || t->col != col || t->row != row)
+        find_tiles(m, col, row, n, t);
+    if (b->to || b->table)
+        lay_mixed(c, b, m, t, r);
+    else
+        lay_tiles(c, b->bank, m, t, r);
+}
+
 static void draw_layer(struct draw_target *c, uint32_t i)
 {
     const struct bg *g = &c->b->bg;
     const struct brush brush = brush_of(c->b, i);
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
-    uint8_t row[ROW];
+    struct tiles tiles = { .n = -1 };
     struct map m;
-    bool solid;
 
     cart_map(&c->b->cart, g->map[i] - 1, &m);
     const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
-    for (int y = 0; y < h; y++) {
-        const int line = (int)int64_clamp(y - dy, 0, h - 1);
-        int64_t at = -((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) - dx;
-        int64_t from = 0, to = w, my = y - top;
-        if (wraps) {
-            at = modulo(at, mw);
-            my = modulo(my, mh);
-        } else {
-            from = at < 0 ? -at : 0;
-            to = mw - at < w ? mw - at : w;
-            if (my < 0 || my >= mh || from >= to)
-                continue;
-        }
-        const uint8_t *s = map_row(&m, (int)(at + from), (int)my, (int)(to - from), row, &solid);
-        lay(c, &brush, s, (int)from, y, (int)(to - from), solid);
+    struct shown_rows r = { .aside = INT64_MIN, .to = w, .my = wraps ? modulo(-top, mh) : -top };
+    for (int64_t aside = aside_at(c, i, 0, dx, dy), next = aside; r.y < h; r.y += r.n, r.my += r.n, aside = next) {
+        const bool shown = wraps ? columns_wrap(&r, aside, mw, mh) : columns_once(&r, aside, mw, mh, w);
+        const int most = shown ? m.side - ((int)r.my & (m.side - 1)) : 1;
+        r.n = 0;
+        do
+            next = ++r.n + r.y < h ? aside_at(c, i, r.y + r.n, dx, dy) : aside;
+        while (r.n < most && r.y + r.n < h && next == aside);
+        if (shown)
+            lay_rows(c, &brush, &m, &tiles, &r);
     }
     c->drawn++;
 }

@@ -1,9 +1,10 @@
 /*
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
- * A counting sort lists every kind's bullets in slot order: as destinations (stamp.h) of a picture they all show, which
- * is then stamped in one batch; or by slot, where bullets are turned, animated or blended, or hang over the clip's
- * edge. Those that are turned or animated are drawn in batches of their own pictures. When the overdraw is high,
+ * A counting sort lists every kind's bullets in slot order as destinations (stamp.h), or by slot those that hang over
+ * the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
+ * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a kind
+ * takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is high,
  * bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to cover it,
  * then, of the others, those that can still be seen.
  */
@@ -13,7 +14,6 @@
 #include "../video.h"
 
 enum {
-    BATCH_MIN = 8,    /* fewer are not worth a stamp */
     BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
     TOP_OVERDRAW =
@@ -29,8 +29,10 @@ struct style {
     ang spin;
     int order;
     bool cloud;
-    bool alike;     /* all show one picture, opaque */
     unsigned blend; /* index + 1, 0: opaque */
+    enum blit_mix mix;
+    bool alike;  /* all show one picture, opaque or by a rule */
+    bool singly; /* drawn one by one: through a blend's table, and clouds, whose ages are stretched */
     uint32_t n;
     size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
@@ -45,14 +47,14 @@ struct cursor {
 struct lists {
     struct style style[MAX_KINDS];
     struct cursor cursor[MAX_KINDS];
-    uint8_t open[MAX_KINDS];    /* 1: the kind's bullets are to be listed */
-    uint8_t by_slot[MAX_KINDS]; /* 1: by slot */
-    bool some_by_slot;
+    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed */
+    uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
+    bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
     uint32_t count[SPLIT][MAX_KINDS];
     uint16_t order[MAX_KINDS]; /* kinds that have bullets, as they draw */
     uint32_t kinds;
     struct stamp stamp;
-    uint32_t *list;
+    uint32_t *list, *slots; /* slots: of those that are listed as destinations, with some_own */
     uint8_t *layer, *cells;
 };
 
@@ -62,7 +64,8 @@ struct view {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
-    bool clips;         /* what is listed by slot is clipped when it is drawn, so all of it may be listed */
+    bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
+                         * pictures of their own may be listed as destinations */
 };
 
 static size_t aligned(size_t n)
@@ -77,7 +80,7 @@ static size_t most_bullets(const struct board *b)
 
 size_t video_bullets_scratch(const struct board *b)
 {
-    return aligned(sizeof(struct lists)) + aligned(most_bullets(b) * sizeof(uint32_t)) +
+    return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(b) * sizeof(uint32_t)) +
            aligned(stamp_layer_size(b->cart.m.field_w, b->cart.m.field_h)) +
            stamp_cells_size(b->cart.m.field_w, b->cart.m.field_h) + 64;
 }
@@ -88,7 +91,8 @@ static struct lists *open_lists(const struct draw_target *c)
     struct lists *l = (struct lists *)at;
 
     l->list = (uint32_t *)(at + aligned(sizeof *l));
-    l->layer = (uint8_t *)l->list + aligned(most_bullets(c->b) * sizeof *l->list);
+    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(most_bullets(c->b) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + aligned(most_bullets(c->b) * sizeof *l->slots);
     l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
     return l;
 }
@@ -131,7 +135,9 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->order = k->order[kind];
     style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
     style->cloud = k->flags[kind] & KIND_CLOUD;
-    style->alike = !style->turns && pic->frames == 1 && !style->blend;
+    style->mix = style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
+    style->alike = !style->turns && pic->frames == 1 && style->mix != BLIT_TABLE;
+    style->singly = style->mix == BLIT_TABLE || (style->cloud && (pic->frames > 1 || style->spin));
 }
 
 /* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
@@ -209,16 +215,18 @@ static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const 
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
 
     memset(l->open, 0, sizeof l->open);
-    l->some_by_slot = false;
+    l->some_by_slot = l->some_own = false;
     for (uint32_t o = from; o < to; o++) {
         const struct style *style = &l->style[l->order[o]];
         struct stamp_corners c = stamp_corners(fb, style->pic->w, style->pic->h);
         int dx = x - style->pic->ox - c.x0, dy = y - style->pic->oy - c.y0;
         l->open[l->order[o]] = 1;
-        l->by_slot[l->order[o]] = !style->alike;
-        l->some_by_slot |= !style->alike;
+        const bool by_slot = !style->alike && (!clips || !c.wide || !c.high);
+        l->by_slot[l->order[o]] = by_slot;
+        l->some_by_slot |= by_slot;
+        l->some_own |= !style->alike;
         l->cursor[l->order[o]] = (struct cursor){ style->list, (uint32_t)dy * (uint32_t)fb->pitch + (uint32_t)dx };
-        if (!style->alike)
+        if (by_slot)
             continue;
         x0 = -dx > x0 ? -dx : x0;
         y0 = -dy > y0 ? -dy : y0;
@@ -270,9 +278,10 @@ static void list_other(struct lists *l, const struct bullets *s, const struct vi
     int x, y;
 
     corner(t, l, s, i, &x, &y);
-    if (style->alike && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
+    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high) {
+        l->slots[cursor->next] = i;
         l->list[cursor->next++] = stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
-    else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
+    } else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
         l->list[cursor->next++] = STAMP_OTHER | i;
 }
 
@@ -284,11 +293,12 @@ static void list_some(struct lists *l, const struct bullets *s, const struct vie
         struct cursor *cursor = &l->cursor[s->kind[i]];
         if (t->clips && l->by_slot[s->kind[i]])
             l->list[cursor->next++] = STAMP_OTHER | i;
-        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i])) {
+            l->slots[cursor->next] = i;
             l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
                                       (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
                                       (uint32_t)fx_floor(s->x[i]) + cursor->from;
-        else
+        } else
             list_other(l, s, t, i);
     }
 }
@@ -298,15 +308,16 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct vi
 {
     const uint32_t first = block * SLOTS_BLOCK;
     const uint16_t *kinds = s->kind + first;
-    uint32_t *list = l->list, at[SLOTS_BLOCK];
+    uint32_t *list = l->list, *slots = l->slots, at[SLOTS_BLOCK];
 
-    if ((l->some_by_slot && !t->clips) || ~s->s.used[block] ||
-        !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
+    if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
         return false;
-    if (l->some_by_slot) {
+    if (l->some_own) {
         for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
             struct cursor *cursor = &l->cursor[kinds[k]];
-            list[cursor->next++] = l->by_slot[kinds[k]] ? STAMP_OTHER | (first + k) : at[k] + cursor->from;
+            const uint32_t next = cursor->next++;
+            list[next] = at[k] + cursor->from;
+            slots[next] = first + k;
         }
         return true;
     }
@@ -341,17 +352,6 @@ static void list_open(struct lists *l, const struct bullets *s, const struct vie
         list_some(l, s, t, block, open_ones(l, s, block));
 }
 
-static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
-{
-    struct image image = video_image(style->pic, 0, false, 0);
-    const uint32_t *list = l->list + style->list;
-    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
-
-    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
-        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
-    return stamp_make(&l->stamp, &image, banks);
-}
-
 /* ---- back to front ---- */
 
 static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
@@ -364,82 +364,141 @@ static void draw_other(struct draw_target *c, const struct bullets *s, const str
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
-static void draw_dest(struct draw_target *c, const struct style *style, uint32_t dest)
-{
-    struct image image = video_image(style->pic, 0, false, 0);
-    int at = (int)(dest & (STAMP_OTHER - 1)), pitch = c->fb->pitch;
-    struct stamp_corners corners = stamp_corners(c->fb, image.w, image.h);
+/* How the pictures of a kind that is turned or animated are picked: by multiplication. age * every >> AGE_BITS is the
+ * quotient, for the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are below YOUNG. */
+struct picker {
+    const uint8_t *pix;
+    uint32_t size;                         /* bytes of one */
+    uint32_t rotations, all, frames, slow; /* all: turned copies there are of each frame; slow: frames a picture */
+    uint64_t every, round;                 /* reciprocals of frames a picture, and of pictures a round */
+    ang along, spin;                       /* along: all bits, or none */
+    bool ages;                             /* the age matters */
+};
 
-    blit_sprite(c->fb, &image, at % pitch + corners.x0, at / pitch + corners.y0, (uint8_t)(dest >> 28), 0);
+enum { AGE_BITS = 40, YOUNG = 1 << 23 };
+
+static uint64_t reciprocal(uint32_t n)
+{
+    return ((uint64_t)1 << AGE_BITS) / n + 1;
 }
 
-static enum blit_mix mix_of(const struct draw_target *c, const struct style *style)
-{
-    return style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
-}
-
-/* The pixels of bullet i's picture. */
-static const uint8_t *pixels_of(const struct draw_target *c, const struct style *style, const struct lists *l,
-                                const struct bullets *s, uint32_t i)
+static struct picker picker_of(const struct style *style)
 {
     const struct sprite *pic = style->pic;
-    uint32_t turn;
 
-    if (pic->frames > 1 || style->spin || !style->turns)
-        return image_of(c, l, s, i).pix;
-    turn = (uint32_t)(((uint64_t)s->dir[i] * pic->rotations + (1u << 31)) >> 32);
-    return pic->pix + (size_t)(turn < pic->rotations ? turn : 0) * pic->pitch * pic->h;
+    return (struct picker){ .pix = pic->pix,
+                            .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
+                            .rotations = style->turns ? pic->rotations : 0,
+                            .all = pic->rotations,
+                            .frames = pic->frames,
+                            .slow = pic->every ? pic->every : 1,
+                            .every = reciprocal(pic->every ? pic->every : 1),
+                            .round = reciprocal(pic->frames),
+                            .along = style->along ? UINT32_MAX : 0,
+                            .spin = style->spin,
+                            .ages = pic->frames > 1 || style->spin };
 }
 
-/* Bullets listed by slot that are opaque, or mixed by a rule: all that need no clipping in batches. */
-static void draw_batches(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
-                         const struct style *style, const uint32_t *list, uint32_t n)
+/* dir, in turned copies. */
+static inline uint32_t turn_of(ang dir, uint32_t rotations)
 {
-    const struct sprite *pic = style->pic;
-    const struct stamp_corners safe = stamp_corners(c->fb, pic->w, pic->h);
-    const enum blit_mix mix = mix_of(c, style);
+    const uint32_t turn = (uint32_t)(((uint64_t)dir * rotations + (1u << 31)) >> 32);
+
+    return turn < rotations ? turn : 0;
+}
+
+/* The pixels of bullet i's picture, where its age matters. */
+static inline const uint8_t *picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
+{
+    const uint32_t age = bullets_age(s, i, clock);
+    const uint32_t at = age < YOUNG ? (uint32_t)(age * p->every >> AGE_BITS) : age / p->slow;
+    const uint32_t frame = at < YOUNG ? at - (uint32_t)(at * p->round >> AGE_BITS) * p->frames : at % p->frames;
+
+    return p->pix + (size_t)(frame * p->all + turn_of((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
+}
+
+/* Bullets of one kind that are opaque, or mixed by a rule: all that need no clipping in batches. */
+struct batch {
     struct blit_item items[BATCH];
-    size_t held = 0;
+    size_t n;
+};
+
+static void draw_batch(struct draw_target *c, const struct style *style, struct batch *batch)
+{
+    const struct sprite *pic = style->pic;
+
+    blit_batch(batch->items, batch->n, c->fb->pitch, pic->w, pic->h, pic->pitch, style->mix);
+    batch->n = 0;
+}
+
+/* Puts bullets into the batch up to the first that is listed by slot, at most so many as there is room for; returns how
+ * many. */
+static size_t take_batch(const struct draw_target *c, const struct bullets *s, const struct picker *p,
+                         const uint32_t *list, const uint32_t *slots, size_t n, struct batch *batch)
+{
+    const struct fb *fb = c->fb;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
+    const uint32_t clock = c->b->core.clock;
+    size_t k = 0;
+
+    for (n = n < BATCH ? n : BATCH; k < n && !(list[k] & STAMP_OTHER); k++) {
+        const uint32_t i = slots[k];
+        const uint8_t *pix =
+            p->ages ? picked(p, s, i, clock) : p->pix + (size_t)turn_of(s->dir[i], p->rotations) * p->size;
+        batch->items[k] = (struct blit_item){ pix, first + (list[k] & (STAMP_OTHER - 1)), list[k] >> 28 };
+    }
+    return batch->n = k;
+}
+
+static void draw_batches(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                         const struct style *style, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const struct picker p = picker_of(style);
+    struct batch batch;
+
+    for (size_t k = 0; k < n;) {
+        k += take_batch(c, s, &p, list + k, slots + k, n - k, &batch);
+        draw_batch(c, style, &batch);
+        if (k < n && list[k] & STAMP_OTHER)
+            draw_other(c, s, l, t, list[k++] & (STAMP_OTHER - 1));
+    }
+}
+
+static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                        const struct style *style, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+
+    for (uint32_t k = 0; k < n; k++)
+        draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
+}
+
+static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                       const struct style *style, uint32_t n)
+{
+    const struct image image = video_image(style->pic, 0, false, 0);
+    const uint32_t *list = l->list + style->list;
 
     for (uint32_t k = 0; k < n; k++) {
-        const uint32_t i = list[k] & (STAMP_OTHER - 1);
-        const int x = fx_floor(s->x[i]) + t->x - pic->ox, y = fx_floor(s->y[i]) + t->y - pic->oy;
-        const bool whole = (uint32_t)(x - safe.x0) < safe.wide && (uint32_t)(y - safe.y0) < safe.high;
-        if (whole)
-            items[held++] = (struct blit_item){ pixels_of(c, style, l, s, i),
-                                                c->fb->pix + (ptrdiff_t)y * c->fb->pitch + x, s->bank[i] };
-        if (held == BATCH || !whole) {
-            blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
-            held = 0;
-        }
-        if (!whole)
-            draw_other(c, s, l, t, i);
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list + k, n - k);
+        if (k < n)
+            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
-    blit_batch(items, held, c->fb->pitch, pic->w, pic->h, pic->pitch, mix);
 }
 
-static void draw_kind(struct draw_target *c, const struct bullets *s, struct lists *l, const struct view *t,
+static void draw_kind(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
                       uint16_t kind)
 {
     const struct style *style = &l->style[kind];
-    const uint32_t *list = l->list + style->list;
-    uint32_t n = listed(l, kind);
-    bool stamped = style->alike && n >= BATCH_MIN && make_stamp(l, style, n);
+    const uint32_t n = listed(l, kind);
 
-    if (!style->alike && mix_of(c, style) != BLIT_TABLE) {
-        draw_batches(c, s, l, t, style, list, n);
-        return;
-    }
-    for (uint32_t k = 0; k < n; k++) {
-        if (stamped)
-            k += (uint32_t)stamp_over(c->fb, &l->stamp, list + k, n - k);
-        if (k == n)
-            break;
-        if (list[k] & STAMP_OTHER)
-            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
-        else
-            draw_dest(c, style, list[k]);
-    }
+    if (style->alike)
+        draw_alike(c, s, l, t, style, n);
+    else if (style->singly)
+        draw_singly(c, s, l, t, style, n);
+    else
+        draw_batches(c, s, l, t, style, n);
 }
 
 static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
@@ -452,6 +511,17 @@ static void draw_over(struct draw_target *c, const struct bullets *s, struct lis
 }
 
 /* ---- front to back ---- */
+
+static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
+{
+    struct image image = video_image(style->pic, 0, false, 0);
+    const uint32_t *list = l->list + style->list;
+    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
+
+    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
+        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
+    return stamp_make(&l->stamp, &image, banks);
+}
 
 /* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
  * as destinations. */

@@ -691,8 +691,11 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_LEAVE:
         apply_end(b, L, e);
         break;
-    case EV_GAME_OVER:
     case EV_EXTEND:
+        sound_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
+        tell(L, e);
+        break;
+    case EV_GAME_OVER:
     case EV_CONTINUE:
         tell(L, e);
         break;

@@ -1,0 +1,56 @@
+/*
+ * tiles.c - see tiles.h. Sixteen pixels at a time, as in paint.h; side is a constant in every call.
+ */
+#include "tiles.h"
+#include "paint.h"
+
+static inline void copy_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
+{
+#pragma GCC unroll 1
+    for (int k = 0; k < 16; k++)
+        d[k] = (uint8_t)(s[k] + add);
+}
+
+__attribute__((always_inline)) static inline void draw_solid(uint8_t *d, ptrdiff_t pitch, const uint8_t *s, int side,
+                                                             int rows, uint8_t add)
+{
+    for (int y = 0; y < rows; y++, d += pitch, s += side) {
+        if (side == 8)
+            words_store(d, words_add(words_load(s), WORDS_EACH(add)));
+        for (int k = 0; k + 16 <= side; k += 16)
+            copy_pair(d + k, s + k, add);
+    }
+}
+
+__attribute__((always_inline)) static inline void draw_holes(uint8_t *d, ptrdiff_t pitch, const uint8_t *s, int side,
+                                                             int rows, uint8_t add)
+{
+    if (side == 8)
+        paint_narrow(d, pitch, s, add, rows, BLIT_OPAQUE);
+    else
+        for (int y = 0; y < rows; y++, d += pitch, s += side)
+            for (int k = 0; k < side; k += 16)
+                cover_pair(d + k, s + k, add);
+}
+
+__attribute__((always_inline)) static inline void draw_row(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix,
+                                                           const uint32_t *at, const uint8_t *tile, int n, int side,
+                                                           int rows, uint8_t add)
+{
+    for (int k = 0; k < n; k++, d += side)
+        if (tile[k] == TILE_SOLID)
+            draw_solid(d, pitch, pix + at[k], side, rows, add);
+        else if (tile[k] == TILE_HOLES)
+            draw_holes(d, pitch, pix + at[k], side, rows, add);
+}
+
+void tiles_draw(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix, const uint32_t *at, const uint8_t *tile, int n,
+                int side, int rows, uint8_t add)
+{
+    if (side == 8)
+        draw_row(d, pitch, pix, at, tile, n, 8, rows, add);
+    else if (side == 16)
+        draw_row(d, pitch, pix, at, tile, n, 16, rows, add);
+    else
+        draw_row(d, pitch, pix, at, tile, n, 32, rows, add);
+}
