@@ -612,9 +612,9 @@ night: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; 
 1 problem
 END
 mkdir faint/demos
-"$curtain" hash faint --frames 700 --stage night --record faint/demos/night.demo >/dev/null 2>&1
+"$curtain" hash faint --frames 700 --stage night --record faint/demos/n.demo >/dev/null 2>&1
 finds 'told once, for the demo' faint <<'END'
-demos/night.demo: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; the first at 6, 7 in frame 120
+demos/n.demo: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; the first at 6, 7 in frame 120
 1 problem
 END
 

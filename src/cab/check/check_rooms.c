@@ -1,6 +1,6 @@
 /*
- * check_rooms.c - capacities that rom.lua asks for and no script can use: none spells a word that leads there. They take
- * RAM, and with it the time of each snapshot; so the finding says how much.
+ * check_rooms.c - capacities that rom.lua asks for and no script can use: none spells a word that leads there. They
+ * take RAM, and with it the time of each snapshot; so the finding says how much.
  */
 #include "check_parts.h"
 
@@ -11,8 +11,8 @@
 
 #define BOARD(name) offsetof(struct manifest, name)
 
-/* Sprites, tasks and nvram are not here: the library's screens use them too. Nor is what rom.lua asks for by pictures and
- * sounds. */
+/* Sprites, tasks and nvram are not here: the library's screens use them too. Nor is what rom.lua asks for by pictures
+ * and sounds. */
 static const struct room {
     const char *path[3]; /* in rom.lua */
     size_t at;           /* of the manifest's int32_t */
