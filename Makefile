@@ -334,7 +334,7 @@ bench: deps-play
 
 # What a game costs beside another commit's engine: BASE=COMMIT, or a folder; GAME=, START= as in compare.sh.
 compare: deps-null
-	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" \
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
 		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
 
 # ---- the proofs: every function of base is the correctly rounded one ----

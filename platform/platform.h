@@ -59,7 +59,7 @@ struct plat_want {
     bool fullscreen;
     bool text;         /* plat_input.text is wanted; else input methods stay out of the way */
     const char *title; /* NULL: none */
-    int rate;          /* sound frames a second; 0: no sound */
+    int rate;          /* sound frames a second; 0: no sound: no speaker is touched */
 };
 
 /* "Held" means down now, or pressed since the last poll, so that no tap is lost however slow the poll. */
@@ -114,8 +114,9 @@ void plat_loop(bool (*frame)(void));
  * alarm at a time. fn may come just after a cancel that was too late. False: the host has no alarms. */
 bool plat_alarm(int ms, void (*fn)(void));
 
-/* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before; -1: no
- * speaker. */
+/* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before, those
+ * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now. With
+ * 0 frames it only says so. */
 int plat_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder

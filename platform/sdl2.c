@@ -15,6 +15,7 @@
 enum {
     QUEUE_FRAMES = 9600, /* sound that waits longer than this (0.2 s) is too much: new sound is dropped */
     FRAME_BYTES = 4,
+    PERIOD = 256,   /* frames the card takes at once */
     PUSHED = 16384, /* a stick or trigger over half of its way */
 };
 
@@ -27,6 +28,7 @@ static struct {
     int texture_w, texture_h;
     SDL_Rect on; /* where the picture is, in window pixels */
     SDL_AudioDeviceID speaker;
+    int taken; /* frames that the card has taken and not played, about: two periods */
 } port;
 
 /* Switches: `down` follows press and release, `seen` gathers presses until a poll hands them out. */
@@ -112,16 +114,92 @@ static void change_window(const struct plat_want *want)
     SDL_SetWindowSize(port.window, want->w * port.scale, want->h * port.scale);
 }
 
-static void open_speaker(int rate)
+/* ---- speaker ---- */
+
+#ifdef __linux__
+/* ALSA tells the terminal what the log says already. */
+static void ignore_alsa(const char *file, int line, const char *function, int err, const char *format, ...)
 {
-    SDL_AudioSpec spec = { .freq = rate, .format = AUDIO_S16SYS, .channels = 2, .samples = 512 };
-    if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0)
-        port.speaker = SDL_OpenAudioDevice(0, 0, &spec, 0, 0);
-    if (port.speaker)
-        SDL_PauseAudioDevice(port.speaker, 0);
-    else
-        failed("no sound");
+    (void)file;
+    (void)line;
+    (void)function;
+    (void)err;
+    (void)format;
 }
+
+static void quiet_alsa(void)
+{
+    typedef int set_handler(void (*)(const char *, int, const char *, int, const char *, ...));
+    void *library = SDL_LoadObject("libasound.so.2"), *symbol;
+    set_handler *set;
+
+    symbol = library ? SDL_LoadFunction(library, "snd_lib_error_set_handler") : NULL;
+    memcpy(&set, &symbol, sizeof set);
+    if (symbol)
+        set(ignore_alsa);
+}
+#else
+static void quiet_alsa(void)
+{
+}
+#endif
+
+static void open_speaker(bool complain)
+{
+    const SDL_AudioSpec want = { .freq = port.want.rate, .format = AUDIO_S16SYS, .channels = 2, .samples = PERIOD };
+    SDL_AudioSpec have;
+
+    if (!SDL_WasInit(SDL_INIT_AUDIO))
+        quiet_alsa();
+    if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0)
+        port.speaker = SDL_OpenAudioDevice(0, 0, &want, &have, 0);
+    if (port.speaker) {
+        port.taken = 2 * have.samples;
+        SDL_PauseAudioDevice(port.speaker, 0);
+    } else if (complain) {
+        failed("no sound");
+    }
+}
+
+static void close_speaker(void)
+{
+    if (port.speaker)
+        SDL_CloseAudioDevice(port.speaker);
+    port.speaker = 0;
+}
+
+/* A device came; there may be one now. */
+static void speaker_comes(void)
+{
+    if (port.speaker || port.want.rate <= 0)
+        return;
+    open_speaker(false);
+    if (port.speaker)
+        plat_log("curtain: sound again");
+}
+
+/* The one that played is gone; there may be another. */
+static void speaker_goes(SDL_AudioDeviceID device)
+{
+    if (!port.speaker || device != port.speaker)
+        return;
+    plat_log("curtain: the speaker is gone");
+    close_speaker();
+    speaker_comes();
+}
+
+static void change_speaker(int rate)
+{
+    const bool another = rate != port.want.rate;
+
+    port.want.rate = rate;
+    if (another)
+        close_speaker();
+    if (another && rate > 0)
+        open_speaker(true);
+}
+
+/* ---- opening, closing ---- */
 
 /* Where there is no display SDL may find a driver that shows nothing; SDL_VIDEODRIVER set to it asks for that. */
 static bool nobody_sees(void)
@@ -154,8 +232,7 @@ bool plat_open(const struct plat_want *want)
         heed_hangup();
     if (!open && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         failed("no controllers");
-    if (want->rate > 0 && !open)
-        open_speaker(want->rate);
+    change_speaker(want->rate);
     if (want->text)
         SDL_StartTextInput();
     else
@@ -167,8 +244,7 @@ bool plat_open(const struct plat_want *want)
 
 void plat_close(void)
 {
-    if (port.speaker)
-        SDL_CloseAudioDevice(port.speaker);
+    close_speaker();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (in.controller[i])
             SDL_GameControllerClose(in.controller[i]);
@@ -324,6 +400,14 @@ static void event(const SDL_Event *e)
         if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
             release_all();
         break;
+    case SDL_AUDIODEVICEADDED:
+        if (!e->adevice.iscapture)
+            speaker_comes();
+        break;
+    case SDL_AUDIODEVICEREMOVED:
+        if (!e->adevice.iscapture)
+            speaker_goes(e->adevice.which);
+        break;
     case SDL_CONTROLLERDEVICEADDED:
         controller_comes(e->cdevice.which);
         break;
@@ -444,7 +528,7 @@ int plat_sound(const int16_t *lr, int frames)
     if (!port.speaker)
         return -1;
     int waiting = (int)(SDL_GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
-    if (waiting <= QUEUE_FRAMES)
+    if (waiting <= QUEUE_FRAMES && frames > 0)
         SDL_QueueAudio(port.speaker, lr, (Uint32)frames * FRAME_BYTES);
-    return waiting;
+    return waiting ? waiting + port.taken : 0;
 }

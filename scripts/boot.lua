@@ -14,14 +14,14 @@ on.game_over(function() over = true end)
 -- Shows a screen, the game's own or else the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
--- Calls f, a screen, while the game stands. A frozen board gives turns to the tasks of one scope alone; the screen gets
--- a scope of its own, so that none of the game's tasks run.
+-- Calls f, a screen, while the game stands, and puts back all text that stood there. A frozen board gives turns to the
+-- tasks of one scope alone; the screen gets a scope of its own, so that none of the game's tasks run.
 local function stand(f)
-  local screen = sys.scope()
+  local screen, written = sys.scope(), sys.keep_text()
   local menu_task = task.own(screen, function()
     f()
     sys.freeze() -- without a scope: all go on
-    hud.refresh()
+    sys.text_back(written)
     task.stop(screen)
   end)
   if not task.alive(menu_task) then return task.stop(screen) end -- no room for it, and nobody would unfreeze the board
@@ -120,6 +120,8 @@ local function play(a, run)
   run.clear = not stopped()
   sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
   local new = left and {} or records().over(run)
+  local jingle = screens[run.clear and "clear" or "over"]
+  if jingle and not left then jingle() end
   last_words(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
   for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
   leave(game, #ships)

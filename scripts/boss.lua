@@ -14,7 +14,7 @@ local names = {}  -- in the order they were declared
 -- What goes on: task, the one that fights, which may be stopped at any time, and name, its boss; status, of the fight,
 -- nil before and between: boss; team, its enemies; left, phases to come; phase, the one that runs, or nil; began, when;
 -- missed, its bonus is lost; hit, it ended a last phase; worth(), its bonus; rows, which draws it; verdict, what the
--- phase that ended was worth, until it is shown.
+-- phase that ended was worth, until it is shown. tune, song: the boss's music and the phase's, over what was before.
 local now = {}
 
 -- A death or a bomb: no bonus and no capture for what is left of the phase.
@@ -41,6 +41,7 @@ function boss.fight(name, args)
   local b = find("boss.fight", a.name)
   if stage.skipping() then
     sys.pass() -- counts as a wait passed over, as in stage.lua
+    sys.music_fight(b.music, b.warning)
     return true
   end
   return sys.read("boss/fight")(now, b, b.phases, a)

@@ -38,6 +38,7 @@ local PANEL = room >= 10
 local left = PANEL and hud.cols - room + 1 or field_col + 1
 local width = room > 10 and room - 2 or room == 10 and 9 or field_cols - 2
 local TOP = PANEL and 1 or rom.field.y // 8 + 1
+local WIDE = width >= 23 -- lives, the best score and lives stand in one row
 
 -- For the rows of a boss: where rows stand, whether that is a panel, and the columns of the field.
 hud.place = { left = left, width = width, panel = PANEL, col = field_col, cols = field_cols }
@@ -51,7 +52,7 @@ local seen = {}   -- each player's last score: that of one who is out cannot be 
 local shown = {}  -- the text of each row on the screen; a row is written only when it changes
 local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
-local registers = { {}, {} } -- that each player's ship shows: name, show, max
+local registers = { {}, {} } -- that each player's ship shows: name, label, show, max
 local values = {} -- what the rows tell of
 local fresh       -- one of them is another than in the frame before
 local again       -- all is to be written
@@ -72,16 +73,21 @@ end
 
 local function icons(icon, n) return n > FEW and icon .. "x" .. n or icon:rep(n) end
 
--- One row with a left, a middle and a right part; in a narrow panel, a row for each.
+local function fill(s, cells) return s .. (" "):rep(cells - sys.cells(s)) end
+
+-- One row with a left, a middle and a right part; where that is too long, a row for each.
 local function add(rows, first, middle, last)
-  if #first + #middle + #last + 2 > width then
-    for _, s in ipairs { first, middle, last } do
-      for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do rows[#rows + 1] = line end
-    end
+  local n = sys.cells(first) + sys.cells(middle) + sys.cells(last)
+  if n + 2 <= width then
+    local line = fill(first, (width - sys.cells(middle)) // 2) .. middle
+    rows[#rows + 1] = fill(line, width - sys.cells(last)) .. last
     return
   end
-  local line = first .. (" "):rep(math.max((width - #middle) // 2 - #first, 1)) .. middle
-  rows[#rows + 1] = line .. (" "):rep(width - #line - #last) .. last
+  for _, s in ipairs { first, middle, last } do
+    for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do
+      rows[#rows + 1] = WIDE and s == last and fill("", width - sys.cells(line)) .. line or line
+    end
+  end
 end
 
 -- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
@@ -98,19 +104,41 @@ function hud.bar(value, full, cells)
   return s .. string.char(128):rep(cells - #s)
 end
 
--- The k-th register that player i shows, as its ship says.
+-- The k-th register that player i shows, as its ship says. A bar leaves room for the other player's.
 local function register(i, k)
   local r = registers[i][k]
   local n = r and sys.value(i, r.name, r.run)
   if not n then return "" end
-  local name = r.name:upper() .. " "
-  if r.show == "icons" then return name .. icons(GRAZE, n) end
-  if r.show == "bar" then return name .. hud.bar(n, r.max, math.max(1, math.min(8, width - #name))) end
-  return name .. n
+  if r.show == "icons" then return r.label .. icons(GRAZE, n) end
+  local cells = (WIDE and players > 1 and (width - 2) // 2 or width) - sys.cells(r.label)
+  if r.show == "bar" then return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, cells))) end
+  return r.label .. n
+end
+
+-- The registers of player i; those of the run are of both, so they have a row by themselves.
+local function stack_registers(rows, i, of_run)
+  for k, r in ipairs(registers[i]) do
+    local s = not r.run == not of_run and register(i, k)
+    if s == "" then rows[#rows + 1] = "" elseif s then add(rows, s, "", "") end
+  end
+end
+
+-- Of two players in a narrow panel each has rows of its own; they stay where they are when one is out.
+local function stacked_rows(rows, best)
+  add(rows, "HI " .. best, "", "")
+  for i = 1, 2 do
+    rows[#rows + 1] = ""
+    add(rows, i .. "P", "", icons(LIFE, player.get(i).lives or 0))
+    rows[#rows + 1] = points(hud.score(i))
+    stack_registers(rows, i, false)
+  end
+  rows[#rows + 1] = ""
+  stack_registers(rows, 1, true)
 end
 
 local function play_rows(rows)
   local best = points(hud.best())
+  if players > 1 and not WIDE then return stacked_rows(rows, best) end
   if players > 1 then
     add(rows, points(hud.score(1)), "", points(hud.score(2)))
     add(rows, icons(LIFE, player.get(1).lives or 0), best, icons(LIFE, player.get(2).lives or 0))
@@ -140,7 +168,7 @@ local function draw()
     play_rows(rows)
     for i = 1, math.max(#rows, #shown) do
       local s = rows[i] or ""
-      s = s .. (" "):rep(width - #s)
+      s = fill(s, width)
       if s ~= (shown[i] or (" "):rep(width)) then hud.put(left, TOP + i - 1, s) end
       shown[i] = s
     end
@@ -175,6 +203,7 @@ function hud.start(owner, n)
   for i = 1, 2 do
     local list, kind = {}, i <= n and player.get(i).kind
     for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
+      r.label = text.lang((r.name:gsub("_", " "):upper())) .. " "
       if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
     registers[i] = list

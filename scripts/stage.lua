@@ -32,6 +32,10 @@ function stage.def(name, f, args)
     sys.stage_needs = rawget(sys, "stage_needs") or {}
     sys.stage_needs[a.name] = a.needs
   end
+  if a.music then
+    sys.stage_music = rawget(sys, "stage_music") or {}
+    sys.stage_music[a.name] = a.music
+  end
   names[#names + 1] = a.name
 end
 
@@ -46,6 +50,7 @@ function stage.at(n)
   if time > frame then sys.fail("stage.at", ("frame %d is past: the stage's clock is at %d"):format(frame, time)) end
   if s.skip then
     s.base = s.base - (frame - time)
+    sys.music_clock(frame - time)
     -- sys.pass() counts one wait passed over; too many in one turn are a fault, so a stage that skips for ever ends.
     return sys.pass()
   end
@@ -133,6 +138,8 @@ function stage.start_clock(s)
 end
 
 local function begin(name, owner, skip)
+  local songs = rawget(sys, "stage_music")
+  if songs and songs[name] then music.play(songs[name]) end
   now = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = skip, marks = {}, met = {}, waves = {} }
   return now
 end

@@ -46,7 +46,7 @@ local function passed() return stage.skipping() or sys.skipping() end
 
 local function begin(a)
   if not sys.task() then sys.fail("talk.run", "only a task can talk; start one with task.go") end
-  if now and task.alive(now.task) then sys.fail("talk.run", "a talk is running, and it can have one box") end
+  if now and task.alive(now.task) then sys.fail("talk.run", "a talk is running: say and choose speak in it (a phase { talk = f } is one)") end
   local t = sys.read("talk/box")(talk.look, a.skip)
   t.task = sys.task()
   sys.hold_players(HOLDS[a.hold])
@@ -79,7 +79,7 @@ function talk.run(f, args)
   run(a.f, a)
 end
 
-sys.talk = talk.run -- for boss.lua, which must not name the module
+sys.talk = talk.run -- for boss/talk.lua, which must not name the module
 
 -- f(box) in the talk that runs, or in one of its own.
 local function within(f)
@@ -131,7 +131,5 @@ function sys.choose(list, args)
   local shown, answer = within(function(t) return t.choose(items, a) end)
   return shown and answer or a.chosen
 end
-
-sys.talk = talk.run -- for boss/talk.lua
 
 return talk

@@ -68,24 +68,34 @@ local function tidy(team, phase, won)
   end
 end
 
--- True if the phase was beaten. after: the one that comes next, or nil; all: those before were beaten.
-local function play(now, b, team, phase, after, all)
+-- True if the phase was beaten. after: the one that comes next, or nil; all: those before were beaten; alone: it is
+-- practised.
+local function play(now, b, team, phase, after, all, alone)
   local status = now.status
   sys.mark("phase", phase.id, b.name, phase.spell)
   status.phase, status.began, status.missed, status.hit = phase, sys.clock(), false, false
   local before = phase.bg and (now.before or backdrop(b, phase)) -- that of the phase before may stand still
+  if phase.music and not now.song then now.song = sys.music_on(phase.music, not alone and 0 or nil) and phase.music end
   local armour = phase.armour > 0 and sys.read("boss/armour")(team, phase)
   local scene, down = begin(b, team, phase)
   if phase.cut_in then sys.read("boss/cut_in")(b, phase, scene) end
-  if phase.spell then sys.history(b.name, phase.id, 1) end
+  if phase.spell then
+    sys.cue("spell")
+    sys.history(b.name, phase.id, 1)
+  end
   wait_until(function() return not lead(team) or status.hit or down() end, phase.time)
   local won = lead(team) ~= nil and not status.hit and (phase.survive or down())
   local captured = won and not status.missed
   task.stop(scene)
   if armour then task.stop(armour) end
-  local stands = after and after.bg == phase.bg and (not after.last or all and won)
+  local comes = after and (not after.last or all and won) and after
+  local stands = comes and comes.bg == phase.bg
   if before and not stands then sys.backdrop(before) end
   now.before = stands and before or nil
+  if now.song and not (comes and comes.music == phase.music) then
+    sys.music_back(now.song)
+    now.song = nil
+  end
   tidy(team, phase, won)
   if phase.bonus > 0 then
     local n = captured and status.worth()
@@ -131,7 +141,7 @@ local function run(now, b, phases, team, alone)
     if lead(team) and (all or not phase.last) then
       if not alone then talk(phase.talk, team) end
       now.status.left = #phases - i
-      won = play(now, b, team, phase, phases[i + 1], all)
+      won = play(now, b, team, phase, phases[i + 1], all, alone)
       all = all and won
       local after = phases[i + 1]
       local on = after and (all or not after.last) or not after and b.talk and not alone
@@ -152,8 +162,11 @@ return function(now, b, phases, args)
   local field <close> = at_end(function() -- when the fight is cut short too
     for _, e in ipairs(team) do e:remove() end
     if s then stage.start_clock(s) end
-    now.task, now.status, now.before = nil, nil, nil
+    if now.tune then sys.music_back(now.tune) end
+    if now.song then sys.music_back(now.song) end
+    now.task, now.status, now.before, now.tune, now.song = nil, nil, nil, nil, nil
   end)
+  if b.music then now.tune = sys.music_on(b.music, args and b.warning) and b.music end
   if b.warning > 0 and args then sys.read("boss/warning")(b) end
   sys.mark("boss", b.name, "", b.title)
   for i, m in ipairs(b.cast) do team[i] = spawn(m) end

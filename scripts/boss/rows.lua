@@ -4,7 +4,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 local LEFT <const>, WIDTH <const> = hud.place.left, hud.place.width
 local CLOCK <const> = 4                -- columns of two large digits
-local NARROW <const> = WIDTH < 20      -- the title stands below the clock, not beside it
+local NARROW <const> = WIDTH < 20      -- the title stands below the clock, not beside it, and several bars below that
 local SHORT <const> = WIDTH - CLOCK - 1
 local PIP <const> = hud.glyph(138, "*")
 local FEW <const> = 6                  -- so many pips stand side by side
@@ -53,14 +53,14 @@ local function wipe()
   forget()
 end
 
--- A bar each for those who have one; of several each has its name before it, in a narrow panel above. Returns the row
--- below them.
+-- A bar each for those who have one: of all together in the top row; of several each in a row, its name before it, in a
+-- narrow panel above. Returns the row below them.
 local function list_bars(b, row)
   local hp, label = phase and not phase.survive and phase.hp, 0
   bars = {}
   if type(hp) ~= "table" then
-    if hp then bars[1] = { e = b.team[1], full = hp, row = row, col = LEFT, cols = SHORT } end
-    return row + (NARROW and 2 or 1)
+    if hp then bars[1] = { e = b.team[1], full = hp, row = top, col = LEFT, cols = SHORT } end
+    return NARROW and row or row + 1
   end
   for i, m in ipairs(b.boss.cast) do
     local name = cut(text.lang(m.title), NARROW and WIDTH or SHORT // 3)
@@ -68,17 +68,18 @@ local function list_bars(b, row)
     label = NARROW and 0 or math.max(label, sys.cells(name) + 1)
   end
   for i, bar in ipairs(bars) do
-    hud.put(LEFT, row + (NARROW and 2 * i or i - 1), bar.name)
-    bar.row, bar.col, bar.cols = row + (NARROW and 2 * i + 1 or i - 1), LEFT + label, NARROW and WIDTH or SHORT - label
+    hud.put(LEFT, row, bar.name)
+    bar.row, bar.col, bar.cols = NARROW and row + 1 or row, LEFT + label, NARROW and WIDTH or SHORT - label
+    row = bar.row + 1
   end
-  return row + (NARROW and 2 + 2 * #bars or #bars)
+  return row
 end
 
 -- Writes what stays as it is in a phase, and finds the places of all else.
 local function lay_out(b, row)
   wipe()
   top, phase = row, b.phase
-  row = list_bars(b, row)
+  row = NARROW and row + 2 or list_bars(b, row)
   local pips, last = PIP:rep(math.min(b.left or 0, FEW))
   for _, line in ipairs(hud.wrap(text.lang(b.boss.title), NARROW and WIDTH or SHORT)) do
     hud.put(LEFT, row, line)
@@ -87,6 +88,7 @@ local function lay_out(b, row)
   local function room() return row - 1 < top + 2 and not NARROW and SHORT or WIDTH end
   if #pips > 0 and last + 1 + #pips > room() then row = row + 1 end
   hud.put(LEFT + room() - #pips, row - 1, pips)
+  if NARROW then row = list_bars(b, row) end
   height = math.max(row - top, 2)
   if phase and phase.spell then
     spell = hud.wrap(text.lang(phase.spell), COLS)
@@ -108,6 +110,7 @@ end
 local function draw_clock(left)
   local n, bank = math.min((left + 59) // 60, 99), hud.banks.plain
   if n <= LATE and (n > LAST or left // 15 % 2 == 0) then bank = hud.banks.alarm end
+  if n <= LATE and n > 0 and new("second", n) then sys.cue("time") end
   if new("clock", n * 16 + bank) then hud.put(LEFT + WIDTH - CLOCK, top, ("%2d"):format(n), bank, 2) end
 end
 

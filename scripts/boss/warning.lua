@@ -15,6 +15,7 @@ return function(b)
   local letters = utf8.len(word)
   local row = (word .. "  "):rep(COLS // (letters + 2) + 2)
   local tidy <close> = setmetatable({}, { __close = function() text.clear { col = COL, row = ROW, w = COLS, h = BAND } end })
+  hud.banner() -- the stage's name would stand across the band
   sys.cue("warning")
   for t = 1, b.warning do
     local open = math.min(t, b.warning - t + 1, OPENS)

@@ -94,15 +94,17 @@ function page.grow(window, age)
 end
 
 -- A window over what is played, which gets darker. No half of a line is to look out behind it, so its rows and the
--- banner's are emptied; hud.refresh brings the hud's back.
+-- banner's are emptied; boot.lua brings back what stood there.
 function page.over(col, row, w, h)
   page.clear(row, h)
   page.clear(hud.rows // 3, BANNER)
-  screen.dim { share = 0.55, over = 6 }
-  return page.window(col, row, w, h)
+  local window = page.window(col, row, w, h)
+  window.dim = screen.dim { share = 0.55, over = 6 } -- a talk's, or none
+  return window
 end
 
 function page.close(window)
+  if window.dim then screen.dim { share = window.dim, over = 6 } end
   window.plate:remove()
   page.clear(window.row, window.h // 8, window.col, window.w)
 end

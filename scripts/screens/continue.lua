@@ -23,6 +23,5 @@ return function(p, left)
     answer = page.pressed("start", p)
   end
   page.close(window)
-  screen.dim { share = 0, over = 6 }
   return answer
 end

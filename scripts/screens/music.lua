@@ -1,19 +1,39 @@
--- screens/music.lua - the music room: what is played where, by its title. It plays what is chosen once there is sound.
+-- screens/music.lua - the music room: the pieces by their titles; fire plays one, what was before goes on in the end.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
--- list: { name, title?, text? } each. Over with bomb, or when nobody does anything.
+local LONG <const> = 60 * 60 * 10 -- frames it stays while a piece plays
+local NOTE <const> = hud.glyph(144, "*")
+
+local function title_of(m)
+  return m.title and m.title ~= "" and text.lang(m.title) or menu.label(m.name)
+end
+
+-- list: { name, title?, text?, needs? } each. Over with bomb, or when nobody does anything.
 return function(list)
-  local items, playing, notes = {}, nil, page.low and 2 or 5
-  for i, m in ipairs(list) do items[i] = menu.label(m.title or m.name) end
+  local items, closed, notes = {}, {}, page.low and 2 or 5
+  local closes = sys.read("boot/records").closed
+  local playing, on, chosen
+  for i, m in ipairs(list) do
+    local hint = closes(m.needs)
+    closed[i] = hint and text.lang(hint) or false
+    items[i] = hint and "- - -" or title_of(m)
+  end
+  local function note(i, row)
+    if playing then row = page.centre(row, NOTE .. " " .. title_of(list[playing]), hud.banks.bright) end
+    local line = closed[i] or list[i].text
+    if line then page.centre(row, line, hud.banks.plain) end
+  end
+  local function stop(fade) if on then sys.music_back(list[playing].name, fade) end end
+  local back <close> = setmetatable({}, { __close = function() stop(30) end })
   repeat
-    playing = page.ask("MUSIC", {
-      items = items, chosen = playing or 1, notes = notes, gap = #items * 2 + notes + 12 > page.rows and 1 or 2,
-      note = function(i, row)
-        if list[i].text then page.centre(row, list[i].text, hud.banks.plain) end
-      end,
+    chosen = page.ask("MUSIC", {
+      items = items, chosen = chosen or 1, notes = notes, gap = #items * 2 + notes + 12 > page.rows and 1 or 2, note = note,
+      closed = closed, limit = playing and LONG or nil,
     })
-    local sound = rawget(sys, "music")
-    if playing and sound then sound.play(list[playing].name) end
-  until not playing
+    if chosen then
+      stop(0)
+      playing, on = chosen, sys.music_on(list[chosen].name)
+    end
+  until not chosen
 end

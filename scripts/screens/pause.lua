@@ -23,6 +23,5 @@ return function(p, items)
     items = words, row = row + 4, col = col, cols = w, p = p, back = 1, limit = forever, draw = draw,
   }
   page.close(window)
-  screen.dim { share = 0, over = 6 }
   return i
 end

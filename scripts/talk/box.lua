@@ -7,6 +7,8 @@ local TALL = 14  -- cells a portrait takes above the first row
 local HELD = 20  -- frames special is held before it skips
 local AWAY = 40  -- px a portrait comes from
 local BLINK = 24 -- frames the mark is seen, and is not
+local BEEP = 4   -- frames from one beep of a voice to the next, at least
+local PAN = 0.3  -- how far to its side a voice is heard
 local field = rom.field
 
 -- Cells: the middle of the field, at most 40 wide.
@@ -16,7 +18,7 @@ local cols = math.max(8, math.min(field_cols - 4, 40))
 local left = field_col + (field_cols - cols) // 2
 local last = (field.y + field.h) // 8 - 3
 local first = last - 2 * (ROWS - 1)
-local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 10 }
+local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
 local ARROW = hud.glyph(140, ">")
 
 -- Rows of at most `width` cells; a newline begins a row.
@@ -39,6 +41,7 @@ return function(look, may_skip)
   local mark -- the mark blinks
   local lines = {} -- what stands in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
+  hud.banner() -- a list stands where a banner does
 
   -- A plate outlives the scene it is made in: what was written on it is cleared with it.
   local function put_plate(key, x, y, w, h)
@@ -130,14 +133,24 @@ return function(look, may_skip)
     return false
   end
 
+  -- Of who talks, from its side: with each letter, but not faster than it can be heard.
+  local function speak(a, n)
+    local every = a.letter < BEEP and -(-BEEP // math.max(a.letter, 1)) or 1
+    if a.beep and n % every == 0 then sys.cue(a.beep, a.pan) end
+  end
+
   -- A letter every so many frames; fire shows what is left at once.
-  local function come(rows, letter)
-    local hurry = letter == 0
+  local function come(a, rows)
+    local hurry, letter, n = a.letter == 0, a.letter, 0
     for i, row in ipairs(rows) do
       local y, x = first + 2 * (i - 1), left
       for _, code in utf8.codes(hurry and "" or row) do
         write(x, y, utf8.char(code), hud.banks.plain)
         x = x + 1
+        if code ~= 32 then
+          speak(a, n)
+          n = n + 1
+        end
         hurry = hurry or code ~= 32 and answered(letter)
         if hurry then break end
       end
@@ -145,12 +158,15 @@ return function(look, may_skip)
     end
   end
 
-  local function come_in_font(words, letter)
+  local function come_in_font(a, words)
+    local frames = 0
     local put = { x = 8 * left, y = 8 * first - 2, text = words, width = 8 * cols, font = look.font, screen = true,
-                  bank = hud.banks.plain, letter = letter, stay = true }
+                  bank = hud.banks.plain, letter = a.letter, stay = true }
     local line = text.line(put)
     lines[1] = line
     while line.alive and not line.done do
+      if frames % math.max(a.letter, 1) == 0 then speak(a, frames // math.max(a.letter, 1)) end
+      frames = frames + 1
       if answered(1) then
         line:remove()
         put.letter = 0
@@ -161,7 +177,7 @@ return function(look, may_skip)
 
   local function page(a, rows, words)
     wipe_words()
-    if look.font then come_in_font(words, a.letter) else come(rows, a.letter) end
+    if look.font then come_in_font(a, words) else come(a, rows) end
     if sys.skipping() then return end
     mark = 0
     local left_over = a.limit or forever
@@ -173,11 +189,15 @@ return function(look, may_skip)
     put_plate("words", plate.x, plate.y, plate.w, plate.h)
     show(talker, a)
     show_name(talker, talker and (a.side or talker.side))
-    if look.font then return page(a, nil, words) end
-    local rows = rows_of(words, cols)
+    local voice = a.voice or talker and talker.voice
+    a.beep, a.pan = not a.voice and voice, talker and ((a.side or talker.side) == "left" and -PAN or PAN) or 0
+    if voice and (a.voice or a.letter == 0) then sys.cue(voice, a.pan) end
+    local rows = look.font and {} or rows_of(words, cols)
+    if look.font then page(a, nil, words) end
     for from = 1, #rows, ROWS do
       if not sys.skipping() then page(a, { table.unpack(rows, from, from + ROWS - 1) }) end
     end
+    if a.voice then sound.stop(a.voice) end
   end
 
   -- ---- a list ----

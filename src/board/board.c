@@ -213,6 +213,8 @@ static void set_up(struct board *b)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     bg_clear(&b->bg, &b->bg_lines);
     tasks_empty(&b->tasks);
+    if (b->voices.s.cap)
+        sound_power(b);
 }
 
 /* Lays RAM out and clears the columns of lists, whose entries are read before they are written; those of nvram are

@@ -232,6 +232,11 @@ static inline int32_t board_run_register(const struct board *b, uint32_t reg)
     return registers_get(&b->registers, b->registers.first + reg, 0);
 }
 
+static inline bool board_run_full(const struct board *b, uint32_t reg)
+{
+    return registers_full(&b->registers, b->registers.first + reg, 0);
+}
+
 static inline void board_set_run_register(struct board *b, uint32_t reg, int64_t v)
 {
     registers_set(&b->registers, b->registers.first + reg, 0, v);

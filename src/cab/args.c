@@ -108,8 +108,7 @@ static const struct {
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
                        "buttons that player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for "
-                       "frames of "
-                       "the run" },
+                       "frames of the run; player 2: 2.fire" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
                         "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames; with --trace, "
                         "these frames" },
@@ -282,13 +281,15 @@ static bool in_span(const struct span *s, uint32_t frame)
 
 static const char *const buttons[PAD_BUTTONS] = PAD_NAMES;
 
-/* BUTTON or BUTTON@FRAMES. */
+/* BUTTON or BUTTON@FRAMES, of player 2: 2.BUTTON. */
 static bool read_press(struct press *out, const char *p, const char *end)
 {
+    const bool second = end - p > 2 && p[0] == '2' && p[1] == '.';
+
+    p += second ? 2 : 0;
     const char *at = memchr(p, '@', (size_t)(end - p));
     const size_t n = (size_t)((at ? at : end) - p);
-
-    *out = (struct press){ .when = { 0, ARGS_MAX_FRAME, 1 } };
+    *out = (struct press){ .player = second, .when = { 0, ARGS_MAX_FRAME, 1 } };
     for (int i = 0; i < PAD_BUTTONS; i++)
         if (strlen(buttons[i]) == n && memcmp(buttons[i], p, n) == 0)
             out->pad = (uint16_t)(1 << i);
@@ -314,14 +315,12 @@ static bool set_presses(struct args *a, const char *text, char *err, size_t err_
     return true;
 }
 
-uint16_t args_pressed(const struct args *a, uint32_t frame)
+void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS])
 {
-    uint16_t pads = 0;
-
+    memset(pads, 0, PADS * sizeof *pads);
     for (int i = 0; i < a->n_presses; i++)
         if (in_span(&a->presses[i].when, frame))
-            pads |= a->presses[i].pad;
-    return pads;
+            pads[a->presses[i].player] |= a->presses[i].pad;
 }
 
 bool args_wants(const struct args *a, uint32_t frame)

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../base/pads.h"
 
 enum command {
     COMMAND_PLAY,
@@ -43,8 +44,9 @@ struct span {
     uint32_t first, last, step;
 };
 
-/* A button of player 1 that is held in these frames. */
+/* A button of a player, from 0 on, that is held in these frames. */
 struct press {
+    int player;
     uint16_t pad; /* PAD_ */
     struct span when;
 };
@@ -79,7 +81,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
 bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
 
 /* The buttons (PAD_) that --press holds in the tick after that frame. */
-uint16_t args_pressed(const struct args *a, uint32_t frame);
+void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS]);
 
 /* Is the frame one of those of --frames? The last one that is. */
 bool args_wants(const struct args *a, uint32_t frame);

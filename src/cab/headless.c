@@ -53,8 +53,9 @@ static enum result run_open(struct run *r, const struct args *a)
 
 static enum result run_tick(struct run *r)
 {
-    uint16_t pads[PADS] = { args_pressed(r->a, board_frame(r->guard.board)), 0 };
+    uint16_t pads[PADS];
 
+    args_pressed(r->a, board_frame(r->guard.board), pads);
     if (r->game.has_demo)
         demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);

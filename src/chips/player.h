@@ -16,6 +16,7 @@ enum {
     PLAYER_STANDS = 1 << 2,  /* nor where it steers */
 
     PLAYER_REGISTERS = 16, /* most of a kind, and of a run */
+    PLAYER_FULL_RUN = 128, /* in column full */
     MOST_LIVES = 99,
     PICTURE_ROW = -1, /* as the radius of a row of the kinds: the picture of a kind below it */
 
@@ -46,7 +47,7 @@ struct player_kinds {
     fx *magnet;                 /* px: items so near come; NULL, with the next: not asked for */
     fx *line;                   /* y px: above it all come; FX_MIN: nowhere */
     fx *pull;                   /* px/frame they come at */
-    uint8_t *full;              /* register + 1 at whose most all come always, 0: none */
+    uint8_t *full;              /* register + 1, or one of the run + PLAYER_FULL_RUN, at whose most all come always */
 };
 
 struct player {

@@ -97,6 +97,70 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
     out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + left);
 }
 
+/* ---- passes ---- */
+
+/* The middle of each pass's edge, in 2^-32 turns a sample: it stops what folds back below 20 kHz, 72 dB. */
+static const uint32_t edges[LOW_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
+                                          804553372,  700187608,  607208282,  524373120,  450575381 };
+static const uint64_t reach[LOW_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,  7954141537, 8928222003,
+                                          10021590357, 11248854839, 12626412644, 14172668999, 15908283075 };
+
+int snd_low(uint64_t step)
+{
+    int row = -1;
+
+    while (row < LOW_ROWS - 1 && step > reach[row + 1])
+        row++;
+    return row;
+}
+
+static void make_low(int16_t out[LOW_TAPS], uint32_t edge)
+{
+    int64_t weight[LOW_TAPS] = { 0 }, sum = 0;
+    int32_t left = 1 << 14;
+
+    for (int j = 1; j < LOW_TAPS; j++) {
+        const int32_t x = j - LOW_TAPS / 2;
+        const int64_t high =
+            x ? (int64_t)trig_sin30((ang)x * edge) * ((int64_t)1 << 16) / (x * (int64_t)205887) : (int64_t)edge >> 1;
+        weight[j] = (high * kaiser(x * (8192 / LOW_TAPS))) >> STRONG;
+        sum += weight[j];
+    }
+    for (int j = 1; j < LOW_TAPS; j++) {
+        const int64_t twice = weight[j] * 2 * (1 << 14) + sum;
+        out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
+        left -= out[j];
+    }
+    out[0] = 0;
+    out[LOW_TAPS / 2] = (int16_t)(out[LOW_TAPS / 2] + left);
+}
+
+/* ---- feedback ---- */
+
+/* The sine of 2^-32 turns, Q30. */
+static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
+{
+    const uint32_t i = phase >> (32 - WAVE_BITS);
+    const int64_t a = t->sine30[i], b = t->sine30[(i + 1) % WAVE_LONG];
+
+    return (int32_t)(a + ((b - a) * (phase & ((1u << (32 - WAVE_BITS)) - 1)) >> (32 - WAVE_BITS)));
+}
+
+/* y is followed round the turn from where it is 0, on the branch that is stable, as a slow recursion would. */
+static void make_feedback(struct snd_tables *t, int row)
+{
+    const int64_t bend = (int64_t)row * 500658; /* 1.5 / 32 of a radian a row: Q24 of 2^-30 turns */
+    int64_t y = 0;
+
+    for (uint32_t k = 0; k < FEEDBACK_LONG; k++) {
+        const uint32_t i = (k + FEEDBACK_LONG / 2) % FEEDBACK_LONG, phase = i << (32 - FEEDBACK_BITS);
+        for (int again = 0; again < 24; again++)
+            y += (sine_at(t, phase + (uint32_t)(y * bend >> 24)) - y) / 2;
+        t->feedback[row][i] = (int16_t)(y * 32767 >> 30);
+    }
+    t->feedback[row][FEEDBACK_LONG] = t->feedback[row][0];
+}
+
 void snd_tables_make(struct snd_tables *t)
 {
     for (uint32_t i = 0; i < WAVE_LONG; i++)
@@ -108,6 +172,11 @@ void snd_tables_make(struct snd_tables *t)
     make_waves(t);
     for (int i = 0; i < SINC_PHASES; i++)
         make_sinc(t->sinc[i], i);
+    for (int i = 0; i < LOW_ROWS; i++)
+        make_low(t->low[i], edges[i]);
+    for (int i = 0; i < FEEDBACK_ROWS; i++)
+        make_feedback(t, i);
+    memcpy(t->feedback[FEEDBACK_ROWS], t->feedback[FEEDBACK_ROWS - 1], sizeof t->feedback[0]);
 }
 
 /* Harmonics up to 28 kHz: what folds back lies above 20 kHz, where nobody hears it. */

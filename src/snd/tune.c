@@ -11,55 +11,12 @@
 #include "adpcm.h"
 #include "pitch.h"
 
-enum { EVENTS_A_RUN = 64, LONGEST = 1 << 24 /* ticks of a pause */ };
+enum { EVENTS_A_RUN = 64 };
 
 static const uint8_t values_of[TUNE_EVENTS] = {
     [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,  [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
     [TUNE_VOLUME] = 1, [TUNE_PLACE] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
 };
-
-/* ---- instruments ---- */
-
-struct inst inst_of(const uint8_t *p)
-{
-    struct inst i = { .kind = p[0],
-                      .duty = bytes_get16(p + 2),
-                      .sustain = bytes_get16(p + 4),
-                      .vibrato = bytes_get16(p + 6),
-                      .attack = bytes_get32(p + 8),
-                      .decay = bytes_get32(p + 12),
-                      .fade = bytes_get32(p + 16),
-                      .release = bytes_get32(p + 20),
-                      .vibrato_step = bytes_get32(p + 24),
-                      .vibrato_delay = bytes_get32(p + 28),
-                      .ratio = bytes_get16(p + 32),
-                      .depth = bytes_get16(p + 34),
-                      .dulling = bytes_get32(p + 36),
-                      .root = (int32_t)bytes_get32(p + 40) };
-
-    memcpy(i.sample, p + 44, TUNE_NAME);
-    return i;
-}
-
-void inst_write(uint8_t p[INST_BYTES], const struct inst *i)
-{
-    memset(p, 0, INST_BYTES);
-    p[0] = i->kind;
-    bytes_put16(p + 2, i->duty);
-    bytes_put16(p + 4, i->sustain);
-    bytes_put16(p + 6, i->vibrato);
-    bytes_put32(p + 8, i->attack);
-    bytes_put32(p + 12, i->decay);
-    bytes_put32(p + 16, i->fade);
-    bytes_put32(p + 20, i->release);
-    bytes_put32(p + 24, i->vibrato_step);
-    bytes_put32(p + 28, i->vibrato_delay);
-    bytes_put16(p + 32, i->ratio);
-    bytes_put16(p + 34, i->depth);
-    bytes_put32(p + 36, i->dulling);
-    bytes_put32(p + 40, (uint32_t)i->root);
-    memcpy(p + 44, i->sample, TUNE_NAME);
-}
 
 /* ---- parts ---- */
 
@@ -77,7 +34,19 @@ static size_t marks_at(const struct tune *t)
 
 struct tune tune_of(const uint8_t *p)
 {
-    return (struct tune){ p, p[5], p[6], p[7], p[1], p[2], p[3], p[4], bytes_get32(p + 8) };
+    return (struct tune){ .data = p,
+                          .tracks = p[5],
+                          .insts = p[6],
+                          .marks = p[7],
+                          .volume = p[1],
+                          .priority = p[2],
+                          .limit = p[3],
+                          .bar = p[4],
+                          .sides = p[20],
+                          .duck = p[21],
+                          .tempo = bytes_get32(p + 8),
+                          .rest = bytes_get32(p + 24),
+                          .lead = bytes_get32(p + 28) };
 }
 
 const char *tune_title(const struct tune *t)
@@ -108,7 +77,12 @@ static uint32_t loops(const struct tune *t, int i)
 
 bool tune_recording(const struct tune *t)
 {
-    return bytes_get32(t->data + 12) != 0;
+    return t->sides > 0;
+}
+
+bool tune_streams(const struct tune *t)
+{
+    return t->sides > 0 && bytes_get32(t->data + 12) == 0;
 }
 
 bool tune_endless(const struct tune *t)
@@ -139,7 +113,7 @@ struct tune_at tune_begin(const struct tune *t, int i)
 {
     struct tune_at c = { begins(t, i), 0 };
 
-    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK;
+    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
     return c;
 }
 
@@ -155,6 +129,7 @@ static void play_event(const struct tune *t, int track, struct tune_at *c, int s
             play(context, &e, sample);
             return;
         }
+        c->left += t->rest;
     } else {
         c->at += 1u + values_of[e.event];
         if (values_of[e.event] >= 2)
@@ -200,7 +175,7 @@ static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
     if (from + 5 > c->end)
         return false;
     *ticks = read_ticks(c->t->data, at);
-    return *ticks <= LONGEST && (*at - from < 4 || c->t->data[*at - 1] < 128);
+    return *ticks <= TUNE_PAUSE && (*at - from < 4 || c->t->data[*at - 1] < 128);
 }
 
 static bool pitch_ok(const uint8_t *p)
@@ -271,22 +246,6 @@ static bool name_ok(const char *s, size_t n)
     return end < n;
 }
 
-static bool inst_ok(const struct tune *t, const uint8_t *bytes)
-{
-    const struct inst i = inst_of(bytes);
-    uint8_t again[INST_BYTES];
-
-    inst_write(again, &i);
-    if (memcmp(again, bytes, INST_BYTES) != 0 || i.kind >= INST_KINDS || i.sustain > 32767 ||
-        !name_ok(i.sample, TUNE_NAME))
-        return false;
-    if (i.kind == INST_SAMPLE && !i.sample[0] && bytes_get32(t->data + 12) == 0)
-        return false;
-    return i.root >= 0 && i.root <= PITCH_MOST && i.attack <= 1 << 24 && i.decay <= 1 << 24 && i.fade <= 1 << 24 &&
-           i.release <= 1 << 24 && i.vibrato <= 24 * 256 && i.vibrato_delay <= 1 << 24 && i.depth <= 32767 &&
-           i.dulling <= 1 << 24;
-}
-
 static bool zero(const uint8_t *p, size_t n)
 {
     while (n > 0 && p[n - 1] == 0)
@@ -296,26 +255,26 @@ static bool zero(const uint8_t *p, size_t n)
 
 bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    struct sample sample;
-
     if (size < TUNE_HEADER + TUNE_TITLE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
-        !zero(data + 20, 12))
+        !zero(data + 22, 2))
         return err_set(err, err_size, "it is no tune of format %d", TUNE_FORMAT);
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
     if (t.tracks < 1 || t.tracks > TUNE_TRACKS || t.insts > TUNE_INSTS || t.marks > TUNE_MARKS || t.priority > 7 ||
-        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST)
+        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST ||
+        t.sides > TUNE_SIDES || (t.sides == 0 && sample_at) || t.rest >= TUNE_TICK || t.lead > TUNE_LEAD)
         return err_set(err, err_size, "its header is out of range");
     if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MOST + 4 ||
         marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "it is shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE))
         return err_set(err, err_size, "its title is no line of text");
-    if (sample_at && !sample_open(data + sample_at, size - sample_at, &sample))
-        return err_set(err, err_size, "its sample is not good");
+    if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))
+        return err_set(err, err_size, "its samples are not good");
     for (int i = 0; i < t.insts; i++)
-        if (!inst_ok(&t, tune_inst(&t, i)))
+        if (!inst_ok(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_recording(&t)) ||
+            !name_ok(inst_sample(tune_inst(&t, i)), INST_NAME))
             return err_set(err, err_size, "instrument %d is out of range", i + 1);
     for (int i = 0; i < t.marks; i++)
         if (!name_ok(tune_mark(&t, i), TUNE_NAME))

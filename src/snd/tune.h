@@ -4,15 +4,20 @@
  *
  * A tune is TUNE_HEADER bytes, little-endian:
  *
- *      0  u8 TUNE_FORMAT            5  u8 tracks, 1 to TUNE_TRACKS      12  u32 where its sample is, 0: it has none
+ *      0  u8 TUNE_FORMAT            5  u8 tracks, 1 to TUNE_TRACKS      12  u32 where its samples are, or 0
  *      1  u8 volume, 0 to 255       6  u8 instruments                   16  u32 bytes in all
- *      2  u8 priority, 0 to 7       7  u8 markers                       20  twelve zero bytes
+ *      2  u8 priority, 0 to 7       7  u8 markers
  *      3  u8 limit, 1 to 8          8  u32 tempo at its beginning,
  *      4  u8 beats a bar               hundredths of a quarter note a minute
+ *     20  u8 samples of a recording 21  u8 duck, of 255; two zero bytes
+ *     24  u32 units by which its loops are longer than their ticks    28  u32 samples before its first beat
  *
  * then its title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and for each track u32 where it is,
- * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each; its markers, TUNE_NAME bytes each;
- * the tracks; and the sample (adpcm.h), aligned to 4.
+ * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each (inst.h); its markers, TUNE_NAME bytes
+ * each; waves, curves and the tracks; and, aligned to 4, the samples of a recording (adpcm.h): one or, of left and
+ * right, two, which its first and its second instrument play. Those of a stream, which is a recording as music, stand
+ * in a lump of their own, wave/NAME, for scripts do not depend on them. Before the first beat, which is where the
+ * conductor begins, the tracks of a recording may have played already.
  *
  * A track is events: how many ticks after the one before (seven bits a byte, low ones first, the eighth: more follow),
  * the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a tick is TUNE_TICK units, a
@@ -24,21 +29,24 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "inst.h"
 
 enum {
-    TUNE_FORMAT = 1,
+    TUNE_FORMAT = 2,
     TUNE_HEADER = 32,
     TUNE_TITLE = 64,
     TUNE_TRACKS = 16,
     TUNE_INSTS = 64,
     TUNE_MARKS = 64,
-    TUNE_NAME = 32, /* of a marker or a sample, with its NUL */
-    INST_BYTES = 80,
+    TUNE_NAME = INST_NAME, /* of a marker, with its NUL */
     TUNE_QUARTER = 480,
     TUNE_TICK = 600000,
     TEMPO_LEAST = 1000, /* 10 quarter notes a minute */
     TEMPO_MOST = 60000,
-    TUNE_MOST = 1 << 20, /* bytes without the sample */
+    TUNE_MOST = 1 << 20,  /* bytes without the sample */
+    TUNE_PAUSE = 1 << 24, /* ticks between two events, at most */
+    TUNE_SIDES = 2,
+    TUNE_LEAD = 1 << 24, /* samples before the first beat, at most */
     TUNE_PAN = 64,       /* the middle; 0 left, 128 right */
     TUNE_LOUD = 127
 };
@@ -58,40 +66,21 @@ enum tune_event {
     TUNE_EVENTS
 };
 
-/* What makes a note's wave. */
-enum inst_kind { INST_PULSE, INST_TRIANGLE, INST_SAW, INST_SINE, INST_FM, INST_NOISE, INST_SAMPLE, INST_KINDS };
-
-/* Times are in samples. A level that falls halves in that time; 0: it does not fall. */
-struct inst {
-    uint8_t kind;
-    uint16_t duty;                         /* of 65536: how long a pulse is high */
-    uint16_t sustain;                      /* of 32767 */
-    uint32_t attack, decay, fade, release; /* from silence, to sustain, on from there, when it is let go */
-    uint16_t vibrato;                      /* 256ths of a semitone */
-    uint32_t vibrato_step, vibrato_delay;  /* 2^-32 turns a sample */
-    uint16_t ratio, depth;                 /* of FM: the modulator's pitch, 256ths; how strong, 4096ths of a turn */
-    uint32_t dulling;                      /* depth halves */
-    int32_t root;                          /* pitch at which a sample is as recorded, 65536ths */
-    char sample[TUNE_NAME];                /* a sound of rom.lua; "": the tune's own */
-};
-
-/* From and to the bytes of a tune. */
-struct inst inst_of(const uint8_t *bytes);
-void inst_write(uint8_t bytes[INST_BYTES], const struct inst *i);
-
 /* The parts of a tune that was checked. */
 struct tune {
     const uint8_t *data;
-    int tracks, insts, marks, volume, priority, limit, bar;
-    uint32_t tempo;
+    int tracks, insts, marks, volume, priority, limit, bar, sides;
+    int duck;                   /* of 255, how much softer music is meanwhile */
+    uint32_t tempo, rest, lead; /* rest: units a loop is longer; lead: samples before the first beat */
 };
 struct tune tune_of(const uint8_t *data);
 const char *tune_title(const struct tune *t);
 const char *tune_mark(const struct tune *t, int i);
 const uint8_t *tune_inst(const struct tune *t, int i);
 
-/* Has it a recording of its own; does one of its tracks never end? */
+/* Is it a recording; one whose samples stand elsewhere; does one of its tracks never end? */
 bool tune_recording(const struct tune *t);
+bool tune_streams(const struct tune *t);
 bool tune_endless(const struct tune *t);
 
 /* Checks every byte that is read later. False and one sentence. */

@@ -28,7 +28,20 @@ static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32
         out[n] = (int16_t)((out[n] - other[n]) >> 1);
 }
 
-/* A saw, triangle or pulse of one version. */
+/* Of a tune's own wave. */
+static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
+{
+    const uint8_t *p = wave + wave_at_version(version);
+    const int bits = wave_bits(version);
+
+    for (uint32_t n = 0; n < SND_BLOCK; n++) {
+        const uint32_t q = phase + n * step, i = 2 * (q >> (32 - bits));
+        const int32_t a = (int16_t)bytes_get16(p + i), b = (int16_t)bytes_get16(p + i + 2);
+        out[n] = (int16_t)(a + ((b - a) * (int32_t)(q >> (32 - bits - 15) & 0x7fff) >> 15));
+    }
+}
+
+/* One version of a wave that has some. */
 static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int mip,
                          int16_t out[SND_BLOCK])
 {
@@ -36,6 +49,8 @@ static void read_version(const struct snd_tables *t, const struct inst *inst, co
 
     if (inst->kind == INST_PULSE)
         read_pulse(t->saw[mip], phase, step, (uint32_t)inst->duty << 16, out);
+    else if (inst->kind == INST_WAVE)
+        read_own(at->wave, mip < at->wave[0] ? mip : at->wave[0] - 1, phase, step, out);
     else
         read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
 }
@@ -52,23 +67,6 @@ static void read_versions(const struct snd_tables *t, const struct inst *inst, c
     read_version(t, inst, at, at->mip1, other);
     for (int n = 0; n < SND_BLOCK; n++)
         out[n] = (int16_t)(out[n] + (other[n] - out[n]) * (at->part * SND_BLOCK + n) / SND_FRAME);
-}
-
-/* The modulator's phase is the carrier's times the ratio in 256ths: a turn is 2^56, so both are whole after 256. */
-static void read_fm(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
-                    int16_t out[SND_BLOCK])
-{
-    int16_t modulator[SND_BLOCK];
-    const uint32_t phase = (uint32_t)(at->phase >> 24), step = (uint32_t)(at->step >> 24);
-
-    read_wave(t->sine, (uint32_t)(at->phase * inst->ratio >> 32), (uint32_t)(at->step * inst->ratio >> 32), modulator);
-    for (uint32_t n = 0; n < SND_BLOCK; n++) {
-        const int64_t depth = at->depth0 + (at->depth1 - at->depth0) * n / SND_BLOCK;
-        const uint32_t bent = (uint32_t)(modulator[n] * depth >> 15);
-        const uint32_t q = phase + n * step + bent, i = q >> (32 - WAVE_BITS);
-        const int32_t f = (int32_t)(q >> (32 - WAVE_BITS - 15) & 0x7fff);
-        out[n] = (int16_t)(t->sine[i] + ((t->sine[i + 1] - t->sine[i]) * f >> 15));
-    }
 }
 
 static uint32_t mixed(uint32_t x)
@@ -93,9 +91,6 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
     case INST_SINE:
         read_wave(t->sine, (uint32_t)(at->phase >> 24), (uint32_t)(at->step >> 24), out);
         break;
-    case INST_FM:
-        read_fm(t, inst, at, out);
-        break;
     case INST_NOISE:
         read_noise(at, out);
         break;
@@ -118,6 +113,32 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
     }
 }
 
+/* ---- passes ---- */
+
+static int16_t weighed(const int16_t *x, const int16_t *weight)
+{
+    int32_t sum = 1 << 13;
+
+    for (int j = 0; j < LOW_TAPS; j++)
+        sum += x[j] * weight[j];
+    sum >>= 14;
+    return (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+}
+
+void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out)
+{
+    const int row0 = snd_low(step0), row1 = snd_low(step1);
+
+    for (int i = 0; i < n; i++)
+        out[i] = row0 < 0 ? x[i] : weighed(x + i - LOW_TAPS / 2, t->low[row0]);
+    if (row0 == row1)
+        return;
+    for (int i = 0; i < n; i++) {
+        const int32_t other = row1 < 0 ? x[i] : weighed(x + i - LOW_TAPS / 2, t->low[row1]);
+        out[i] = (int16_t)(out[i] + (other - out[i]) * (int64_t)i / n);
+    }
+}
+
 /* ---- level ---- */
 
 /* What is left of a level after so many samples, if it halves in `half`. */
@@ -128,46 +149,46 @@ static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
     return (int32_t)((int64_t)level * pitch_halved(((uint64_t)(uint32_t)samples << 32) / half) >> 30);
 }
 
-static int32_t held(const struct inst *i, int32_t age)
+static int32_t held(const struct env *e, int32_t age)
 {
-    const int32_t attack = (int32_t)i->attack;
+    const int32_t attack = (int32_t)e->attack;
 
     if (age < attack)
         return (int32_t)((int64_t)32767 * age / attack);
-    const int32_t sustain = i->decay ? i->sustain : 32767;
-    return fallen(sustain + fallen(32767 - sustain, age - attack, i->decay), age - attack, i->fade);
+    const int32_t sustain = e->decay ? e->sustain : 32767;
+    return fallen(sustain + fallen(32767 - sustain, age - attack, e->decay), age - attack, e->fade);
 }
 
 /* A release of 0 would click: it is 16 samples. */
-static uint32_t release_of(const struct inst *i)
+static uint32_t release_of(const struct env *e)
 {
-    return i->release > 16 ? i->release : 16;
+    return e->release > 16 ? e->release : 16;
 }
 
-int32_t wave_level(const struct inst *i, int32_t age, int32_t off)
+int32_t wave_level(const struct env *e, int32_t age, int32_t off)
 {
     if (age < 0)
         return 0;
-    return age < off ? held(i, age) : fallen(held(i, off), age - off, release_of(i));
+    return age < off ? held(e, age) : fallen(held(e, off), age - off, release_of(e));
 }
 
 enum { HALVINGS = 15 /* from full level to nothing */ };
 
-bool wave_over(const struct inst *i, int32_t age, int32_t off)
+bool wave_over(const struct env *e, int32_t age, int32_t off)
 {
-    const uint32_t attack = i->attack;
+    const uint32_t attack = e->attack;
 
-    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_of(i))
+    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_of(e))
         return true;
     if (age < 0 || (uint32_t)age < attack)
         return false;
     const uint32_t after = (uint32_t)age - attack;
-    return (i->fade && after / HALVINGS > i->fade) || (i->decay && !i->sustain && after / HALVINGS > i->decay);
+    return (e->fade && after / HALVINGS > e->fade) || (e->decay && !e->sustain && after / HALVINGS > e->decay);
 }
 
-bool wave_corner(const struct inst *i, int32_t from, int32_t to, int32_t off)
+bool wave_corner(const struct env *e, int32_t from, int32_t to, int32_t off)
 {
-    const int32_t attack = (int32_t)i->attack;
+    const int32_t attack = (int32_t)e->attack;
 
     return (from < 0 && to > 0) || (from < attack && to > attack) || (from < off && to > off);
 }

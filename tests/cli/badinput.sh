@@ -331,6 +331,10 @@ bad 'help of a Lua name, near one' \
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }
 check 'help of a step' where home 'in each step of motion.def:'
 check 'help of a property' where frozen 'property of an enemy: '
+check 'help of what a script may set' where hud.banks 'plain bright faint alarm'
+check 'help of the hud' where hud 'hud.centre(row, text,'
+check 'help of a last word of these' where look 'talk.look '
+bad 'help of a value, near one' 'help lua: there is no "hud.bnaks" (did you mean hud.banks?)' help lua hud.bnaks
 check 'help of a last word' where ring 'pattern.ring{...}'
 
 # ---- stages ----

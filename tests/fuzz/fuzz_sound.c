@@ -1,5 +1,5 @@
 /*
- * fuzz_sound.c - libFuzzer: any bytes as MML, as a WAV file, and as a tune of a ROM. What is read is a tune that the
+ * fuzz_sound.c - libFuzzer: any bytes as MML, and as a tune of a ROM. What is read is a tune that the
  * board takes; what is refused says why, of MML with file, line and column. A tune that is taken is played.
  */
 #include <stddef.h>
@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/sound/mml.h"
-#include "../../src/cab/sound/wav.h"
-#include "../../src/snd/adpcm.h"
 #include "../../src/snd/pitch.h"
 #include "../../src/snd/tune.h"
 
@@ -51,24 +49,6 @@ static void as_mml(const uint8_t *data, size_t size)
     free(out);
 }
 
-static void as_wav(const uint8_t *data, size_t size)
-{
-    const struct mml_about about = { 255, 4, 2, "" };
-    uint8_t *sample, *out;
-    char err[256] = "";
-    size_t n, tune_size;
-
-    if (!wav_read(data, size, &sample, &n, err, sizeof err)) {
-        need(err[0]);
-        return;
-    }
-    if (mml_of_sample(sample, n, &about, &out, &tune_size)) {
-        need(tune_open(out, tune_size, err, sizeof err));
-        free(out);
-    }
-    free(sample);
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -81,7 +61,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (size)
         memcpy(copy, data, size);
     as_mml(copy, size);
-    as_wav(copy, size);
     if (tune_open(copy, size, err, sizeof err))
         play(copy);
     else

@@ -41,7 +41,7 @@ fields.rom, fields.game = nil, nil -- they have a field for all that rom.lua and
 
 while arg[1] == "--with" do
   for line in io.lines(arg[2]) do
-    local space, name = line:match("^function ([%a_]+)%.([%w_]+)")
+    local space, name = line:gsub("^function ", ""):match("^([%a_]+)%.([%w_]+)%s*[(=]")
     if fields[space] then fields[space][name] = true end
   end
   table.remove(arg, 1)

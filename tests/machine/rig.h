@@ -25,9 +25,13 @@
 #include "../../src/cab/demo/demo.h"
 #include "../../src/cab/sound/mml.h"
 #include "../../src/cab/pack/pack.h"
+#include "../../src/cab/sound/recording.h"
 #include "../../src/snd/adpcm.h"
 
 /* A game in memory. */
+/* The most lumps a test's game has: the library's pieces are lumps too. */
+enum { RIG_LUMPS = 256 };
+
 struct rig_game {
     struct rom_image image;
     struct cart cart;
@@ -114,12 +118,11 @@ static inline struct manifest rig_manifest(void)
 /* A game of these scripts; m NULL: rig_manifest. One named "@std/NAME" takes the place of the library's. */
 static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
 {
-    enum { MOST = 128 };
     static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[96 * CART_GLYPH];
     static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
     struct manifest own = m ? *m : rig_manifest();
-    char names[MOST][80];
-    struct lump lumps[MOST];
+    char names[RIG_LUMPS][80];
+    struct lump lumps[RIG_LUMPS];
     int k = 0;
 
     /* "tiny": A, 3 x 4 px, and U+5F3E, 5 x 5 */
@@ -185,10 +188,9 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
 /* Puts two blends into a game, "ghost" and "glow", made by a rule for ramps; BLIT_TABLE: the table is nonsense. */
 static inline void rig_ruled_blends(struct rig_game *g, enum blit_mix ghost, enum blit_mix glow)
 {
-    enum { MOST = 128 };
     static uint8_t blend[2][CART_BLEND];
     struct rig_game had = *g;
-    struct lump lumps[MOST];
+    struct lump lumps[RIG_LUMPS];
     int n = (int)had.image.rom.count;
 
     for (int i = 0; i < CART_BLEND; i++) {
@@ -212,14 +214,14 @@ static inline void rig_blends(struct rig_game *g)
 /* Two maps: "sea" of 3 x 2 solid tiles of 8 px, and "reef" of 5 x 4 tiles of 16 px with holes. */
 static inline void rig_maps(struct rig_game *g)
 {
-    enum { MOST = 128, TILES = 4 };
+    enum { TILES = 4 };
     static uint8_t sea[CART_MAP_HEADER + 2 * 6 + TILES * (1 + 64)], reef[CART_MAP_HEADER + 2 * 20 + TILES * (1 + 256)];
     struct {
         uint8_t *at;
         int cols, rows, side, bank;
     } maps[] = { { sea, 3, 2, 8, 2 }, { reef, 5, 4, 16, 3 } };
     struct rig_game had = *g;
-    struct lump lumps[MOST];
+    struct lump lumps[RIG_LUMPS];
     int n = (int)had.image.rom.count;
 
     for (int k = 0; k < 2; k++) {
@@ -254,7 +256,6 @@ static inline void rig_maps(struct rig_game *g)
  * sound. */
 static inline void rig_sounds(struct rig_game *g)
 {
-    enum { MOST = 128 };
     static const struct {
         const char *lump, *text;
     } texts[] = {
@@ -268,8 +269,9 @@ static inline void rig_sounds(struct rig_game *g)
     };
     const struct mml_about about = { 255, 4, 2, "" };
     struct rig_game had = *g;
-    struct lump lumps[MOST];
-    uint8_t *made[8], sample[2048];
+    struct lump lumps[RIG_LUMPS];
+    struct recording_bytes bell;
+    uint8_t *made[8];
     int16_t wave[1500];
     char err[256];
     size_t size;
@@ -284,10 +286,10 @@ static inline void rig_sounds(struct rig_game *g)
     }
     for (int i = 0; i < 1500; i++)
         wave[i] = (int16_t)((i * 577 % 1000 - 500) * (1500 - i) / 40);
-    sample_write(sample, wave, 1500, 22050, SAMPLE_ENDS);
-    if (!mml_of_sample(sample, sample_size(1500), &about, &made[k], &size))
-        fail_msg("no recording");
-    lumps[n++] = (struct lump){ "sound/bell", made[k++], (uint32_t)size };
+    if (!recording_sound(&(struct pcm){ .frames = wave, .n = 1500, .rate = 22050, .channels = 1, .loop = -1 },
+                         &(struct art_sound){ .volume = 255, .priority = 4, .limit = 2 }, &bell, err, sizeof err))
+        fail_msg("%s", err);
+    lumps[n++] = (struct lump){ "sound/bell", made[k++] = bell.data, (uint32_t)bell.n };
     rig_write(g, lumps, n);
     while (k-- > 0)
         free(made[k]);

@@ -523,7 +523,7 @@ static void test_lumps(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct manifest m = rig_manifest();
         struct rig_game g;
-        struct lump lumps[64];
+        struct lump lumps[RIG_LUMPS];
         struct cart cart;
         char err[256] = "";
         m.bg = 1;
@@ -531,6 +531,7 @@ static void test_lumps(void **state)
         rig_maps(&g);
         struct rig_game had = g;
         const int n = (int)had.image.rom.count;
+        assert_true(n <= RIG_LUMPS);
         uint8_t *copy = NULL;
         for (int k = 0; k < n; k++) {
             rom_lump(&had.image.rom, k, &lumps[k]);

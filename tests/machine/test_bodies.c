@@ -93,10 +93,10 @@ static void reference_orbit(struct ref *r, fx *x, fx *y)
 
 static void reference_place(int i)
 {
+    if (i < 0 || ref[i].done)
+        return;
     struct ref *r = &ref[i];
 
-    if (i < 0 || r->done)
-        return;
     r->done = true;
     reference_place(r->body);
     if (r->mode == CIRCLES)
@@ -274,7 +274,7 @@ static uint64_t draw(void *context, uint64_t n)
 
 static void test_places(void **state)
 {
-    const struct box all = { -1000 << 16, -1000 << 16, 1000 << 16, 1000 << 16 };
+    const struct box all = { fx_int(-1000), fx_int(-1000), fx_int(1000), fx_int(1000) };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;

@@ -338,7 +338,7 @@ static void test_errors(void **state)
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
     says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\"");
     says("one({ talk = idle }, { hp = 5 })", "boss.def phase \"#2\": id: expected a string, got nil");
-    says("one(phase { music = 'x' })", "boss.def phase \"a\": music is not there yet; the name is kept for it");
+    says("one(phase { music = 'x' })", "boss.def phase \"a\": \"x\" is not in rom.lua's music");
     says("one(3)", "boss.def phase \"#1\": expected a table of named arguments, got 3");
     says("two(phase { hp = { irs = 3 } })",
          "boss.def: phase \"a\": hp: nobody of the cast is \"irs\" (did you mean \"iris\"?)");

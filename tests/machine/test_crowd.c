@@ -114,7 +114,7 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
 static void random_game(struct rig_game *g)
 {
     struct manifest m = rig_manifest();
-    struct lump lumps[64];
+    struct lump lumps[RIG_LUMPS];
     char names[OWN][24];
     uint8_t *own[OWN];
     struct rig_game plain;
@@ -131,6 +131,7 @@ static void random_game(struct rig_game *g)
     rig_script(&plain, &m, "");
     rig_blends(&plain);
     int n = (int)plain.image.rom.count;
+    assert_true(n + OWN <= RIG_LUMPS);
     for (int i = 0; i < n; i++)
         rom_lump(&plain.image.rom, i, &lumps[i]);
     for (int i = 0; i < OWN; i++) {

@@ -291,11 +291,10 @@ static void test_parts(void **state)
 static void changed_game(struct rig_game *g, int script, uint32_t at, uint8_t c)
 {
     static uint8_t text[1 << 16];
-    enum { MOST_LUMPS = 256 };
-    struct lump lumps[MOST_LUMPS];
+    struct lump lumps[RIG_LUMPS];
     int n = (int)game.image.rom.count;
 
-    assert_true(n <= MOST_LUMPS);
+    assert_true(n <= RIG_LUMPS);
     for (int i = 0; i < n; i++)
         rom_lump(&game.image.rom, i, &lumps[i]);
     assert_true(lumps[script].size <= sizeof text);

@@ -156,6 +156,57 @@ static void test_panel(void **state)
     close_it();
 }
 
+/* Two players: side by side where there is room, a bar as long as it leaves; in a panel one below the other, in rows
+ * that stay where they are when one is out. */
+static void test_two(void **state)
+{
+    static const char text[] =
+        "game.def { registers = { rank = { start = 4, show = 'number' } } }\n"
+        "player.def('p', { sprite = 'dot', hit = { circle = 2 }, lives = 3, registers = {\n"
+        "  bombs = { start = 3, max = 9, show = 'icons' }, moon_fire = { start = 2, max = 4, show = 'bar' } } })\n"
+        "for i = 1, 2 do string.sys.join(i, 'p') end score.add(700, 2) local owner = string.sys.scope()\n"
+        "string.sys.start(owner) hud.start(owner, 2)\n"
+        "task.go(function() wait(2) string.sys.leave(1) end)";
+    static const struct {
+        uint32_t row;
+        const char *there, *out; /* with player 1, and without */
+    } rows[] = { { 1, "HI 000000700", "HI 000000700" },
+                 { 2, "", "" },
+                 { 3, "1P         **", "1P" },
+                 { 4, "000000000", "000000000" },
+                 { 5, "BOMBS ***", "" },
+                 { 6, "MOON FIRE ==-", "" },
+                 { 7, "", "" },
+                 { 8, "2P         **", "2P         **" },
+                 { 9, "000000700", "000000700" },
+                 { 10, "BOMBS ***", "BOMBS ***" },
+                 { 11, "MOON FIRE ==-", "MOON FIRE ==-" },
+                 { 12, "", "" },
+                 { 13, "RANK 4", "RANK 4" },
+                 { 14, "", "" } };
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.players = 2;
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(2, 1, "**       000000700        **");
+    row_is(3, 1, "BOMBS ***          BOMBS ***");
+    row_is(4, 1, "MOON FIRE ==-  MOON FIRE ==-");
+    row_is(5, 1, "RANK 4");
+    close_it();
+    m.screen_w = 320;
+    m.field_w = 200;
+    open_with(&m, text);
+    rig_run(&r, 1);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        row_is(rows[i].row, *rows[i].there ? 26 : -1, rows[i].there);
+    rig_run(&r, 3);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        row_is(rows[i].row, *rows[i].out ? 26 : -1, rows[i].out);
+    close_it();
+}
+
 static void boss_text(char *text, size_t size, const char *title, int phases)
 {
     static const char phase[] = "{ id = 'a%d', hp = 5, time = 99, rest = 0, run = function() end }, ";
@@ -267,6 +318,15 @@ static void test_spell(void **state)
 /* A death, whose bonus it was; and the names of a cast, with a bar each. */
 static void test_failed(void **state)
 {
+    static const struct {
+        int col;
+        const char *text;
+    } rows[2][5] = { { { 1, "IRIS    ========------- 8833" },
+                       { 1, "OPAL TH ============--- 8833" },
+                       { 1, "TWO" },
+                       { -1, "" },
+                       { -1, "" } },
+                     { { 21, "TWO" }, { 21, "IRIS" }, { 21, "=====----" }, { 21, "OPAL THE" }, { 21, "=======--" } } };
     static char text[2048];
     struct manifest m = rig_manifest();
 
@@ -290,9 +350,8 @@ static void test_failed(void **state)
             "task.go(function() boss.fight('b') end)");
         open_with(&m, text);
         rig_run(&r, 120);
-        row_is(panel ? 9 : 3, panel ? 21 : 1, panel ? "=====----" : "IRIS    ========------- 8833");
-        row_is(panel ? 10 : 4, panel ? 21 : 1, panel ? "OPAL THE" : "OPAL TH ============--- 8833");
-        row_is(panel ? 11 : 5, panel ? 21 : 1, panel ? "=======--" : "TWO");
+        for (uint32_t i = 0; i < 5; i++)
+            row_is(panel ? i + 8 : i + 3, rows[panel][i].col, rows[panel][i].text);
         close_it();
     }
 }
@@ -457,9 +516,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_rim),     cmocka_unit_test(test_errors),    cmocka_unit_test(test_title),
-        cmocka_unit_test(test_again),   cmocka_unit_test(test_spell),     cmocka_unit_test(test_failed),
-        cmocka_unit_test(test_warning), cmocka_unit_test(test_large),
+        cmocka_unit_test(test_two),     cmocka_unit_test(test_rim),       cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_title),   cmocka_unit_test(test_again),     cmocka_unit_test(test_spell),
+        cmocka_unit_test(test_failed),  cmocka_unit_test(test_warning),   cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -539,9 +539,11 @@ static void test_refused(void **state)
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { gems = 1 } }",
           "enemy.spawn: item kind \"gems\" is not declared (did you mean \"gem\"?)" },
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { pow = 1 } }) sys.join(1, 'ship')",
-          "item.def: item \"x\": no ship has a register \"pow\" (registers = { pow = 0 } of player.def)" },
+          "item.def: item \"x\": no ship has a register \"pow\", nor the run (registers = { pow = 0 } of player.def, "
+          "or game.def)" },
         { "item.def('x', { sprite = 'dot', radius = 3, full = 'fuel' }) sys.join(1, 'ship')",
-          "item.def: full: no ship's register \"fuel\" has a max (registers = { fuel = { max = n } } of player.def)" },
+          "item.def: full: no ship's register \"fuel\" has a max, nor the run's (registers = { fuel = { max = n } } of "
+          "player.def, or game.def)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { start = 9, max = 3 } } })",
           "player.def: registers.a: start 9 is more than max 3" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { most = 3 } } })",

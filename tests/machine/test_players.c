@@ -26,7 +26,7 @@ static void power(const char *text)
     static char script[8192];
 
     m.options = 32;
-    m.lasers = 4;
+    m.lasers = 16;
     m.items = 16;
     m.players = 2;
     snprintf(script, sizeof script, "%s%s", head, text);
@@ -120,6 +120,26 @@ static void test_gives_run(void **state)
           "for i = 1, 2 do item.drop { kind = 'gem', from = p } end wait(2) say(game.rank, game.power, p.power) end)");
     hold(0, 0, 3);
     assert_string_equal(rig_told(&rig), "9 50 7");
+    done();
+}
+
+/* At the most of a run's register an item gives its points alone, and all come to a ship that says so; a register of
+ * the ship of that name goes first. */
+static void test_full_run(void **state)
+{
+    (void)state;
+    power("game.def { registers = { rank = { max = 2 }, power = { max = 1 } } }\n"
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, collect_full = 'rank', magnet = 0,\n"
+          "  registers = { power = { max = 2 }, luck = 0 } })\n"
+          "item.def('a', { sprite = 'dot', radius = 9, gives = { score = 10, rank = 1, luck = 1 }, full = 'rank' })\n"
+          "item.def('b', { sprite = 'dot', radius = 9, gives = { score = 10, power = 1 }, full = 'power' })\n"
+          "task.go(function() sys.join(1, 'ship') sys.start(sys.scope()) local p = player.get(1)\n"
+          "  local far item.drop { kind = 'a', x = p.x, y = 40, speed = 0 }\n"
+          "  item.each(nil, function(i) far = i end)\n"
+          "  for i = 1, 3 do item.drop { kind = 'a', from = p } item.drop { kind = 'b', from = p } wait(2)\n"
+          "    say(game.rank, p.luck, p.power, p.score, far.vy > 3) end end)");
+    hold(0, 0, 7);
+    assert_string_equal(rig_told(&rig), "1 1 1 20 false 2 2 2 40 true 2 2 2 60 true");
     done();
 }
 
@@ -431,6 +451,41 @@ static void test_hit_state(void **state)
     done();
 }
 
+/* A hit ends the beams of that ship alone, with a window or without one; in the window it fires none. */
+static void test_hit_beams(void **state)
+{
+    static const char *const window[2] = { "deathbomb = 6, bomb = 'wave'", "lives = 3" };
+    char text[2048];
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        snprintf(
+            text, sizeof text,
+            "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+            "bomb.def('wave', { over = 30, cost = 0, run = function() end })\n"
+            "laser.def('lance', { strip = 'dot', width = 4, hit = { share = 1 }, damage = 1 })\n"
+            "laser.def('ray', { strip = 'dot', width = 4, hit = 'none' })\n"
+            "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 0, %s })\n"
+            "task.go(function() sys.join(1, 'ship') sys.join(2, 'ship') wait(2) local p = player.get(1)\n"
+            "  local function beam(k, p) return laser.beam { kind = k, follow = p, dir = 270, length = 90,\n"
+            "    hold = forever, warn = 0, grow = 2, fade = 9 } end\n"
+            "  local function bolt(p) return laser.bolt { kind = 'lance', from = p, speed = 9, length = 9 } end\n"
+            "  local mine, far, other, evil = beam('lance', p), bolt(p), beam('lance', player.get(2)), beam('ray', p)\n"
+            "  wait(5) say(mine.state, other.state)\n"
+            "  bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.group():remove() wait(1)\n"
+            "  say(mine.state, far.state, other.state, evil.state, p.state)\n"
+            "  say(beam('lance', p).alive, bolt(p).alive, beam('ray', p).alive)\n"
+            "  say(p.state == 'hit' and p:bomb(), beam('lance', p).alive, bolt(p).alive)\n"
+            "  wait(8) say(mine.alive) end)",
+            window[i]);
+        power(text);
+        hold(0, 0, 20);
+        assert_string_equal(rig_told(&rig), i == 0 ? "on on fade on on on hit false false true true true true false"
+                                                   : "on on fade on on on fly true true true false true true false");
+        done();
+    }
+}
+
 /* ---- continues ---- */
 
 static const char arcade[] =
@@ -546,11 +601,12 @@ static void test_practised(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drain),         cmocka_unit_test(test_fresh),        cmocka_unit_test(test_gives_run),
-        cmocka_unit_test(test_fixed),         cmocka_unit_test(test_trail),        cmocka_unit_test(test_orbit),
-        cmocka_unit_test(test_options_serve), cmocka_unit_test(test_options_full), cmocka_unit_test(test_bomb),
-        cmocka_unit_test(test_bomb_press),    cmocka_unit_test(test_deathbomb),    cmocka_unit_test(test_hit_state),
-        cmocka_unit_test(test_continues),     cmocka_unit_test(test_asks),         cmocka_unit_test(test_practised),
+        cmocka_unit_test(test_drain),     cmocka_unit_test(test_fresh),         cmocka_unit_test(test_gives_run),
+        cmocka_unit_test(test_full_run),  cmocka_unit_test(test_fixed),         cmocka_unit_test(test_trail),
+        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve), cmocka_unit_test(test_options_full),
+        cmocka_unit_test(test_bomb),      cmocka_unit_test(test_bomb_press),    cmocka_unit_test(test_deathbomb),
+        cmocka_unit_test(test_hit_state), cmocka_unit_test(test_hit_beams),     cmocka_unit_test(test_continues),
+        cmocka_unit_test(test_asks),      cmocka_unit_test(test_practised),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

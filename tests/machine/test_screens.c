@@ -20,6 +20,8 @@ static const char kinds[] =
     "stage.def('end', function() while true do player.each(function(p) p.safe = 0\n"
     "  bullet.fire { kind = 'orb', x = p.x, y = p.y, dir = 0, speed = 0 } end) wait(5) end end)\n";
 
+static bool widens; /* the cells of the next game hold any character */
+
 static void open_sized(const char *text, int w, int h, int field_w, int players)
 {
     static char full[1 << 14];
@@ -31,6 +33,7 @@ static void open_sized(const char *text, int w, int h, int field_w, int players)
     m.field_h = (int16_t)h;
     m.players = (uint8_t)players;
     m.n_difficulties = 2;
+    m.wide = widens;
     memcpy(m.difficulties[0], "calm\0\0", 7);
     memcpy(m.difficulties[1], "wild", 5);
     snprintf(full, sizeof full, "%s%s", kinds, text);
@@ -313,6 +316,42 @@ static void test_leaving(void **state)
     close_game();
 }
 
+/* What a script wrote once under a window stands there again, in its bank and of any character; so does the dark of a
+ * talk. */
+static void test_puts_back(void **state)
+{
+    static const char own[] =
+        "on.start(function() screen.dim { share = 0.25, over = 0 }\n"
+        "  for row = 0, 39 do text.put { col = 9, row = row, text = '\u30a2HERE' .. row, bank = 7,\n"
+        "    size = row == 21 and 2 or 1, rim = row > 20 } end end)\n"
+        "stage.def('long', function() wait(900) end) boot.run { players = { 'heron' }, stages = { 'long' },\n"
+        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+    static uint8_t before[4][40 * 30], *columns[4];
+
+    (void)state;
+    for (int wide = 0; wide < 2; wide++) {
+        widens = wide;
+        open_game(own);
+        widens = false;
+        struct fix *f = &r.b->fix;
+        columns[0] = f->code, columns[1] = f->bank, columns[2] = wide ? f->font : f->code;
+        columns[3] = wide ? (uint8_t *)f->page : f->code;
+        frames(200);
+        for (int c = 0; c < 4; c++)
+            memcpy(before[c], columns[c], sizeof before[c]);
+        press(PAD_START, 0);
+        soon("PAUSE", 5);
+        gone("HERE20");
+        press(PAD_FIRE, 0);
+        frames(1);
+        for (int c = 0; c < 4; c++)
+            assert_memory_equal(before[c], columns[c], sizeof before[c]);
+        frames(10);
+        assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
+        close_game();
+    }
+}
+
 /* The window counts down, faster with bomb; START goes on, and without a continue the game is over. */
 static void test_continue(void **state)
 {
@@ -517,11 +556,11 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),      cmocka_unit_test(test_back),
-                                        cmocka_unit_test(test_leaving),  cmocka_unit_test(test_continue),
-                                        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
-                                        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_answers),
-                                        cmocka_unit_test(test_snapshots) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),       cmocka_unit_test(test_back),
+                                        cmocka_unit_test(test_leaving),   cmocka_unit_test(test_continue),
+                                        cmocka_unit_test(test_puts_back), cmocka_unit_test(test_own),
+                                        cmocka_unit_test(test_endings),   cmocka_unit_test(test_mistakes),
+                                        cmocka_unit_test(test_answers),   cmocka_unit_test(test_snapshots) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

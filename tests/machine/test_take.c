@@ -376,18 +376,17 @@ static const char driver[] = "require 'kinds'\n"
 /* The sandbox with other texts in place of two scripts. */
 static void sandbox(const char *try)
 {
-    enum { MOST_LUMPS = 160 };
     const struct {
         const char *name, *text;
     } mine[] = { { "script/main.lua", driver }, { "script/try.lua", try } };
     struct rom_image image;
-    struct lump lumps[MOST_LUMPS];
+    struct lump lumps[RIG_LUMPS];
     char err[512];
 
     if (!rom_image_load("examples/sandbox", false, &image, err, sizeof err))
         fail_msg("%s", err);
     int n = (int)image.rom.count;
-    assert_true(n <= MOST_LUMPS);
+    assert_true(n <= RIG_LUMPS);
     for (int i = 0; i < n; i++) {
         rom_lump(&image.rom, i, &lumps[i]);
         for (size_t k = 0; k < sizeof mine / sizeof *mine; k++)

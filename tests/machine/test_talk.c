@@ -566,7 +566,7 @@ static void test_errors(void **state)
          "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
     says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
     says("talk.run(function() talk.run(print) end)",
-         "main.lua:2: talk.run: a talk is running, and it can have one box");
+         "main.lua:2: talk.run: a talk is running: say and choose speak in it (a phase { talk = f } is one)");
     says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
     says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
                  "main.lua:1: talk.def face: sprite \"dto\" is not in rom.lua (did you mean \"dot\"?)");

@@ -217,10 +217,10 @@ static void without_entry(const struct rig_game *from, struct rig_game *to)
 {
     static uint8_t manifest[MANIFEST_BYTES];
     struct manifest m = from->cart.m;
-    struct lump lumps[200];
+    struct lump lumps[RIG_LUMPS];
     int n = (int)from->image.rom.count;
 
-    assert_true(n < 200);
+    assert_true(n <= RIG_LUMPS);
     snprintf(m.entry, sizeof m.entry, "empty");
     manifest_pack(&m, manifest);
     for (int i = 0; i < n; i++) {

@@ -147,13 +147,13 @@ static void add_german(struct rig_game *game)
 {
     static const char german[] = "Hello = Hallo\nShip %d = Schiff %d\nPRESS START = START DR\xc3\x9c\x43KEN\n";
     struct rig_game had = *game;
-    struct lump lumps[160];
+    struct lump lumps[RIG_LUMPS];
     int n = (int)had.image.rom.count;
     struct lang l;
     uint8_t *lump;
     char err[256];
 
-    assert_true(n < 160);
+    assert_true(n <= RIG_LUMPS);
     if (!lang_read(&l, german, sizeof german - 1, "de", err, sizeof err))
         fail_msg("%s", err);
     for (int i = 0; i < n; i++)

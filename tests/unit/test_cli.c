@@ -155,19 +155,32 @@ static void test_frames(void **state)
     wants("1,3:5,7:11:2", "0101110101010");
 }
 
+/* What both players hold, the second's shifted by 16. */
+static uint32_t pressed(uint32_t frame)
+{
+    uint16_t pads[PADS];
+
+    args_pressed(&a, frame, pads);
+    return pads[0] | (uint32_t)pads[1] << 16;
+}
+
 static void test_press(void **state)
 {
     (void)state;
     reads("hash game --press fire,focus");
-    assert_int_equal(args_pressed(&a, 0), PAD_FIRE | PAD_FOCUS);
-    assert_int_equal(args_pressed(&a, 99999), PAD_FIRE | PAD_FOCUS);
+    assert_int_equal(pressed(0), PAD_FIRE | PAD_FOCUS);
+    assert_int_equal(pressed(99999), PAD_FIRE | PAD_FOCUS);
     reads("render game --frames 1 --press up,bomb@20,left@60:62,fire@0:600:8");
-    assert_int_equal(args_pressed(&a, 20), PAD_UP | PAD_BOMB);
-    assert_int_equal(args_pressed(&a, 62), PAD_UP | PAD_LEFT);
-    assert_int_equal(args_pressed(&a, 63), PAD_UP);
-    assert_int_equal(args_pressed(&a, 16), PAD_UP | PAD_FIRE);
-    assert_int_equal(args_pressed(&a, 608), PAD_UP);
-    static const char *const wrong[] = { "fyre", "fire@", "fire@x", "@3", "fire,,bomb", "fire@1:2:0", "fire@1:2:3:4" };
+    assert_int_equal(pressed(20), PAD_UP | PAD_BOMB);
+    assert_int_equal(pressed(62), PAD_UP | PAD_LEFT);
+    assert_int_equal(pressed(63), PAD_UP);
+    assert_int_equal(pressed(16), PAD_UP | PAD_FIRE);
+    assert_int_equal(pressed(608), PAD_UP);
+    reads("hash game --press 2.fire,left,2.start@7");
+    assert_int_equal(pressed(6), PAD_LEFT | PAD_FIRE << 16);
+    assert_int_equal(pressed(7), PAD_LEFT | (PAD_FIRE | PAD_START) << 16);
+    static const char *const wrong[] = { "2.",     "3.fire", "2.2.fire",   "fyre",       "fire@",
+                                         "fire@x", "@3",     "fire,,bomb", "fire@1:2:0", "fire@1:2:3:4" };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         char line[64];
         snprintf(line, sizeof line, "hash game --press %s", wrong[i]);

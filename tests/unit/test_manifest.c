@@ -276,12 +276,47 @@ static void test_sounds(void **state)
     free(r);
     entry_refused("sounds = { a = { mml = 'c', volum = 1 } }",
                   "sounds.a.volum: unknown name (did you mean \"volume\"?)");
-    entry_refused("sounds = { a = {} }", "sounds.a: expected either file=\"sfx/NAME.wav\" (or .mml) or mml=\"...\"");
+    entry_refused("sounds = { a = {} }", "sounds.a: expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or "
+                                         "mml=\"...\"");
     entry_refused("sounds = { a = { mml = 'c', volume = 2 } }",
                   "sounds.a.volume: expected a number from 0 to 1, got 2");
     entry_refused("sounds = { a = { mml = 'c', limit = 9 } }",
                   "sounds.a.limit: expected a whole number from 1 to 8, got 9");
-    entry_refused("music = { a = { file = 'a.wav' } }", "music.a: expected file=\"music/NAME.mml\"");
+    entry_refused("music = { a = { file = 'a.mp3' } }",
+                  "music.a: expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
+}
+
+static void test_recordings(void **state)
+{
+    struct result *r = read_good("return { sounds = { b = { file = 'b.ogg', exact = true, stereo = true } },"
+                                 " music = { s = { file = 's.flac', stereo = false, loop = false },"
+                                 " t = { file = 't.xm', tempo = 97.25, bar = 3, offset = 0.5, loop = { start = 1.5,"
+                                 " length = 2, unit = 'seconds' }, markers = { drop = 8.5, back = 0 } } } }");
+    const struct art_sound *b = &r->art.sounds[0], *s = &r->art.tunes[0], *t = &r->art.tunes[1];
+
+    (void)state;
+    assert_true(b->exact && b->stereo && b->loop.kind == LOOP_OF_FILE);
+    assert_true(!s->exact && !s->stereo && s->loop.kind == LOOP_NONE && s->tempo == 0 && s->bar == 4);
+    assert_true(t->stereo && t->tempo == 9725 && t->bar == 3 && t->offset == 0.5 && t->n_markers == 2);
+    assert_true(t->loop.kind == LOOP_GIVEN && t->loop.seconds && t->loop.start == 1.5 && t->loop.length == 2);
+    assert_string_equal(r->art.markers[t->first_marker].name, "back");
+    assert_true(r->art.markers[t->first_marker + 1].beat == 8.5);
+    free(r);
+    entry_refused("music = { a = { file = 'a.mml', tempo = 100 } }",
+                  "music.a: tempo: is for recordings (.wav, .ogg, .flac); MML says it itself");
+    entry_refused("music = { a = { file = 'a.ogg', tempo = 9 } }",
+                  "music.a.tempo: expected a number from 10 to 600, got 9");
+    entry_refused("music = { a = { file = 'a.ogg', loop = { 1, 2 } } }",
+                  "music.a.loop: expected only names as keys, got 1");
+    entry_refused("music = { a = { file = 'a.ogg', loop = { begin = 1 } } }", "music.a.loop.begin: unknown name");
+    entry_refused("music = { a = { file = 'a.ogg', loop = 5 } }", "music.a.loop: expected a table, got 5");
+    entry_refused("music = { a = { file = 'a.ogg', loop = { start = 1.5 } } }",
+                  "music.a.loop: expected whole numbers of frames (or unit=\"seconds\")");
+    entry_refused("music = { a = { file = 'a.ogg', loop = { start = 1, unit = 'beats' } } }",
+                  "music.a.loop: unit: expected \"frames\" or \"seconds\", got \"beats\"");
+    entry_refused("music = { a = { file = 'a.ogg', markers = { up = -1 } } }",
+                  "music.a.markers.up: expected a number from 0 to 1048576, got -1");
+    entry_refused("sounds = { a = { file = 'a.ogg', tempo = 100 } }", "sounds.a.tempo: unknown name");
 }
 
 /* "a.b.c" as "a = { b = { c = v } }". */
@@ -767,18 +802,31 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),       cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),           cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_sounds),         cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),          cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_dip_errors),     cmocka_unit_test(test_art_errors),
-        cmocka_unit_test(test_not_a_manifest), cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),   cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_maps),           cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),     cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),          cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),          cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),
+        cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),
+        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_sounds),
+        cmocka_unit_test(test_recordings),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors),
+        cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_maps),
+        cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),
+        cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /*
- * test_mml.c - MML and WAV files: what they compile to, what is refused and in which words, and that no damage is more
+* test_mml.c - MML: what it compiles to, what is refused and in which words, and that no damage is more
  * than a sentence.
  */
 #include <setjmp.h>
@@ -13,8 +13,6 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/cab/sound/mml.h"
-#include "../../src/cab/sound/wav.h"
-#include "../../src/snd/adpcm.h"
 #include "../../src/snd/tune.h"
 
 static const struct mml_about about = { 200, 3, 5, "" };
@@ -113,8 +111,9 @@ static void test_header(void **state)
     assert_string_equal(tune_mark(&t, 1), "down");
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
     const struct inst i = inst_of(tune_inst(&t, 0));
-    assert_true(i.kind == INST_FM && i.ratio == 896 && i.depth == 1304 && i.attack == 96 && i.vibrato == 51);
-    assert_int_equal(i.vibrato_delay, 9600);
+    const struct op o = inst_op(tune_inst(&t, 0), 0);
+    assert_true(i.kind == INST_FM && o.ratio == 896 && o.level == 1304 && i.env.attack == 96 && i.vibrato.depth == 51);
+    assert_int_equal(i.vibrato.delay, 9600);
     free((void *)(uintptr_t)t.data);
 }
 
@@ -131,7 +130,7 @@ static void test_mistakes(void **state)
         { "@b fm atack=3\nA c", "x.mml:1:7: unknown setting \"atack\" (did you mean \"attack\"?)" },
         { "@b fm attack=x\nA c", "x.mml:1:14: expected milliseconds from 0 to 60000, got \"x\"" },
         { "@b horn\nA c",
-          "x.mml:1:4: expected pulse, triangle, saw, sine, fm, noise, sample, or an instrument that stands "
+          "x.mml:1:4: expected pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument that stands "
           "above, got \"horn\"" },
         { "[c4", "x.mml:1:1: [ without ]" },
         { "c4]2", "x.mml:1:3: ] without [" },
@@ -161,88 +160,19 @@ static void test_mistakes(void **state)
         assert_string_equal(events(list[i][0]), list[i][1]);
 }
 
-/* ---- WAV ---- */
-
-static size_t make_wav(uint8_t *p, int channels, int bits, uint32_t rate, uint32_t frames)
-{
-    const uint32_t bytes = frames * (uint32_t)(channels * bits / 8);
-
-    memset(p, 0, 44 + bytes);
-    memcpy(p, "RIFF....WAVEfmt ", 16);
-    bytes_put32(p + 16, 16);
-    bytes_put16(p + 20, 1);
-    bytes_put16(p + 22, (uint16_t)channels);
-    bytes_put32(p + 24, rate);
-    bytes_put16(p + 34, (uint16_t)bits);
-    memcpy(p + 36, "data", 4);
-    bytes_put32(p + 40, bytes);
-    for (uint32_t i = 0; i < bytes; i++)
-        p[44 + i] = (uint8_t)(i * 7);
-    return 44 + bytes;
-}
-
-static void wav_refuses(const uint8_t *p, size_t n, const char *message)
-{
-    uint8_t *out;
-    char err[256];
-    size_t size;
-
-    assert_false(wav_read(p, n, &out, &size, err, sizeof err));
-    assert_string_equal(err, message);
-}
-
-static void test_wav(void **state)
-{
-    static uint8_t p[8192];
-    struct sample s;
-    uint8_t *out;
-    char err[256];
-    size_t size;
-    int16_t first;
-
-    (void)state;
-    for (int bits = 8; bits <= 32; bits += 8)
-        for (int channels = 1; channels <= 2; channels++) {
-            size_t n = make_wav(p, channels, bits, 22050, 600);
-            for (int c = 0; c < channels; c++) /* -2000 left, -1000 right */
-                for (int b = 0; b < 4 && b < bits / 8; b++)
-                    p[44 + c * bits / 8 + b] = (uint8_t)((c ? -1000 : -2000) * 65536 >> (32 - bits + 8 * b));
-            assert_true(wav_read(p, n, &out, &size, err, sizeof err));
-            assert_true(sample_open(out, size, &s) && s.n == 600 && s.rate == 22050 && s.loop == SAMPLE_ENDS);
-            sample_read(&s, 0, 1, &first);
-            if (bits > 8)
-                assert_int_equal(first, channels == 1 ? -2000 : -1500);
-            free(out);
-        }
-    size_t n = make_wav(p, 1, 16, 44100, 600);
-    wav_refuses(p, 8, "expected a WAV file (RIFF, WAVE)");
-    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes runs past the end of the file");
-    wav_refuses(p, 36, "it has no chunk \"data\"");
-    p[20] = 3;
-    wav_refuses(p, n, "expected PCM samples (format 1), got format 3");
-    make_wav(p, 3, 16, 44100, 600);
-    wav_refuses(p, n, "expected one channel or two, got 3");
-    make_wav(p, 1, 12, 44100, 600);
-    wav_refuses(p, n, "expected samples of 8, 16, 24 or 32 bits, got 12");
-    make_wav(p, 1, 16, 96000, 600);
-    wav_refuses(p, n, "expected 4000 to 48000 frames a second, got 96000 (save it with 48000)");
-    make_wav(p, 1, 16, 44100, 0);
-    wav_refuses(p, 44, "expected 1 to 16777216 frames, got 0");
-}
-
 /* ---- damage ---- */
 
-/* Ten thousand texts, recordings and tunes with some bytes changed: each is taken, and then good, or refused. */
+/* Ten thousand texts and tunes with some bytes changed: each is taken, and then good, or refused. */
 static void test_damage(void **state)
 {
     static const char text[] = "#title Tide\n#bar 4\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n!m c8 d8\n"
                                "A t120 @b v12 o4 L !m {c>g}4,8 \"up\" {{cde}}2 [c / d]2 r4\nB K-5 _{+f} L l8 c1^1\n";
     static char bad[sizeof text];
-    static uint8_t wav[1400], tune[4096];
+    static uint8_t tune[4096];
     struct rng r;
     uint8_t *out;
     char err[256];
-    size_t size, n = make_wav(wav, 1, 16, 44100, 600), tune_size;
+    size_t size, tune_size;
 
     (void)state;
     rng_seed(&r, 11);
@@ -261,10 +191,9 @@ static void test_damage(void **state)
         } else {
             assert_true(strncmp(err, "x:", 2) == 0 && strlen(err) > 8);
         }
-        const size_t at = rng_next(&r) % tune_size, at_wav = rng_next(&r) % n;
-        const uint8_t was = tune[at], was_wav = wav[at_wav];
+        const size_t at = rng_next(&r) % tune_size;
+        const uint8_t was = tune[at];
         tune[at] ^= (uint8_t)(1 << rng_next(&r) % 8);
-        wav[at_wav] ^= (uint8_t)(1 << rng_next(&r) % 8);
         if (tune_open(tune, tune_size, err, sizeof err)) {
             const struct tune t = tune_of(tune);
             struct list l = { .at = 0 };
@@ -274,18 +203,17 @@ static void test_damage(void **state)
                 tune_run(&t, k, &c, t.tempo, 0, 800, write_down, &l);
             }
         }
-        if (wav_read(wav, n, &out, &size, err, sizeof err))
-            free(out);
         tune[at] = was;
-        wav[at_wav] = was_wav;
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands), cmocka_unit_test(test_header), cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_wav),      cmocka_unit_test(test_damage),
+        cmocka_unit_test(test_commands),
+        cmocka_unit_test(test_header),
+        cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_damage),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

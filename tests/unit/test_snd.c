@@ -11,6 +11,7 @@
 #include <math.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
+#include "../../src/cab/sound/encode.h"
 #include "../../src/cab/sound/mml.h"
 #include "../../src/chips/sound/voices.h"
 #include "../../src/snd/adpcm.h"
@@ -107,7 +108,7 @@ static void test_alias(void **state)
     (void)state;
     for (int cycles = 37; cycles < 700; cycles += 83) { /* so many whole turns in N samples */
         const uint64_t step = (uint64_t)cycles << 44;
-        struct wave_at at = { 0, step, 0, 0, 0, 0, 0, 0 };
+        struct wave_at at = { 0, step, 0, 0, 0, 0, NULL };
         double loud = 0, foul = 0;
         at.mip0 = at.mip1 = snd_mip(&tables, (uint32_t)(step >> 24));
         for (int i = 0; i < N; i += SND_BLOCK, at.phase += SND_BLOCK * step) {
@@ -148,7 +149,7 @@ static void test_limit(void **state)
 /* The level rises in its attack, halves as it says, and has no jump. */
 static void test_level(void **state)
 {
-    const struct inst i = { .sustain = 8000, .attack = 480, .decay = 1000, .fade = 48000, .release = 2000 };
+    const struct env i = { .sustain = 8000, .attack = 480, .decay = 1000, .fade = 48000, .release = 2000 };
     int32_t last = 0;
 
     (void)state;
@@ -168,7 +169,7 @@ static void test_adpcm(void **state)
 {
     enum { N = 3000 };
     static int16_t in[N], all[4 * N], part[200];
-    uint8_t *bytes = malloc(sample_size(N));
+    uint8_t *bytes = malloc(sample_size(N, SAMPLE_PACKED));
     struct sample s;
     struct rng r;
 
@@ -178,8 +179,8 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS);
-        assert_true(sample_open(bytes, sample_size(N), &s));
+        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
+        assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {
             wrong += (all[i] - in[i]) * (double)(all[i] - in[i]);
@@ -196,8 +197,8 @@ static void test_adpcm(void **state)
         }
     }
     bytes[SAMPLE_HEADER + 2] = 89;
-    assert_false(sample_open(bytes, sample_size(N), &s));
-    assert_false(sample_open(bytes, sample_size(N) - 1, &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED) - 1, &s));
     free(bytes);
 }
 
@@ -280,18 +281,14 @@ static void test_borders(void **state)
 {
     uint8_t *block, rom[INST_BYTES + 16] = { 0 };
     const struct inst inst = { .kind = INST_TRIANGLE,
-                               .sustain = 20000,
-                               .attack = 300,
-                               .decay = 3000,
-                               .release = 900,
-                               .vibrato = 90,
-                               .vibrato_step = 500000 };
+                               .env = { .sustain = 20000, .attack = 300, .decay = 3000, .release = 900 },
+                               .vibrato = { 90, 500000, 0 } };
     struct voices *v = make_voices(&block);
     static int16_t out[30 * 2 * SND_FRAME];
     int most = 0, border = 0;
 
     (void)state;
-    inst_write(rom + 16, &inst);
+    inst_write(rom + 16, &inst, NULL, "");
     for (int f = 0; f < 30; f++) {
         voices_step(v, rom);
         v->gain1 = VOICE_GAIN;

@@ -7,13 +7,18 @@
 # unless named; it is BASE's, so that it uses nothing that is new. START: a practice start, "one" unless named, "" for
 # the game's title. Both engines run in turns: ROUNDS (9) times FRAMES (1200) frames, of which the median ratio counts.
 # With valgrind there, instructions are counted too, which hardly differ from run to run; COUNT=none: they are not.
+#
+# TABLE=1: instead of a game's cost, the bench's scenes, tick and picture, a row each, on both engines in turns of a
+# few frames; what is slower than LIMIT (1.03) is measured again with more rounds, and if it still is, said, and exit
+# code 1. ROWS='^price (ring|fan)': only those whose names this fits. The scenes are BASE's roms/bench;
+# BENCH=roms/bench: here's.
 # shellcheck disable=SC2086 # flags and libraries are lists
 set -eu
 cd "$(dirname "$0")/../.."
 export LC_ALL=C
 : "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4)}"
 : "${LIBS:=$(pkg-config --libs lua5.4) -lm -pthread}"
-: "${ROUNDS:=9}" "${FRAMES:=1200}" "${COUNT:=valgrind}"
+: "${ROUNDS:=9}" "${FRAMES:=1200}" "${COUNT:=valgrind}" "${TABLE:=}" "${ROWS:=}" "${LIMIT:=1.03}" "${BENCH:=}"
 base=${1:-} game=${2:-roms/glasstide} start=${3-one}
 fail() { echo "compare: $*" >&2; exit 2; }
 [ -n "$base" ] || fail 'what with? make compare BASE=COMMIT, or the folder of another checkout'
@@ -33,7 +38,7 @@ else
 fi
 [ -f "$tree/$game/rom.lua" ] || fail "$tree/$game is no game"
 
-# weigher TREE: builds TREE's engine, and weigh with it.
+# weigher TREE: builds TREE's engine, and weigh with it; for a table rows.
 weigher() {
     echo "compare: building $1" >&2
     make -C "$1" --no-print-directory -s -j2 CC="$CC" CONFIG="${OUT#build/}" "$OUT/curtain-bare" >&2 ||
@@ -41,16 +46,29 @@ weigher() {
     (
         cd "$1"
         mkdir -p tools/compare
-        [ "$1" = . ] || cmp -s "$here/weigh.c" tools/compare/weigh.c || cp "$here/weigh.c" tools/compare/
+        for own in weigh.c rows.c; do
+            [ "$1" = . ] || cmp -s "$here/$own" tools/compare/$own || cp "$here/$own" tools/compare/
+        done
+        if [ -n "$TABLE" ]; then
+            objects=$(find src fb -name '*.c' ! -path src/cab/main.c | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
+            $CC $FLAGS tools/compare/rows.c tools/bench/scene.c $objects "$OUT/platform/null.o" \
+                "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/no_rom.o" $LIBS -o "$OUT/rows"
+            exit
+        fi
         below="src/base $(ls -d src/snd 2>/dev/null) src/chips src/board fb"
         objects=$(find $below -name '*.c' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
         $CC $FLAGS tools/compare/weigh.c $objects $LIBS -o "$OUT/weigh"
-    ) || fail "weigh.c does not build with $1: what it uses of the board is named otherwise there"
-    "$1/$OUT/curtain-bare" pack "$tree/$game" -o "$1/$OUT/weigh.rom" >/dev/null
+    ) || fail "weigh.c or rows.c does not build with $1: what it uses of the board is named otherwise there"
+    [ -n "$TABLE" ] || "$1/$OUT/curtain-bare" pack "$tree/$game" -o "$1/$OUT/weigh.rom" >/dev/null
 }
 here=$PWD/tools/compare
 weigher "$tree"
 weigher .
+if [ -n "$TABLE" ]; then
+    echo "the bench's scenes of $name: that engine, and this checkout's"
+    export ROUNDS ROWS LIMIT
+    exec tools/compare/turns.sh "$tree/$OUT/rows" "$OUT/rows" "${BENCH:-$tree/roms/bench}" "$tree/$game" "$start"
+fi
 
 # run TREE LOADS FRAMES
 run() { "$1/$OUT/weigh" "$1/$OUT/weigh.rom" "$2" "$3" "$start"; }

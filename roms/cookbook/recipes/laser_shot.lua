@@ -1,5 +1,6 @@
 -- laser_shot.lua - A player's laser: a beam that follows the ship while fire is held and fades when
--- it is let go. A laser kind with damage hurts enemies, every few frames, and nobody else.
+-- it is let go, or the ship is hit. A laser kind with damage hurts enemies, every few frames, and
+-- nobody else.
 laser.def("lance", { strip = "ray", width = 10, hit = { share = 1 }, damage = 2, every = 4,
                      bank = 4 })
 
@@ -8,10 +9,10 @@ player.def("lancer", { sprite = "ship", hit = { circle = 2 }, run = function(p)
     wait_until(function() return pad.down("fire", p) end)
     local beam = laser.beam { kind = "lance", follow = p, dy = -14, dir = 270, length = 320,
                               hold = forever, warn = 0, grow = 6 }
-    while pad.down("fire", p) do
+    repeat
       beam.width = p.focus and 16 or 9
       wait(1)
-    end
+    until not (pad.down("fire", p) and beam.alive)
     beam:fade()
   end
 end })

@@ -41,10 +41,11 @@ bomb.def("undertow", { over = 90, safe = 150, run = function(p)
   item.group():pull(p)
 end })
 
+-- A cell off the edges, as the hud; so a talk's plate covers all of them.
 local function show_bombs(set, p, bead)
   for i = 1, MOST do
-    local x = p.index == 1 and 12 * i - 2 or rom.screen.w - 12 * i + 2
-    local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 9, screen = true })
+    local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
+    local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 15, screen = true })
     s.hidden = i > p.bombs
   end
 end

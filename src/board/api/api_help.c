@@ -139,22 +139,50 @@ static const struct {
     { "print(...)", "writes to the log, for the author's eyes" },
     { "require(name)",
       "runs a script of the game once and returns what it returned: require \"stages/one\"; at load only" },
+    { "game.stage", "name of the stage being played, or nil" },
+    { "game.mode", "name of the mode of boot.run, or nil" },
+    { "game.continues", "how often players went on, in this game" },
+    { "game.frames", "frames since the game began" },
+    { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
+    { "hud.cols", "cells of the screen in a row, of 8 px each" },
+    { "hud.rows", "rows of cells of the screen" },
+    { "hud.banner(lines, frames)", "shows a list of texts in the middle of the field; without lines, ends that" },
+    { "hud.centre(row, text, bank?, first?, cols?)", "puts a text, in the run's language, in the middle of the screen, "
+                                                     "or of cols cells from first on; returns the row "
+                                                     "below" },
+    { "talk.look", "how talks look, for main.lua to set: dim, bank, font" },
     { "rom.title", "the game's title" },
     { "rom.field", "the playfield: x y w h, px; x and y on the screen" },
     { "rom.screen", "the screen: w h, px" },
 };
 
+enum { VALUES = sizeof values / sizeof *values };
+
 static bool help_values(const char *name, size_t n, void (*line)(const char *))
 {
-    char text[200];
+    char text[240];
     bool any = false;
 
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+    for (size_t i = 0; i < VALUES; i++) {
         if (n && strncmp(values[i].name, name, n))
             continue;
         snprintf(text, sizeof text, "%-46s %s", values[i].name, values[i].help);
         line(text);
         any = true;
+    }
+    return any;
+}
+
+/* Those whose name behind the dot is that word: "centre". */
+static bool help_value_word(const char *word, void (*line)(const char *))
+{
+    const size_t n = strlen(word);
+    bool any = false;
+
+    for (size_t i = 0; i < VALUES; i++) {
+        const char *last = strchr(values[i].name, '.');
+        if (last && strcspn(last + 1, "(") == n && !strncmp(last + 1, word, n))
+            any |= help_values(values[i].name, strlen(values[i].name), line);
     }
     return any;
 }
@@ -182,7 +210,7 @@ static bool help_thing(int kind, void (*line)(const char *))
 static bool help_word(const char *word, void (*line)(const char *))
 {
     char text[400];
-    bool any = false;
+    bool any = help_value_word(word, line);
 
     for (int i = 0; i < api_count(); i++) {
         const struct api_entry *e = api_entry(i);
@@ -213,6 +241,9 @@ const char *api_help_near(const char *name)
     for (int i = 0; i < api_count(); i++)
         if (!(api_entry(i)->flags & API_SYS))
             api_suggest_nearer(name, api_entry(i)->name, &best, &found);
+    for (size_t i = 0; i < VALUES; i++)
+        if (!strchr(values[i].name, '('))
+            api_suggest_nearer(name, values[i].name, &best, &found);
     return found;
 }
 

@@ -13,8 +13,6 @@ static const struct {
 } reserved[] = {
     { "", '.', "test" },
     { "board", '.', "ask" },
-    { "boss.def", '{', "music" },
-    { "boss.def phase", '{', "music" },
 };
 
 static bool has_word(const char *words, const char *word)

@@ -85,7 +85,8 @@ static const struct api_param path_run[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 
 static const struct api_param bg_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 static const struct api_param stage_def[] = { NAME,
                                               { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
-                                              { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
+                                              { "needs", A_STR, OPT, 1, 31, NULL, NULL },
+                                              { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
 static const struct api_param wave[] = { { "n", A_INT, REQ, 0, 4096, "enemies", NULL },
                                          EVERY,
@@ -114,7 +115,8 @@ static const struct api_param boss_def[] = { NAME,
                                              { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
-                                             { "warning", A_INT, OPT, 0, 65535, "frames", "0" } };
+                                             { "warning", A_INT, OPT, 0, 65535, "frames", "0" },
+                                             { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
                                               { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
@@ -143,7 +145,8 @@ static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL 
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
                                           { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                          { "bg", A_STR, OPT, 0, 0, NULL, NULL } };
+                                          { "bg", A_STR, OPT, 0, 0, NULL, NULL },
+                                          { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
                                                 { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
 static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
@@ -179,7 +182,8 @@ static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, "tr
                                                 { "ship", A_STR, OPT, 1, 31, NULL, NULL },
                                                 { "continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL },
                                                 { "score", A_INT, OPT, 1, 1e12, "points", NULL },
-                                                { "spell", A_STR, OPT, 1, 63, NULL, NULL } };
+                                                { "spell", A_STR, OPT, 1, 63, NULL, NULL },
+                                                { "heard", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
 static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
@@ -194,12 +198,16 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "continues", A_INT, OPT, 1, 99, NULL, NULL },
                                              { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
+static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
+                                               { "title", A_STR, OPT, 0, 63, NULL, NULL },
+                                               { "text", A_STR, OPT, 0, 127, NULL, NULL },
+                                               { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
 static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param talk_def[] = { { "who", A_STR, REQ, 1, 31, NULL, NULL },
-                                             { "name", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "faces", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "side", A_STR, OPT, 0, 0, NULL, "left" },
-                                             { "bank", A_INT, OPT, 0, 15, NULL, "0" } };
+static const struct api_param talk_def[] = {
+    { "who", A_STR, REQ, 1, 31, NULL, NULL },    { "name", A_STR, REQ, 0, 63, NULL, NULL },
+    { "faces", A_TABLE, OPT, 0, 0, NULL, NULL }, { "side", A_STR, OPT, 0, 0, NULL, "left" },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL }
+};
 static const struct api_param talk_face[] = { { "face", A_SPRITE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
                                              { "hold", A_STR, OPT, 0, 0, NULL, "fire" },
@@ -209,7 +217,8 @@ static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NUL
 static const struct api_param say[] = {
     { "who", A_STR, OPT, 0, 0, NULL, NULL },         { "text", A_STR, REQ, 0, 4096, NULL, NULL },
     { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_STR, OPT, 0, 0, NULL, NULL },
-    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT
+    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT,
+    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL },
 };
 static const struct api_param choose[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL },
                                            { "title", A_STR, OPT, 0, 0, NULL, NULL },
@@ -264,7 +273,8 @@ static const struct api_entry entries[] = {
         "owner "
         "or the thing goes"),
     LUA("stage.def", stage_def, 2, API_LOAD, NULL,
-        "declares a stage: one task, plain code; needs: an unlock without which boot.run passes it over"),
+        "declares a stage: one task, plain code; needs: an unlock without which boot.run passes it over; music: plays "
+        "from its beginning"),
     LUA("stage.at", stage_at, 1, 0, NULL,
         "waits for frame n of the stage's clock, which stands still during boss.fight"),
     LUA("stage.wave", wave, 0, 0, NULL,
@@ -281,7 +291,7 @@ static const struct api_entry entries[] = {
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
         "it; "
-        "warning: so long a band sweeps before"),
+        "warning: so long a band sweeps before; music: plays during the fight, and what was before it goes on after"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "
@@ -289,7 +299,7 @@ static const struct api_entry entries[] = {
         "and a "
         "hit ends it in place of a life; with a cast hp and run may be { NAME = value }, a bar and a task each, and "
         "down "
-        "says whether all bars or any must be emptied"),
+        "says whether all bars or any must be emptied; music: while it lasts"),
     LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one of the cast of boss.def"),
     LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a talk among the phases of boss.def: f(e), with the boss safe"),
     LUA("boss.def clear", phase_clear, 0, API_SYS, NULL,
@@ -315,13 +325,14 @@ static const struct api_entry entries[] = {
         "declares what can be earned; when: conditions, or f(run) at a run's end; kept under \"unlock/NAME\""),
     LUA("unlock.def when", unlock_when, 0, API_SYS, NULL,
         "all must hold: clear = true or a stage, at least that difficulty and score, at most so many continues, "
-        "spell = \"boss/id\" captured"),
+        "spell = \"boss/id\" captured, a piece of music heard"),
     LUA("unlock.has", unlock_has, 1, 0, "boolean", "has it been earned?"),
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
         "frames too"),
     LUA("talk.def", talk_def, 1, API_LOAD, NULL,
-        "declares who talks: the name that is shown, and faces = { calm = SPRITE, .. }; a face stands on the box"),
+        "declares who talks: the name that is shown, and faces = { calm = SPRITE, .. }; a face stands on the box; "
+        "voice: a sound that goes with the letters"),
     LUA("talk.def face", talk_face, 1, API_SYS, NULL, "one face of talk.def"),
     LUA("talk.run", talk_run, 1, 0, NULL,
         "calls f(), in which say and choose share one box: the stage's clock stands, players do not fire; special held "
@@ -330,7 +341,11 @@ static const struct api_entry entries[] = {
         "who, or nobody (nil), says it; returns when a player presses fire, which first shows all letters at once"),
     LUA("choose", choose, 1, API_GLOBAL, "number",
         "shows a list, returns the number chosen with up, down and fire; `chosen` where the talk is skipped"),
-    LUA("boot.run", boot_run, 0, 0, NULL, "title, attract, game, name entry; the last line of main.lua"),
+    LUA("boot.run", boot_run, 0, 0, NULL,
+        "title, attract, game, name entry; the last line of main.lua; music = { SCREEN = piece, .. }, and room = true "
+        "or a "
+        "list of pieces: the music room"),
+    LUA("boot.run music", boot_music, 0, API_SYS, NULL, "one piece of boot.run's music"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 

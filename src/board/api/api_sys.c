@@ -2,6 +2,7 @@
  * api_sys.c - sys, which only the standard library (@std) sees.
  */
 #include <string.h>
+#include "../../base/bytes.h"
 #include "../../base/edit.h"
 #include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
@@ -41,6 +42,7 @@ static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL 
 static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
 static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
 static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+enum { BACK_FADE = 60 /* frames in which music goes */ };
 static const struct api_param wipe[] = { { "keep", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
                                          { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
@@ -268,6 +270,8 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 
     registers_start(&b->registers, b->registers.first, b->registers.count, 0);
     b->core.since = b->core.clock;
+    if (b->voices.s.cap)
+        sound_game(b);
     memset(b->core.continues, 0, sizeof b->core.continues);
     memset(b->core.continued, 0, sizeof b->core.continued);
     events_start(L, v[ARG_SCOPE].i);
@@ -389,6 +393,8 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
         return 0;
     player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
     options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
+    if (b->voices.s.cap && !b->player.in[0] && !b->player.in[1]) /* the game is over */
+        sound_music_stop(b, BACK_FADE);
     return 0;
 }
 
@@ -473,6 +479,8 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
     if (v[SKIP_TASK].given)
         b->tasks.wait[i] = 0;
+    else if (b->voices.s.cap)
+        sound_skip(b, v[SKIP_ON].i && !board_lists(b));
     return 0;
 }
 
@@ -524,16 +532,87 @@ static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
     return 4;
 }
 
-static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL } };
+enum { CUE_NAME, CUE_PAN };
+static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL },
+                                        { "pan", A_NUM, OPT, -1, 1, NULL, "0" } };
 
 /* Sounds are outside the hash, and so is this call. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[ARG_NAME].at)) : -1;
+    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
+    const int16_t place = (int16_t)(v[CUE_PAN].n * TUNE_PAN);
 
-    if (sound >= 0)
-        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
+    if (sound >= 0 && !tasks_skipping(&b->tasks))
+        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, place, 0 });
     return 0;
+}
+
+enum { ON_NAME, ON_FADE, LEAST_FADE = 30 };
+static const struct api_param music_on[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
+                                             { "fade", A_INT, OPT, 0, 65535, "frames", NULL } };
+static const struct api_param music_fight[] = { { "name", A_TUNE, OPT, 0, 0, NULL, NULL },
+                                                { "fade", A_INT, REQ, 0, 65535, "frames", NULL } };
+
+static int32_t least_fade(const struct api_value *v)
+{
+    return !v->given ? 0 : v->i < LEAST_FADE ? LEAST_FADE : (int32_t)v->i;
+}
+
+static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    lua_pushboolean(L, sound_music(b, (int)v[ON_NAME].i - 1, &how));
+    return 1;
+}
+
+static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    sound_music_back(b, (int)v[ON_NAME].i - 1, v[ON_FADE].given ? (int32_t)v[ON_FADE].i : BACK_FADE);
+    return 0;
+}
+
+static const struct api_param music_clock[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
+
+static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->music.passes)
+        vm_charge(L, sound_pass_clock(b, v[0].i));
+    return 0;
+}
+
+/* All that boss/fight.lua does with music, in no time. */
+static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    if (!b->music.passes)
+        return 0;
+    const bool on = v[ON_NAME].given && sound_music(b, (int)v[ON_NAME].i - 1, &how);
+    vm_charge(L, sound_pass_fight(b));
+    if (on)
+        sound_music_back(b, (int)v[ON_NAME].i - 1, BACK_FADE);
+    return 0;
+}
+
+/* The pieces of rom.lua, by name: { name, title, heard } each. */
+static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_createtable(L, b->cart.tunes, 0);
+    for (int i = 0; i < b->cart.tunes; i++) {
+        const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, i));
+        lua_createtable(L, 0, 3);
+        lua_pushstring(L, cart_tune_name(&b->cart, i));
+        lua_setfield(L, -2, "name");
+        lua_pushstring(L, tune_title(&t));
+        lua_setfield(L, -2, "title");
+        lua_pushboolean(L, i < SEQ_HEARD && b->music.heard[i / 64] >> i % 64 & 1);
+        lua_setfield(L, -2, "heard");
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
 }
 
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
@@ -631,6 +710,52 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     (void)v;
     lua_pushinteger(L, b->cart.n_glyphs);
     return 1;
+}
+
+/* The columns of the cells, one behind the other, low bytes first. */
+static size_t text_bytes(const struct fix *f)
+{
+    return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
+}
+
+static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    luaL_Buffer out;
+    char *to = luaL_buffinitsize(L, &out, text_bytes(f));
+
+    (void)v;
+    vm_charge(L, text_bytes(f) / 64);
+    memcpy(to, f->code, cells);
+    memcpy(to + cells, f->bank, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        to[2 * cells + i] = (char)f->font[i];
+        bytes_put16((uint8_t *)to + 3 * cells + 2 * i, f->page[i]);
+    }
+    luaL_pushresultsize(&out, text_bytes(f));
+    return 1;
+}
+
+static const struct api_param kept_text[] = { { "kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL } };
+
+static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    size_t n = 0;
+    const char *from = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
+
+    if (!from || n != text_bytes(f))
+        return api_error(L, "sys.text_back", "expected what sys.keep_text returned");
+    vm_charge(L, n / 64);
+    memcpy(f->code, from, cells);
+    memcpy(f->bank, from + cells, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        f->font[i] = (uint8_t)from[2 * cells + i];
+        f->page[i] = bytes_get16((const uint8_t *)from + 3 * cells + 2 * i);
+    }
+    return 0;
 }
 
 static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
@@ -779,6 +904,8 @@ static const struct api_entry entries[] = {
     { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
     { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
+    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", "all that stands in the cells" },
+    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL, "puts it there again" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
@@ -788,7 +915,16 @@ static const struct api_entry entries[] = {
     { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
     { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
     { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
-    { "sys.cue", sys_cue, PARAMS(cue), 1, API_SYS, NULL, "plays the sound of that name, if the game has one" },
+    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, "plays the sound of that name, if the game has one" },
+    { "sys.music_on", sys_music_on, PARAMS(music_on), 2, API_SYS | API_CHANGES, "boolean",
+      "puts what plays aside for that piece, after a fade; false: it plays already" },
+    { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
+      "ends that piece: what was put aside goes on" },
+    { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
+      "on the way to a mark the stage's clock was put so many frames on" },
+    { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
+      "on the way to a mark a fight with that music was passed over" },
+    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", "the music of rom.lua" },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

@@ -3,6 +3,7 @@
  */
 #include "api_parts.h"
 #include "../events_run.h"
+#include "../sound.h"
 
 /* Parameters by place; ARG_: the only one of its entry. */
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
@@ -32,8 +33,11 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
         return api_error(
             L, "wait",
             "cannot wait inside a function that C calls (bullet.each and its like, a sort, a gsub, a <close>)");
-    if (b->tasks.flags[b->tasks.current] & TASK_SKIPS)
+    if (b->tasks.flags[b->tasks.current] & TASK_SKIPS) {
+        if (b->music.passes)
+            vm_charge(L, sound_pass_wait(b, v[ARG_FRAMES].i));
         return api_pass_wait(L, b);
+    }
     if (!v[ARG_FRAMES].i)
         return 0;
     b->tasks.wait[b->tasks.current] = v[ARG_FRAMES].i;

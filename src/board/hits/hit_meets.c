@@ -103,11 +103,13 @@ static bool measure(struct crowd *c)
             top = int64_min(top, y);
             bottom = int64_max(bottom, y);
         }
+    if (left > right)
+        return false;
     c->left = left;
     c->top = top;
     c->wide = right - left;
     c->high = bottom - top;
-    return left <= right;
+    return true;
 }
 
 /* Puts bullet i into its list. */

@@ -12,6 +12,7 @@
 #include "../../base/err.h"
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
+#include "../../snd/adpcm.h"
 #include "../../snd/tune.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
@@ -317,6 +318,15 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+/* The samples of a stream, which music alone may be. */
+static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
+{
+    struct lump l;
+
+    return strncmp(tune->name, "tune/", 5) == 0 && find_in(c->rom, "wave/", tune->name + 5, "", &l) &&
+           samples_open(l.data, l.size, sides);
+}
+
 /* The tunes of a folder. */
 static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
 {
@@ -329,14 +339,19 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
         rom_lump(c->rom, first + i, &l);
         if (!tune_open(l.data, l.size, why, sizeof why))
             return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+        const struct tune t = tune_of(l.data);
+        if (tune_streams(&t) && !stream_ok(c, &l, t.sides))
+            return err_set(err, err_size, "lump \"%s\": its samples, lump wave/%s, are not there or not good", l.name,
+                           strchr(l.name, '/') + 1);
     }
     return true;
 }
 
+const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item", "bomb",
+                                           "warning", "menu", "extend", "spell", "time" };
+
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
-    static const char *const names[CART_CUES] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
-
     struct lump first;
 
     c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
@@ -346,7 +361,7 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
         c->tune_data = first.data - TUNES_FIRST;
     }
     for (int i = 0; i < CART_CUES; i++) {
-        const int sound = cart_find_sound(c, names[i]);
+        const int sound = cart_find_sound(c, cart_cues[i]);
         c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
     }
     return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
@@ -543,21 +558,36 @@ int cart_find_sound(const struct cart *cart, const char *name)
     return index_in(cart, "sound/", name, cart->first_sound);
 }
 
+/* The samples of the recording at that place; 0: it is none. */
+static uint32_t samples_of(const struct cart *cart, uint32_t tune)
+{
+    const uint32_t at = bytes_get32(cart->tune_data + tune + 12);
+    struct lump l;
+    int i = 0;
+
+    if (at)
+        return tune + at;
+    while (i < cart->tunes && cart_tune(cart, i) != tune)
+        i++;
+    if (i == cart->tunes || !find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
+        return 0;
+    return (uint32_t)(l.data - cart->tune_data);
+}
+
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
-    const struct inst i = inst_of(inst);
-    uint32_t from = tune;
+    const bool named = inst_sample(inst)[0] != 0;
+    const int sound = named ? cart_find_sound(cart, inst_sample(inst)) : -1;
+    const uint32_t from = sound < 0 ? tune : cart_sound(cart, sound);
+    const struct tune t = tune_of(cart->tune_data + from);
 
-    if (i.kind != INST_SAMPLE)
+    if (inst[0] != INST_SAMPLE || (named && sound < 0) || t.sides == 0)
         return 0;
-    if (i.sample[0]) {
-        const int sound = cart_find_sound(cart, i.sample);
-        if (sound < 0)
-            return 0;
-        from = cart_sound(cart, sound);
-    }
-    const uint32_t at = bytes_get32(cart->tune_data + from + 12);
-    return at ? from + at : 0;
+    const uint32_t first = samples_of(cart, from);
+    if (first == 0 || t.sides == 1 || named || inst == tune_inst(&t, 0))
+        return first;
+    const struct sample s = sample_of(cart->tune_data + first);
+    return first + (uint32_t)sample_size(s.n, s.coding);
 }
 
 static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,

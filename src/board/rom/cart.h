@@ -20,6 +20,7 @@
  *         demo/X          demos
  *         tune/X          a piece of music: tune.h; a tick reads it
  *         sound/X         a sound: tune.h, its recording behind it
+ *         wave/X          samples of the piece of music X, which is a stream: adpcm.h
  *         data/X          text files for rom.text
  */
 #ifndef BOARD_CART_H
@@ -54,7 +55,21 @@ enum {
 
 /* Sounds of these names play by themselves. */
 enum { TUNES_FIRST = 16 /* the place of the first sound or piece of music */ };
-enum cart_cue { CUE_SHOT, CUE_HIT, CUE_GRAZE, CUE_KILL, CUE_ITEM, CUE_BOMB, CUE_WARNING, CUE_MENU, CART_CUES };
+enum cart_cue {
+    CUE_SHOT,
+    CUE_HIT,
+    CUE_GRAZE,
+    CUE_KILL,
+    CUE_ITEM,
+    CUE_BOMB,
+    CUE_WARNING,
+    CUE_MENU,
+    CUE_EXTEND,
+    CUE_SPELL,
+    CUE_TIME,
+    CART_CUES
+};
+extern const char *const cart_cues[CART_CUES]; /* "shot" */
 
 struct cart {
     const struct rom *rom;

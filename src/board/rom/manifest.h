@@ -77,8 +77,9 @@ enum {
     MAX_ART_FONTS = 8,
     MAX_ART_SOUNDS = 256,
     MAX_ART_TUNES = 64,
-    ART_MML = 2048,   /* bytes of a sound's MML in rom.lua, with its NUL */
-    ART_CHARS = 8192, /* bytes of a list of characters, with its NUL */
+    MAX_ART_MARKERS = 512, /* of all recordings */
+    ART_MML = 2048,        /* bytes of a sound's MML in rom.lua, with its NUL */
+    ART_CHARS = 8192,      /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
     ART_FILE = 96
 };
@@ -123,13 +124,37 @@ struct art_map {
     int32_t cells, cols, rows;
 };
 
+/* Which part of a recording repeats. */
+enum art_loops { LOOP_OF_FILE, LOOP_NONE, LOOP_WHOLE, LOOP_GIVEN };
+struct art_loop {
+    enum art_loops kind;
+    bool seconds;         /* start and length are in seconds, not in frames of the file */
+    double start, length; /* length 0: to the end */
+};
+
+/* A place in a piece of music. */
+struct art_marker {
+    char name[ART_NAME];
+    double beat;
+};
+
 /* A sound, or a piece of music: a file, or a sound's MML itself. */
 struct art_sound {
     char name[ART_NAME], file[ART_FILE]; /* file "": mml */
     char mml[ART_MML];
     char title[64];
     int32_t volume, priority, limit; /* volume: of 255 */
+    /* of a recording */
+    bool exact;  /* kept as 16 bits */
+    bool stereo; /* two voices, if it has two channels */
+    struct art_loop loop;
+    int32_t tempo, bar; /* hundredths of a beat a minute, 0: not said; beats */
+    double offset;      /* seconds before the first beat */
+    int32_t first_marker, n_markers;
 };
+
+/* Is that the name of a recording's file? Other ones are MML. */
+bool art_is_recording(const char *file);
 
 struct art {
     char palette[ART_FILE], font[ART_FILE]; /* "": none */
@@ -140,9 +165,10 @@ struct art {
     struct art_sprite sprites[MAX_ART_SPRITES];
     struct art_map maps[MAX_ART_MAPS];
     struct art_sound sounds[MAX_ART_SOUNDS], tunes[MAX_ART_TUNES];
+    struct art_marker markers[MAX_ART_MARKERS];
     uint16_t cells[MAX_ART_CELLS];                                  /* 0: empty, else a tile's number from 1 on */
     int n_palettes, n_blends, n_fonts, n_sheets, n_sprites, n_maps; /* each ascending by name */
-    int n_cells, n_sounds, n_tunes;
+    int n_cells, n_sounds, n_tunes, n_markers;
 };
 
 /* The plain numbers of a manifest: how rom.lua spells them ("board.bullets"), where they stand in the struct, what they

@@ -22,6 +22,7 @@ enum {
     MAX_STRING = 1 << 14, /* bytes of one string in it */
     MAX_WORK = 256 << 20, /* bytes ever allocated while it runs */
     MAX_STEPS = 1 << 20,  /* VM instructions */
+    MAX_MARKERS = 64,     /* of a recording */
     MAX_PATH = 128        /* "sprites.orb.origin" */
 };
 
@@ -843,29 +844,145 @@ static int32_t get_volume(const struct at *a)
     return (int32_t)(v * 255 + 0.5);
 }
 
-/* A sound's file is a recording or MML, a piece of music is MML. */
-static void read_sound(const struct at *a, struct art_sound *s, bool music)
+/* The value on top as a number; popped. */
+static double to_real(lua_State *lua, const char *path, double lo, double hi)
 {
-    static const char *const of_sound[] = { "file", "mml", "volume", "priority", "limit", NULL }, *const of_music[] = {
-        "file", "volume", "title", NULL
-    };
+    const lua_Number v = lua_type(lua, -1) == LUA_TNUMBER ? lua_tonumber(lua, -1) : lo - 1;
+
+    if (!(v >= lo && v <= hi))
+        bad(lua, path, "expected a number from %d to %d, got %s", (int)lo, (int)hi, got(lua));
+    lua_pop(lua, 1);
+    return v;
+}
+
+static bool get_real(const struct at *a, const char *key, double lo, double hi, double *v)
+{
+    char path[MAX_PATH];
+
+    path_of(a, key, path);
+    if (!get(a, key))
+        return false;
+    *v = to_real(a->lua, path, lo, hi);
+    return true;
+}
+
+enum { LONGEST = 1 << 30 /* frames */ };
+
+static void read_loop_table(const struct at *a, struct art_loop *loop)
+{
+    static const char *const names[] = { "start", "length", "unit", NULL };
+    char unit[16] = "frames";
+
+    only(a, names);
+    loop->kind = LOOP_GIVEN;
+    get_text(a, "unit", "a word", unit, sizeof unit);
+    loop->seconds = strcmp(unit, "seconds") == 0;
+    if (!loop->seconds && strcmp(unit, "frames") != 0)
+        bad(a->lua, a->path, "unit: expected \"frames\" or \"seconds\", got \"%s\"", unit);
+    get_real(a, "start", 0, LONGEST, &loop->start);
+    get_real(a, "length", 0, LONGEST, &loop->length);
+    if (!loop->seconds && (loop->start != (int32_t)loop->start || loop->length != (int32_t)loop->length))
+        bad(a->lua, a->path, "expected whole numbers of frames (or unit=\"seconds\")");
+}
+
+/* true: all of it; false: once; or where it begins and how long it is. */
+static void read_loop(const struct at *a, struct art_loop *loop)
+{
+    struct at table;
+
+    if (get(a, "loop") && lua_isboolean(a->lua, -1)) {
+        loop->kind = lua_toboolean(a->lua, -1) ? LOOP_WHOLE : LOOP_NONE;
+        lua_pop(a->lua, 1);
+    } else if (get_table(a, "loop", &table)) {
+        read_loop_table(&table, loop);
+        lua_pop(a->lua, 2);
+    }
+}
+
+static void read_markers(const struct at *a, struct art_sound *s, struct art *art)
+{
+    struct at table;
+    const int room = MAX_ART_MARKERS - art->n_markers;
+
+    if (!get_table(a, "markers", &table))
+        return;
+    s->first_marker = art->n_markers;
+    s->n_markers = keys(&table, art->markers + art->n_markers, room < MAX_MARKERS ? room : MAX_MARKERS,
+                        sizeof art->markers[0], ART_NAME);
+    for (int i = 0; i < s->n_markers; i++)
+        get_real(&table, art->markers[s->first_marker + i].name, 0, 1 << 20, &art->markers[s->first_marker + i].beat);
+    art->n_markers += s->n_markers;
+    lua_pop(a->lua, 1);
+}
+
+/* What is said of a recording's beat. */
+static void read_beat(const struct at *a, struct art_sound *s, struct art *art)
+{
+    double tempo = 0;
+
+    get_real(a, "tempo", 10, 600, &tempo);
+    s->tempo = (int32_t)(tempo * 100 + 0.5);
+    s->bar = 4;
+    get_whole(a, "bar", 1, 64, &s->bar);
+    get_real(a, "offset", 0, 300, &s->offset);
+    read_markers(a, s, art);
+}
+
+bool art_is_recording(const char *file)
+{
+    static const char *const tails[] = { ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL };
+
+    for (int i = 0; tails[i]; i++)
+        if (ends(file, tails[i]))
+            return true;
+    return false;
+}
+
+/* What a recording alone has, given of something else. */
+static void only_of_recordings(const struct at *a)
+{
+    static const char *const names[] = { "exact", "stereo", "loop", "tempo", "bar", "offset", "markers", NULL };
+
+    for (int i = 0; names[i]; i++)
+        if (get(a, names[i]))
+            bad(a->lua, a->path, "%s: is for recordings (.wav, .ogg, .flac); MML says it itself", names[i]);
+}
+
+/* A sound's or a piece's file is a recording or MML. */
+static void read_sound(const struct at *a, struct art_sound *s, bool music, struct art *art)
+{
+    static const char *const of_sound[] = { "file",  "mml",    "volume", "priority", "limit",
+                                            "exact", "stereo", "loop",   NULL };
+    static const char *const of_music[] = { "file",  "volume", "title",  "exact",   "stereo", "loop",
+                                            "tempo", "bar",    "offset", "markers", NULL };
 
     only(a, music ? of_music : of_sound);
     s->priority = 4;
     s->limit = 2;
     s->volume = get_volume(a);
     const bool file = get_file(a, "file", s->file), mml = get_text(a, "mml", "MML", s->mml, sizeof s->mml);
+    const bool recording = file && art_is_recording(s->file);
     get_text(a, "title", "a line", s->title, sizeof s->title);
     get_whole(a, "priority", 0, 7, &s->priority);
     get_whole(a, "limit", 1, 8, &s->limit);
-    if (music && !(file && ends(s->file, ".mml")))
-        bad(a->lua, a->path, "expected file=\"music/NAME.mml\"");
-    if (file == mml || (file && !ends(s->file, ".mml") && !ends(s->file, ".wav")))
-        bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .mml) or mml=\"...\"");
+    if (music && !recording && !(file && ends(s->file, ".mml")))
+        bad(a->lua, a->path, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
+    if (file == mml || (file && !recording && !ends(s->file, ".mml")))
+        bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
+    if (!recording)
+        only_of_recordings(a);
+    s->exact = get_flag(a, "exact");
+    s->stereo = music;
+    if (get(a, "stereo")) {
+        lua_pop(a->lua, 1);
+        s->stereo = get_flag(a, "stereo");
+    }
+    read_loop(a, &s->loop);
+    read_beat(a, s, art);
 }
 
 /* Returns how many there are. */
-static int read_sound_list(const struct at *root, const char *key, struct art_sound *list_, int most)
+static int read_sound_list(const struct at *root, const char *key, struct art_sound *list_, int most, struct art *art)
 {
     struct at a, one;
 
@@ -874,7 +991,7 @@ static int read_sound_list(const struct at *root, const char *key, struct art_so
     const int n = keys(&a, list_, most, sizeof *list_, ART_NAME);
     for (int i = 0; i < n; i++) {
         get_table(&a, list_[i].name, &one);
-        read_sound(&one, &list_[i], strcmp(key, "music") == 0);
+        read_sound(&one, &list_[i], strcmp(key, "music") == 0, art);
         lua_pop(a.lua, 1);
     }
     lua_pop(a.lua, 1);
@@ -884,8 +1001,8 @@ static int read_sound_list(const struct at *root, const char *key, struct art_so
 /* Sounds and music alone switch sound on. */
 static void read_sounds(const struct at *root, struct manifest *m, struct art *art)
 {
-    art->n_sounds = read_sound_list(root, "sounds", art->sounds, MAX_ART_SOUNDS);
-    art->n_tunes = read_sound_list(root, "music", art->tunes, MAX_ART_TUNES);
+    art->n_sounds = read_sound_list(root, "sounds", art->sounds, MAX_ART_SOUNDS, art);
+    art->n_tunes = read_sound_list(root, "music", art->tunes, MAX_ART_TUNES, art);
     m->sound = m->sound || art->n_sounds > 0 || art->n_tunes > 0;
 }
 

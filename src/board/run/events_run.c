@@ -471,13 +471,16 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
     tell(L, e);
 }
 
-/* At its most, the register that fills up leaves an item with its points alone. */
+/* At its most, the register that fills up, the ship's or else the run's, leaves an item with its points alone. */
 static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
     const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
     int reg = name ? api_player_register(L, b, p, name) : -1;
 
-    return reg >= 0 && registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
+    if (reg >= 0)
+        return registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
+    reg = name ? api_run_register(L, name) : -1;
+    return reg >= 0 && board_run_full(b, (uint32_t)reg);
 }
 
 /* The ship's registers, or the run's. */
@@ -568,6 +571,16 @@ void events_player_die(struct board *b, uint32_t p)
     b->player.lives[p]--;
 }
 
+/* What a ship was firing stops when it is hit: its beams fade. */
+static void let_beams_go(struct board *b, uint32_t p)
+{
+    const struct bullets *h = &b->laser_heads;
+
+    EACH_LIVE (i, &b->lasers.s)
+        if (h->player[i] == p + 1 && b->lasers.form[i] == LASER_BEAM && b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS)
+            lasers_fade(&b->lasers, i, lasers_age(b, i));
+}
+
 static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
@@ -581,6 +594,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
         return;
     sound_cue(b, CUE_HIT, b->player.x[p]);
+    let_beams_go(b, p);
     b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
     if (!b->player.hit[p])
         events_player_die(b, p);
@@ -677,8 +691,11 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_LEAVE:
         apply_end(b, L, e);
         break;
-    case EV_GAME_OVER:
     case EV_EXTEND:
+        sound_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
+        tell(L, e);
+        break;
+    case EV_GAME_OVER:
     case EV_CONTINUE:
         tell(L, e);
         break;

@@ -34,6 +34,16 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y)
     put(b, kind, x, y);
 }
 
+/* Is the register at its most at which all items come to player i? */
+static bool draws_all(const struct board *b, uint32_t i)
+{
+    const uint8_t full = b->player_kinds.full[b->player.kind[i]];
+
+    if (full >= PLAYER_FULL_RUN)
+        return board_run_full(b, full - (uint32_t)PLAYER_FULL_RUN);
+    return full && registers_full(&b->registers, board_register_row(b, i, full - 1u), i);
+}
+
 void board_pulls(const struct board *b, struct item_pull pull[PADS])
 {
     const struct player *p = &b->player;
@@ -48,7 +58,6 @@ void board_pulls(const struct board *b, struct item_pull pull[PADS])
         pull[i].y = p->y[i];
         pull[i].radius = k->magnet[kind];
         pull[i].speed = k->pull[kind];
-        pull[i].all = p->y[i] <= k->line[kind] ||
-                      (k->full[kind] && registers_full(&b->registers, board_register_row(b, i, k->full[kind] - 1u), i));
+        pull[i].all = p->y[i] <= k->line[kind] || draws_all(b, i);
     }
 }

@@ -109,30 +109,85 @@ static void play_cue(void *context, int slot, const struct tune_played *p, int s
     play_part(&g, p, sample);
 }
 
-static void cut_music(struct board *b)
+static void cut_music(struct board *b, int sample)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        voices_cut(&b->voices, i, 0);
+        voices_cut(&b->voices, i, sample);
 }
 
 static void start_music(struct board *b, uint16_t index)
 {
     struct tune t = { 0 };
 
-    cut_music(b);
     if (index)
         t = tune_of(rom(b) + cart_tune(&b->cart, index - 1));
+    if (index > 0 && index <= SEQ_HEARD)
+        b->music.heard[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
     seq_start(&b->music, index, &t);
+}
+
+/* Behind a fade nothing of the old piece is heard, and the new one is at once. */
+static void silence_music(struct board *b)
+{
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        if (i % VOICES < VOICES_MUSIC)
+            b->voices.inst[i] = 0;
+    b->voices.gain0 = b->music.level;
+}
+
+/* What was asked for begins at that sample of the frame, or comes back. */
+static void change_music(struct board *b, int sample)
+{
+    struct seq *s = &b->music;
+    const int kept = s->next && !s->next_back ? seq_kept(s, s->next) : -1;
+
+    if (b->voices.gain0 == 0 && sample == 0)
+        silence_music(b);
+    cut_music(b, sample);
+    if (kept >= 0) {
+        seq_forget(s, kept + 1);
+        seq_back(s);
+        return;
+    }
+    if (s->next_back)
+        seq_keep(s);
+    else
+        seq_forget(s, 0);
+    start_music(b, s->next);
 }
 
 /* What is left of the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
     const struct seq *s = &b->music;
+    const int32_t left = s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN;
 
-    if (b->core.frozen > 0)
+    if (b->voices.held)
         return 0;
-    return (uint16_t)(s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN);
+    return (uint16_t)(left * s->level / SEQ_FULL);
+}
+
+/* Is it on its way out, for another or for none? */
+static bool goes(const struct seq *s)
+{
+    return s->fade_over || s->next_waits;
+}
+
+/* Its last notes ring on. */
+static void end_piece(struct seq *s)
+{
+    if (s->aside)
+        seq_back(s);
+    else
+        seq_start(s, 0, NULL);
+}
+
+static void step_level(struct seq *s)
+{
+    if (!s->level_over)
+        return;
+    s->level = (uint16_t)(s->level + (s->level_to - s->level) / s->level_over);
+    s->level_over--;
 }
 
 /* A frame of the music, unless a pause holds it. */
@@ -140,15 +195,21 @@ static void step_music(struct board *b)
 {
     struct seq *s = &b->music;
 
-    if (b->core.frozen > 0)
+    b->voices.held = b->core.frozen > 0;
+    if (b->voices.held)
         return;
+    step_level(s);
     if (s->fade_over && s->fade == 0)
-        start_music(b, s->next);
+        change_music(b, 0);
+    else if (s->tune && !goes(s) && seq_over(s))
+        end_piece(s);
     if (s->fade)
         s->fade--;
-    if (s->tune) {
+    for (int first = 0; s->tune && first < SND_FRAME;) {
         const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
-        seq_step(s, &t, play_music, b);
+        first = seq_step(s, &t, first, play_music, b);
+        if (first < SND_FRAME)
+            change_music(b, first);
     }
 }
 
@@ -193,38 +254,187 @@ int16_t sound_place(const struct board *b, fx x)
     return (int16_t)place;
 }
 
+/* Many in a row are a noise: frames from one to the next. */
+static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
+
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
 {
+    const uint32_t since = b->core.frame - b->cues.last[cue];
+
+    if (since > 0 && since < apart[cue])
+        return;
+    b->cues.last[cue] = b->core.frame;
     sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
 }
 
-void sound_music(struct board *b, int tune, int32_t fade, bool again)
+/* ---- music ---- */
+
+/* What is asked for begins when what plays has faded: one that fades already does not become louder for it. */
+static void begin_fade(struct board *b, int32_t fade)
+{
+    struct seq *s = &b->music;
+
+    if (s->fade_over && s->fade <= fade)
+        return;
+    const int32_t over = s->fade_over ? (int32_t)s->fade_over * fade / s->fade : fade;
+    s->fade_over = (uint16_t)(over > fade ? over : fade);
+    s->fade = (uint16_t)fade;
+}
+
+/* Piece `index`, 0: none, begins now, at a beat or a bar, or after a fade. */
+static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
+{
+    struct seq *s = &b->music;
+
+    s->next_back = how->back && !(s->fade_over && !s->next); /* what ends is not put aside */
+    s->next = index;
+    s->next_waits = 0;
+    s->when = 0;
+    if (s->tune && how->at) {
+        const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+        s->fade = s->fade_over = 0;
+        seq_wait(s, how->at == MUSIC_AT_BAR ? t.bar : 1);
+    } else if (s->tune && how->fade > 0)
+        begin_fade(b, how->fade);
+    else
+        change_music(b, 0);
+}
+
+/* What was asked for is not: what plays goes on. */
+static void forget_next(struct seq *s)
+{
+    s->next = s->fade = s->fade_over = 0;
+    s->next_back = s->next_waits = 0;
+    s->when = 0;
+}
+
+bool sound_music(struct board *b, int tune, const struct music_how *how)
 {
     struct seq *s = &b->music;
     const uint16_t index = (uint16_t)(tune + 1);
 
-    if (s->tune == index && !s->fade_over && !again)
-        return;
-    if (!s->tune || fade == 0) {
-        start_music(b, index);
-        return;
+    if (how->again && !how->back && seq_kept(s, index) >= 0)
+        seq_forget(s, 0);
+    if (!how->again && goes(s) && s->next == index && s->next_back == how->back)
+        return false;
+    if (!how->again && s->tune == index && (!goes(s) || s->next_waits || s->fade == s->fade_over)) {
+        forget_next(s);
+        return false;
     }
-    sound_music_stop(b, fade);
-    s->next = index;
+    ask_music(b, index, how);
+    return true;
 }
 
 void sound_music_stop(struct board *b, int32_t fade)
 {
     struct seq *s = &b->music;
 
-    if (!s->tune)
-        return;
-    if (fade == 0) {
-        start_music(b, 0);
-        return;
+    if (fade == 0 || !s->tune) {
+        seq_forget(s, 0);
+        forget_next(s);
     }
-    s->next = 0;
-    s->fade = s->fade_over = (uint16_t)fade;
+    if (s->tune)
+        ask_music(b, 0, &(struct music_how){ .fade = fade });
+}
+
+void sound_music_back(struct board *b, int tune, int32_t fade)
+{
+    struct seq *s = &b->music;
+    const uint16_t index = (uint16_t)(tune + 1);
+    const int kept = seq_kept(s, index);
+
+    if (goes(s) && s->next == index && s->next_back)
+        forget_next(s);
+    else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
+        seq_drop(s, kept);
+        s->next = s->aside ? s->kept[s->aside - 1] : 0;
+    } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
+        s->next_back = 0;
+    else if (s->tune == index && !goes(s))
+        ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
+    else if (kept >= 0)
+        seq_drop(s, kept);
+}
+
+void sound_volume(struct board *b, uint16_t level, int32_t over)
+{
+    struct seq *s = &b->music;
+
+    s->level_to = level;
+    s->level_over = (uint16_t)over;
+    if (over == 0)
+        s->level = level;
+}
+
+void sound_power(struct board *b)
+{
+    b->music.level = b->music.level_to = SEQ_FULL;
+    b->voices.gain0 = b->voices.gain1 = VOICE_GAIN;
+}
+
+void sound_game(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    memset(s->heard, 0, sizeof s->heard);
+    sound_skip(b, false);
+    s->level = s->level_to = SEQ_FULL;
+    s->level_over = 0;
+    sound_music_stop(b, 0);
+}
+
+/* ---- on the way to a mark ---- */
+
+enum {
+    PASS_WORK = 64,             /* of a frame of music */
+    LONGEST_PASS = 60 * 60 * 60 /* frames: an hour, on all of the way */
+};
+
+/* n frames of the music alone, each the rest of one tick and the beginning of the next. */
+static uint64_t pass(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    int64_t i = 0;
+
+    for (; i < n && s->passed < LONGEST_PASS && s->tune; i++, s->passed++) {
+        step_music(b);
+        b->voices.gain1 = gain(b);
+        voices_step(&b->voices, rom(b));
+    }
+    return (uint64_t)i * PASS_WORK;
+}
+
+uint64_t sound_pass_wait(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    const int64_t ahead = n < INT32_MAX ? s->ahead + n : INT32_MAX;
+
+    s->ahead = (uint32_t)(ahead < INT32_MAX ? ahead : INT32_MAX);
+    return pass(b, n);
+}
+
+uint64_t sound_pass_clock(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    const int64_t left = n - s->ahead;
+
+    s->ahead = left < 0 ? (uint32_t)-left : 0;
+    return pass(b, left);
+}
+
+uint64_t sound_pass_fight(struct board *b)
+{
+    uint64_t work = 0, more = 1;
+
+    while (goes(&b->music) && more > 0)
+        work += more = pass(b, 1);
+    return work;
+}
+
+void sound_skip(struct board *b, bool on)
+{
+    b->music.passes = on;
+    b->music.ahead = b->music.passed = 0;
 }
 
 /* ---- the frame's samples ---- */
@@ -291,6 +501,7 @@ struct board *board_box_open(void *ram, const struct rom *rom_, char *err, size_
         slots_layout(box_parts[i].chip, s, box_parts[i].cap, 0, &next);
         s->live = s->cap;
     }
+    sound_power(b);
     return b;
 }
 
@@ -301,7 +512,7 @@ bool board_box_play(struct board *b, const char *name)
     if (sound >= 0)
         sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
     else if (tune >= 0)
-        sound_music(b, tune, 0, true);
+        sound_music(b, tune, &(struct music_how){ .again = true });
     return sound >= 0 || tune >= 0;
 }
 

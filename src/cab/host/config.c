@@ -18,6 +18,8 @@ static const struct setting {
     { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits" },
     { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent" },
     { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound" },
+    { "resample", offsetof(struct config, resample), 0, 1, 1, true,
+      "no: sound to the bit, and the card's clock leads" },
     { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen" },
 };
 

@@ -29,6 +29,7 @@ struct config {
     int scale;      /* 0 to 16 */
     int volume;     /* percent */
     int mute;       /* 0 or 1 */
+    int resample;   /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
     char lang[16];  /* of games that have it; "": none */
 };

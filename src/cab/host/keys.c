@@ -52,6 +52,8 @@ static const struct action {
     { "practice", "f2", "choose a piece to practise" },
     { "retry", "r", "the same piece again, at once" },
     { "mute", "m", "sound off, on" },
+    { "quieter", "minus", "volume, ten percent less" },
+    { "louder", "equals", "and more" },
     { "screenshot", "f12", "a PNG into the current folder" },
     { "fullscreen", "f11 alt+enter", "fullscreen, window" },
     { "quit", "escape", "leave" },
@@ -59,6 +61,7 @@ static const struct action {
     { "gauges", "g", "how full every part is, and Lua's memory" },
     { "split", "v", "where the time of a frame goes" },
     { "tasks", "n", "tasks and their lines, random numbers drawn" },
+    { "mixer", "f3", "voices, levels, and where the music is" },
     { "console", "backquote", "a line of Lua; the board stands still" },
 };
 

@@ -37,6 +37,8 @@ enum cab_key {
     CAB_PRACTICE,
     CAB_RETRY,
     CAB_MUTE,
+    CAB_QUIETER,
+    CAB_LOUDER,
     CAB_SCREENSHOT,
     CAB_FULLSCREEN,
     CAB_QUIT,
@@ -44,6 +46,7 @@ enum cab_key {
     CAB_GAUGES,
     CAB_SPLIT,
     CAB_TASKS,
+    CAB_MIXER,
     CAB_CONSOLE,
     CAB_KEYS
 };

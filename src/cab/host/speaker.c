@@ -1,68 +1,320 @@
 /*
  * speaker.c - see speaker.h.
  *
- * Our clock makes 48000 frames in what we think is a second, the speaker's uses them up in what it thinks is one. The
- * queue shows the difference; each block is stretched by at most 4 frames in 800 against it, far below what an ear can
- * tell. A queue that ran dry is primed with silence again.
+ * At a joint what was heard last is carried on as its own mirror image and fades out while the new sound fades in: the
+ * level does not jump, and nothing has to be kept back for it.
+ *
+ * The queue is looked at when a frame comes, which may be late; as much as the card has used up meanwhile is added to
+ * what waits, so that the rate follows the clocks and not the load. A game that cannot follow the clock at all is heard
+ * as slow as it is, and lower, as a tape would be: there is no gap in it and nothing comes twice.
  */
 #include "speaker.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../board/board.h"
+#include "../../base/int.h"
 
-void speaker_stretch(const int16_t last[2], const int16_t *in, int16_t *out, int n)
+enum {
+    ROOM = 2 * RESAMPLE_ROOM, /* frames that may come of one look */
+    SIXTIETH = 1000000 / 60,  /* usec */
+    LATE_MOST = 100000,       /* usec; later frames say nothing of the clocks */
+    SLOWED = 60,              /* frames */
+    PRIME = 160,              /* frames at once */
+    DRAIN_STEP = 2000,        /* usec */
+    DRAIN_MOST = 250000,
+    DRAIN_EXACT = 4000000
+};
+
+#define PACE_LEAST 0.25
+#define PACE_MENDS 0.125 /* of what is missing, in a frame */
+
+void speaker_open(struct speaker *s, int volume, bool muted, bool exact)
 {
-    for (int i = 0; i < n; i++) {
-        int at = (i + 1) * SPEAKER_BLOCK, k = at / n, rest = at % n;
+    *s = (struct speaker){ .volume = volume, .muted = muted, .exact = exact, .pace = 1 };
+}
+
+/* ---- blocks ---- */
+
+/* What is made when it is first needed: tables and a resampler. */
+static bool ready(struct speaker *s)
+{
+    if (s->memory)
+        return true;
+    struct resample *r = malloc(sizeof *r);
+    void *tables = malloc(board_sound_tables());
+    if (!r || !tables) {
+        free(r);
+        free(tables);
+        return false;
+    }
+    board_sound_open(tables);
+    resample_open(r);
+    s->memory = tables;
+    s->resample = r;
+    return true;
+}
+
+static void begin_joint(struct speaker *s)
+{
+    memcpy(s->from, s->past, sizeof s->from);
+    s->joint = SPEAKER_JOIN;
+}
+
+/* Of 32768, how much is left of the old sound `left` frames before the joint's end: a curve without corners. */
+static int32_t old_share(int left)
+{
+    const int64_t t = ((int64_t)left << 15) / (SPEAKER_JOIN + 1);
+
+    return (int32_t)((t * t * (3 * 32768 - 2 * t)) >> 30);
+}
+
+static void join(struct speaker *s, int16_t *block, int frames)
+{
+    for (int i = 0; i < frames && s->joint > 0; i++, s->joint--) {
+        const int32_t old = old_share(s->joint);
         for (int c = 0; c < 2; c++) {
-            int b = rest ? in[2 * k + c] : 0, a = k ? in[2 * (k - 1) + c] : last[c];
-            out[2 * i + c] = (int16_t)(a + (rest ? (b - a) * rest / n : 0));
+            const int32_t was = s->from[2 * (s->joint - 1) + c], is = block[2 * i + c];
+            block[2 * i + c] = (int16_t)((was * old + is * (32768 - old)) / 32768);
         }
     }
 }
 
-static int block_length(int waiting)
+static void append(struct speaker *s, int16_t *block, int frames, bool follows)
 {
-    int n = (SPEAKER_AHEAD - waiting) / 128;
-    n = n > SPEAKER_STRETCH ? SPEAKER_STRETCH : n < -SPEAKER_STRETCH ? -SPEAKER_STRETCH : n;
-    return SPEAKER_BLOCK + n;
+    const int kept = int_max(SPEAKER_JOIN - frames, 0), taken = SPEAKER_JOIN - kept;
+
+    if (!follows)
+        begin_joint(s);
+    join(s, block, frames);
+    resample_add(s->resample, block, frames);
+    memmove(s->past, s->past + 2 * taken, (size_t)kept * 2 * sizeof *block);
+    memcpy(s->past + 2 * kept, block + 2 * (frames - taken), (size_t)taken * 2 * sizeof *block);
 }
 
-/* The tables are made when they are first needed. */
-static bool ready(struct speaker *s, const struct board *b)
+static void append_silence(struct speaker *s, int frames)
 {
-    if (s->muted || !board_has_sound(b))
-        return false;
-    if (!s->tables && (s->tables = malloc(board_sound_tables())) != NULL)
-        board_sound_open(s->tables);
-    return s->tables != NULL;
+    int16_t block[2 * SPEAKER_BLOCK] = { 0 };
+
+    append(s, block, frames, !s->board);
+    s->board = NULL;
+}
+
+static void turn_round(int16_t block[2 * SPEAKER_BLOCK])
+{
+    for (int i = 0, k = SPEAKER_BLOCK - 1; i < k; i++, k--)
+        for (int c = 0; c < 2; c++) {
+            const int16_t other = block[2 * i + c];
+            block[2 * i + c] = block[2 * k + c];
+            block[2 * k + c] = other;
+        }
+}
+
+/* Does this frame follow the one heard before, without a joint? The first one ever follows silence as it is. */
+static bool follows(const struct speaker *s, const struct board *b, enum speaker_way way)
+{
+    const uint32_t frame = board_frame(b);
+
+    if (!s->board)
+        return frame == 1 && way == SPEAKER_ON;
+    return s->board == b && s->way == way && frame == (way == SPEAKER_BACK ? s->frame - 1 : s->frame + 1);
+}
+
+static void find_peak(struct speaker *s, const int16_t *block)
+{
+    s->peak[0] = s->peak[1] = 0;
+    for (int i = 0; i < 2 * SPEAKER_BLOCK; i++)
+        s->peak[i & 1] = int_max(s->peak[i & 1], abs(block[i]));
+}
+
+static void take(struct speaker *s, const struct board *b, int16_t *block, enum speaker_way way)
+{
+    const int volume = way == SPEAKER_FAST ? s->volume / 2 : s->volume;
+
+    for (int i = 0; i < 2 * SPEAKER_BLOCK && volume != 100; i++)
+        block[i] = (int16_t)(block[i] * volume / 100);
+    if (way == SPEAKER_BACK)
+        turn_round(block);
+    append(s, block, SPEAKER_BLOCK, follows(s, b, way));
+    s->board = b;
+    s->frame = board_frame(b);
+    s->way = way;
+}
+
+void speaker_hear(struct speaker *s, const struct board *b, enum speaker_way way, int slow)
+{
+    const bool plays = !s->muted && s->state != SPEAKER_GONE;
+    int16_t block[2 * SPEAKER_BLOCK];
+
+    if (!(plays || s->meter) || !board_has_sound(b) || !ready(s))
+        return;
+    if (plays)
+        s->credit += slow;
+    if (plays && s->refuse > 0) {
+        s->refuse--;
+        s->seen.refused++;
+        return;
+    }
+    board_sound(b, s->memory, block);
+    find_peak(s, block);
+    if (plays)
+        take(s, b, block, way);
+}
+
+/* ---- the queue ---- */
+
+/* Nothing waits: silence does, so that it is as after this frame it should be. */
+static void prime(struct speaker *s, int sixtieths)
+{
+    static const int16_t silence[2 * SPEAKER_BLOCK];
+    const int want = SPEAKER_AHEAD - SPEAKER_BLOCK * (sixtieths - 1);
+
+    if (s->state == SPEAKER_GOOD) { /* there was a gap: what follows does not begin with a click */
+        s->seen.dry++;
+        s->rises = s->exact ? 0 : SPEAKER_JOIN;
+    }
+    for (int has = 0, i = 0; has < want && i < SPEAKER_AHEAD / PRIME; i++, has = plat_sound(NULL, 0))
+        plat_sound(silence, int_min(want - has, PRIME));
+    drift_jump(&s->drift);
+}
+
+/* How fast the game goes by the clock. */
+static void find_pace(struct speaker *s, const struct speaker_time *t)
+{
+    const double passed = (double)t->sixtieths * SIXTIETH, pace = passed / (passed + (double)t->lost);
+
+    s->slowed = t->lost ? SLOWED : int_max(s->slowed - 1, 0);
+    s->pace = pace < s->pace ? pace : s->pace + (pace - s->pace) * PACE_MENDS;
+    s->pace = s->slowed ? fmax(s->pace, PACE_LEAST) : 1;
+}
+
+static void measure(struct speaker *s, double ahead)
+{
+    s->seen.looks++;
+    s->seen.sum += (uint64_t)ahead;
+    s->seen.most = (uint32_t)fmax(s->seen.most, ahead);
+}
+
+/* As the game goes, and towards what should wait, in some frames. */
+static double slowed_rate(const struct speaker *s, double off)
+{
+    return fmax(s->pace * (1 + off / (2 * SPEAKER_AHEAD)), PACE_LEAST);
+}
+
+/* How fast the blocks pass, so that what waits is as much as should. */
+static double rate(struct speaker *s, const struct speaker_time *t)
+{
+    const double ahead = s->waiting + (double)t->late * SPEAKER_RATE / 1e6;
+
+    if (s->waiting > 0 && t->late < LATE_MOST && !s->slowed)
+        measure(s, ahead);
+    if (s->exact)
+        return 1;
+    if (s->slowed) /* its frames come late, several at once: half of what should wait does there */
+        return slowed_rate(s, s->slowed > SLOWED / 2 ? s->waiting - SPEAKER_AHEAD / 2 : ahead - SPEAKER_AHEAD);
+    if (s->waiting > 0 && t->late < LATE_MOST)
+        drift_step(&s->drift, ahead - SPEAKER_AHEAD);
+    return 1 + s->drift.rate;
+}
+
+static void send(struct speaker *s, const struct speaker_time *t)
+{
+    static int16_t out[2 * ROOM];
+    const int most = t->slow > 1 ? t->sixtieths * SPEAKER_BLOCK / t->slow : RESAMPLE_ROOM;
+    const uint64_t step = (uint64_t)llrint((double)RESAMPLE_ONE * rate(s, t)) / (uint64_t)t->slow;
+    const int n = resample_take(s->resample, step, most, out, ROOM);
+
+    for (int i = 0; i < n && s->rises > 0; i++, s->rises--)
+        for (int c = 0; c < 2; c++)
+            out[2 * i + c] = (int16_t)(out[2 * i + c] * (32768 - old_share(s->rises)) / 32768);
+    plat_sound(out, n);
+}
+
+/* What has not passed is silence; frames that are taken in slow motion last longer. */
+static void fill(struct speaker *s, int sixtieths, int slow)
+{
+    s->credit -= sixtieths;
+    for (; s->credit < 0; s->credit++) {
+        if (s->refuse > 0)
+            s->refuse--;
+        else
+            append_silence(s, SPEAKER_BLOCK / slow);
+    }
+    s->credit = slow > 1 ? s->credit : 0;
+}
+
+/* There is a speaker, again or for the first time: nothing was heard. */
+static void found(struct speaker *s)
+{
+    memset(s->past, 0, sizeof s->past);
+    s->board = NULL;
+    s->joint = s->credit = s->refuse = 0;
+    resample_clear(s->resample);
+    drift_jump(&s->drift);
+}
+
+void speaker_frame(struct speaker *s, const struct speaker_time *t)
+{
+    if (!s->memory && s->state == SPEAKER_OFF) /* nothing was ever heard */
+        return;
+    s->waiting = plat_sound(NULL, 0);
+    if (s->waiting < 0 || !ready(s)) {
+        s->state = SPEAKER_GONE;
+        return;
+    }
+    if (s->state == SPEAKER_GONE)
+        found(s);
+    find_pace(s, t);
+    fill(s, t->sixtieths, t->slow);
+    if (s->waiting == 0)
+        prime(s, t->sixtieths);
+    s->state = SPEAKER_GOOD;
+    send(s, t);
+    if (s->waiting > SPEAKER_MOST && !s->exact && !s->slowed)
+        s->refuse = (s->waiting - SPEAKER_AHEAD) / SPEAKER_BLOCK;
+}
+
+bool speaker_leads(const struct speaker *s)
+{
+    return s->exact && s->state == SPEAKER_GOOD;
+}
+
+bool speaker_due(const struct speaker *s)
+{
+    return !speaker_leads(s) || plat_sound(NULL, 0) <= SPEAKER_AHEAD;
+}
+
+void speaker_report(const struct speaker *s, char *line, size_t size)
+{
+    const struct speaker_seen *n = &s->seen;
+    const double frame = 1000.0 / SPEAKER_RATE;
+
+    if (s->state == SPEAKER_OFF || !n->looks) {
+        snprintf(line, size, "sound: none was played");
+        return;
+    }
+    snprintf(line, size,
+             "sound: %.1f ms from a tick to the air, at most %.1f; the card's clock differs by %+.3f %%; "
+             "gaps %u, blocks left out %u",
+             ((double)n->sum / (double)n->looks + RESAMPLE_AFTER) * frame, (n->most + RESAMPLE_AFTER) * frame,
+             -100 * s->drift.sum, (unsigned)n->dry, (unsigned)n->refused);
 }
 
 void speaker_close(struct speaker *s)
 {
-    free(s->tables);
-    s->tables = NULL;
-}
+    static const struct speaker_time one = { 1, 1, LATE_MOST, 0 };
 
-void speaker_play(struct speaker *s, const struct board *b)
-{
-    static const int16_t silence[2 * SPEAKER_BLOCK];
-    int16_t loud[2 * SPEAKER_BLOCK], out[2 * (SPEAKER_BLOCK + SPEAKER_STRETCH)];
-    if (!ready(s, b))
-        return;
-    int waiting = plat_sound(silence, 0);
-    if (waiting < 0)
-        return;
-    if (waiting == 0)
-        for (int i = 1; i < SPEAKER_AHEAD / SPEAKER_BLOCK; i++)
-            plat_sound(silence, SPEAKER_BLOCK);
-    board_sound(b, s->tables, loud);
-    for (int i = 0; i < 2 * SPEAKER_BLOCK; i++)
-        loud[i] = (int16_t)(loud[i] * s->volume / 100);
-    int n = waiting ? block_length(waiting) : SPEAKER_BLOCK;
-    speaker_stretch(s->last, loud, out, n);
-    memcpy(s->last, loud + 2 * (SPEAKER_BLOCK - 1), sizeof s->last);
-    plat_sound(out, n);
+    if (s->state == SPEAKER_GOOD) {
+        const uint64_t until = plat_usec() + (s->exact ? DRAIN_EXACT : DRAIN_MOST);
+        append_silence(s, SPEAKER_BLOCK);
+        send(s, &one);
+        while (plat_usec() < until && plat_sound(NULL, 0) > 0)
+            plat_wait(plat_usec() + DRAIN_STEP);
+    }
+    free(s->memory);
+    free(s->resample);
+    *s = (struct speaker){ 0 };
 }

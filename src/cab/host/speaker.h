@@ -1,33 +1,100 @@
 /*
- * speaker.h - a board's sound on the host's speaker: volume, and held in step with a clock that is not quite ours.
+ * speaker.h - boards' sound on the host's speaker: volume, joints that do not click, and held in step with a clock that
+ * is not quite ours.
  * floor: cab
+ *
+ * Each frame of the cabinet hands in the sound of the frames it ticked, none to some, and says how many sixtieths have
+ * passed; what is missing is silence. Wherever a block does not go on from the one before, after a rewind, a reload, a
+ * silence, the first SPEAKER_JOIN frames pass from one into the other; what follows is to the bit what the board says.
+ *
+ * From the moment a tick is due until its sound is heard, SPEAKER_LATENCY frames pass.
  */
 #ifndef CAB_SPEAKER_H
 #define CAB_SPEAKER_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
+#include "drift.h"
+#include "resample.h"
 
 enum {
     SPEAKER_RATE = 48000,
     SPEAKER_BLOCK = SPEAKER_RATE / 60, /* stereo frames a tick makes */
-    SPEAKER_STRETCH = 4,               /* a block may become so much longer or shorter: 0.5 % */
-    SPEAKER_AHEAD = 3 * SPEAKER_BLOCK  /* what we like to see queued: 50 ms */
+    SPEAKER_AHEAD = 2112, /* that wait when a frame is on time, before its own come, the card's own included: 44 ms */
+    SPEAKER_LATENCY = SPEAKER_AHEAD + RESAMPLE_AFTER,
+    SPEAKER_MOST = 2 * SPEAKER_AHEAD + SPEAKER_BLOCK, /* with more, what comes is not played */
+    SPEAKER_JOIN = 384                                /* 8 ms */
+};
+
+/* How the frame of a block follows the one heard before. */
+enum speaker_way {
+    SPEAKER_ON,   /* in time */
+    SPEAKER_BACK, /* backwards, and so is the block */
+    SPEAKER_FAST  /* one of many that passed: half as loud */
+};
+
+/* The state of the host's speaker, as speaker_frame found it. */
+enum speaker_state { SPEAKER_OFF, SPEAKER_GONE, SPEAKER_GOOD };
+
+/* What was measured since the beginning. */
+struct speaker_seen {
+    uint64_t looks, sum; /* frames on time; frames of sound before theirs, added up */
+    uint32_t most;
+    uint32_t dry;     /* how often nothing waited any more */
+    uint32_t refused; /* blocks that were not played, for too much waited */
 };
 
 struct speaker {
     int volume; /* percent */
     bool muted;
-    int16_t last[2]; /* of the block before */
-    void *tables;    /* of board_sound, once there is something to play; malloc */
+    bool exact;                /* blocks are played as they are: the rate is not adjusted, the card's clock leads */
+    bool meter;                /* levels are wanted, be it muted or not */
+    void *memory;              /* of board_sound, once there is something to play; malloc */
+    struct resample *resample; /* malloc, as memory */
+    struct drift drift;
+    enum speaker_state state;
+    const struct board *board; /* of the last block; NULL: it was silence */
+    uint32_t frame;            /* and its frame */
+    enum speaker_way way;
+    int16_t past[2 * SPEAKER_JOIN], from[2 * SPEAKER_JOIN]; /* the end of what was heard; as it was at the last joint */
+    int joint;                                              /* frames that a joint still takes */
+    int rises;                                              /* frames in which what comes after a gap gets loud */
+    int credit;                                             /* sixtieths that have been handed in and not passed */
+    int refuse;                                             /* blocks that are not taken: too much waits */
+    int waiting;                                            /* frames that waited at the last look */
+    double pace;                                            /* of the game, by the clock: 1, or it cannot follow */
+    int slowed;                                             /* frames until it is believed that it can again */
+    int peak[2];                                            /* of the board's last block, as it made it */
+    struct speaker_seen seen;
 };
 
-/* in: SPEAKER_BLOCK frames after `last`; out: n frames of the same sound, n at most SPEAKER_BLOCK + SPEAKER_STRETCH. */
-void speaker_stretch(const int16_t last[2], const int16_t *in, int16_t *out, int n);
+/* The sixtieths that a frame of the cabinet stands for. */
+struct speaker_time {
+    int sixtieths;
+    int slow;      /* of them a tick lasts: 1, 2, 4 */
+    uint64_t late; /* usec since the first one was due */
+    uint64_t lost; /* usec that passed and are left out: the game cannot follow */
+};
 
-/* Plays the sound of the frame that the board has just ticked. */
+void speaker_open(struct speaker *s, int volume, bool muted, bool exact);
+
+/* Takes the sound of the frame that the board has just ticked; slow: sixtieths it is to last. Does nothing for a
+ * board without sound, or muted. */
 struct board;
-void speaker_play(struct speaker *s, const struct board *b);
+void speaker_hear(struct speaker *s, const struct board *b, enum speaker_way way, int slow);
+
+/* So much time has passed: what was heard goes to the card. */
+void speaker_frame(struct speaker *s, const struct speaker_time *t);
+
+/* With `exact`: does the card's clock lead? Is the next frame due by it? */
+bool speaker_leads(const struct speaker *s);
+bool speaker_due(const struct speaker *s);
+
+/* Writes a line: how long a sound takes to the air, how the clocks differ, what was lost. */
+void speaker_report(const struct speaker *s, char *line, size_t size);
+
+/* Fades what sounds and waits, not long, until it has been heard; gives memory back. */
 void speaker_close(struct speaker *s);
 
 #endif

@@ -12,7 +12,7 @@
 #include "../host/keys.h"
 
 /* In the order of the cabinet keys from CAB_SHAPES on. */
-enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAYS };
+enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };
 
 /* What a frame of the cabinet consists of: the phases of its ticks, then these. */
 enum {

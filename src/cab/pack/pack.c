@@ -28,9 +28,9 @@
 #include "../host/files.h"
 #include "map.h"
 #include "../sound/mml.h"
+#include "../sound/recording.h"
 #include "tree.h"
 #include "png.h"
-#include "../sound/wav.h"
 
 enum { PATH = TREE_PATH };
 
@@ -428,23 +428,38 @@ static bool load_named(struct packer *p, const char *file, size_t most, uint8_t 
     return load_in(p, file, most, data, size);
 }
 
-/* The tune of a recording. */
-static bool compile_wav(struct packer *p, const struct art_sound *s, const struct mml_about *about, uint8_t **tune,
-                        size_t *size)
+/* Adds what a recording becomes: a tune, and of music its samples. */
+static bool make_recording(struct packer *p, const struct art_sound *s, const struct pcm *pcm, bool music, char *why,
+                           size_t why_size)
 {
-    uint8_t *data, *sample;
-    size_t n, sample_size;
-    char why[256];
+    struct recording_bytes tune, wave;
+
+    if (!music)
+        return recording_sound(pcm, s, &tune, why, why_size) && add(p, "sound/", s->name, tune.data, tune.n);
+    if (!recording_music(pcm, s, p->art.markers, &tune, &wave, why, why_size))
+        return false;
+    if (add(p, "tune/", s->name, tune.data, tune.n))
+        return add(p, "wave/", s->name, wave.data, wave.n);
+    free(wave.data);
+    return false;
+}
+
+static bool add_recording(struct packer *p, const struct art_sound *s, bool music)
+{
+    struct pcm pcm;
+    uint8_t *data;
+    size_t n;
+    char why[256] = "";
 
     if (!load_named(p, s->file, TREE_FILE, &data, &n))
         return false;
-    bool good = wav_read(data, n, &sample, &sample_size, why, sizeof why);
+    bool good = recording_read(s->file, data, n, &pcm, why, sizeof why);
     free(data);
-    if (!good)
-        return err_set(p->err, p->err_size, "%s: %s", s->file, why);
-    good = mml_of_sample(sample, sample_size, about, tune, size);
-    free(sample);
-    return good ? true : err_set(p->err, p->err_size, "out of memory");
+    if (good) {
+        good = recording_prepare(&pcm, &s->loop, why, sizeof why) && make_recording(p, s, &pcm, music, why, sizeof why);
+        pcm_free(&pcm);
+    }
+    return good || !why[0] ? good : err_set(p->err, p->err_size, "%s: %s", s->file, why);
 }
 
 /* The tune of a text: a file's, or one in rom.lua. */
@@ -467,25 +482,30 @@ static bool compile_mml(struct packer *p, const struct art_sound *s, const char 
     return good;
 }
 
-/* Is the sound of that name a recording? */
-static bool is_recording(const struct packer *p, const char *name)
+/* The sound of that name if it is a recording; else NULL. */
+static const struct art_sound *find_recording(const struct packer *p, const char *name)
 {
     for (int i = 0; i < p->art.n_sounds; i++)
-        if (strcmp(p->art.sounds[i].name, name) == 0)
-            return ends_with(p->art.sounds[i].file, ".wav");
-    return false;
+        if (strcmp(p->art.sounds[i].name, name) == 0 && art_is_recording(p->art.sounds[i].file))
+            return &p->art.sounds[i];
+    return NULL;
 }
 
 /* Instruments name recordings of `sounds`. */
 static bool check_recordings(struct packer *p, const struct art_sound *s, const uint8_t *tune)
 {
     const struct tune t = tune_of(tune);
+    const char *where = s->file[0] ? s->file : s->name;
 
     for (int i = 0; i < t.insts; i++) {
-        const struct inst inst = inst_of(tune_inst(&t, i));
-        if (inst.sample[0] && !is_recording(p, inst.sample))
-            return err_set(p->err, p->err_size, "%s: sample \"%s\" is no recording (a .wav) of rom.lua's sounds",
-                           s->file[0] ? s->file : s->name, inst.sample);
+        const char *sample = inst_sample(tune_inst(&t, i));
+        const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
+        if (sample[0] && !found)
+            return err_set(p->err, p->err_size,
+                           "%s: sample \"%s\" is no recording (.wav, .ogg, .flac) of rom.lua's sounds", where, sample);
+        if (found && found->stereo)
+            return err_set(p->err, p->err_size, "%s: sample \"%s\" is stereo, and an instrument has one voice", where,
+                           sample);
     }
     return true;
 }
@@ -496,8 +516,9 @@ static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
     uint8_t *tune;
     size_t size;
 
-    if (!(ends_with(s->file, ".wav") ? compile_wav(p, s, &about, &tune, &size)
-                                     : compile_mml(p, s, music ? "music" : "sounds", &about, &tune, &size)))
+    if (art_is_recording(s->file))
+        return add_recording(p, s, music);
+    if (!compile_mml(p, s, music ? "music" : "sounds", &about, &tune, &size))
         return false;
     if (check_recordings(p, s, tune))
         return add(p, music ? "tune/" : "sound/", s->name, tune, size);

@@ -20,6 +20,7 @@ enum {
     MAX_LATE = 4,
     MAX_TURBO = 32,                 /* ticks a frame */
     TURBO_USEC = 12000,             /* of a frame spent on them */
+    LOOK_USEC = 1000,               /* between two looks at what waits at the speaker */
     SAVE_EVERY = 60,                /* frames */
     MAX_NVRAM_KEPT = 2 * NVRAM_MOST /* bytes that are kept of a damaged score file */
 };
@@ -33,24 +34,71 @@ static uint64_t due(uint64_t frame)
     return cab.base + frame * SECOND / 60;
 }
 
+/* Where the speaker's clock leads, a frame is due when it has used one up; or after a second, for it may be stuck. */
+static bool speaker_says(uint64_t now)
+{
+    if (!speaker_due(&cab.speaker) && now < due(cab.frames) + SECOND) {
+        plat_wait(now + LOOK_USEC);
+        return false;
+    }
+    cab.base = now;
+    cab.frames = 0;
+    return true;
+}
+
+/* Waits for the next frame. False: it has not come. */
+static bool frame_comes(void)
+{
+    if (speaker_leads(&cab.speaker))
+        return speaker_says(plat_usec());
+    plat_wait(due(cab.frames));
+    return plat_usec() >= due(cab.frames);
+}
+
 /* Frames that are due by now, at least one; those that are too late are dropped. */
-static int frames_due(uint64_t now)
+static struct speaker_time frames_due(uint64_t now)
 {
     int n = 1;
     while (n < MAX_LATE && due(cab.frames + (uint64_t)n) <= now)
         n++;
+    struct speaker_time time = { .sixtieths = n, .late = due(cab.frames) };
     cab.frames += (uint64_t)n;
     if (due(cab.frames) <= now) {
+        time.lost = now + SECOND / 60 - due(cab.frames);
         cab.base = now;
         cab.frames = 1;
     }
-    return n;
+    return time;
+}
+
+/* What was ticked is heard. */
+static void frame_sounds(struct speaker_time *time)
+{
+    time->slow = cab.slow;
+    time->late = plat_usec() - time->late;
+    speaker_frame(&cab.speaker, time);
 }
 
 static void turbo(uint64_t now)
 {
+    const bool attracting = cab.attracting;
+    const uint32_t before = board_frame(cab_live());
+
     for (int i = 0; i < MAX_TURBO && plat_usec() - now < TURBO_USEC; i++)
         cab_tick();
+    if (attracting ? cab.attracting : board_frame(cab_live()) != before)
+        cab_hear_once(SPEAKER_FAST);
+}
+
+/* Frame by frame, as each of them is heard. */
+static void rewind_by(int frames)
+{
+    for (int i = 0; i < frames; i++) {
+        const uint32_t before = board_frame(cab_live());
+        cab_rewind(1);
+        if (cab.session.state == SESSION_PLAYING && board_frame(cab_live()) < before)
+            cab_hear_once(SPEAKER_BACK);
+    }
 }
 
 /* In slow motion: is this one of the frames that tick? */
@@ -65,11 +113,11 @@ static void run(int frames, const struct keys_read *k, uint64_t now)
 {
     bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
     cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
-    cab.quiet = cab.rewinding || cab.paused || fast || cab.slow > 1;
+    cab.quiet = cab.paused || fast;
     if (cab.prompt.open)
         return;
     if (cab.rewinding) {
-        cab_rewind((uint32_t)frames);
+        rewind_by(frames);
         cab.step = false;
         memset(cab.pads, 0, sizeof cab.pads);
         return;
@@ -157,12 +205,22 @@ void cab_save_nvram(void)
 
 /* ---- power ---- */
 
+static void report_sound(void)
+{
+    char line[256];
+
+    speaker_report(&cab.speaker, line, sizeof line);
+    cab_say("curtain: %s", line);
+}
+
 static void finish(void)
 {
     cab_save_nvram();
     practice_close(&cab.practice);
     if (cab_fault())
         cab.result = RESULT_REFUSED;
+    if (cab.options.verbose)
+        report_sound();
     speaker_close(&cab.speaker);
     bool good = session_close(&cab.session);
     cab.result = good || cab.result != RESULT_DONE ? cab.result : RESULT_HOST;
@@ -179,13 +237,12 @@ static void finish(void)
 static bool frame(void)
 {
     struct keys_read k;
-    plat_wait(due(cab.frames));
-    uint64_t now = plat_usec();
-    if (now < due(cab.frames))
+    if (!frame_comes())
         return true;
+    uint64_t now = plat_usec();
     cab_poll(&k);
     cab_check_folder();
-    int n = frames_due(now);
+    struct speaker_time time = frames_due(now);
     overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
     if (cab.practice.open)
         cab_menu(&k);
@@ -194,7 +251,8 @@ static bool frame(void)
     else if (cab.console.open)
         memset(cab.pads, 0, sizeof cab.pads);
     else
-        run(n, &k, now);
+        run(time.sixtieths, &k, now);
+    frame_sounds(&time);
     cab.timebar_left -= cab.timebar_left > 0;
     cab.notice_left -= cab.notice_left > 0;
     if (++cab.since_save >= SAVE_EVERY) {
@@ -230,8 +288,7 @@ static void want_window(void)
     const struct cab_options *o = &cab.options;
 
     cab.want = (struct plat_want){ .scale = o->scale ? o->scale : cab.config.scale,
-                                   .fullscreen = o->fullscreen || cab.config.fullscreen,
-                                   .rate = SPEAKER_RATE };
+                                   .fullscreen = o->fullscreen || cab.config.fullscreen };
 }
 
 /* The settings' language, if the game has it. */
@@ -254,7 +311,7 @@ enum result cab_play(const struct cab_options *options)
         cab_say("curtain: %s", err);
         return RESULT_REFUSED;
     }
-    cab.speaker = (struct speaker){ .volume = cab.config.volume, .muted = options->mute || cab.config.mute };
+    speaker_open(&cab.speaker, cab.config.volume, options->mute || cab.config.mute, !cab.config.resample);
     if (!cab.start.lang[0] && !options->demo)
         take_lang();
     if (!options->seeded && !options->demo)

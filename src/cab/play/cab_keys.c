@@ -6,12 +6,37 @@
 #include "cab_parts.h"
 #include "timebar.h"
 
-enum { MAX_SLOW = 4 };
+enum { MAX_SLOW = 4, LOUDER = 10 /* percent, a press */ };
 
 static void reopen(void)
 {
     cab.want.fullscreen = !cab.want.fullscreen;
     cab.quit = !cab_open_window() || cab.quit;
+}
+
+/* A speaker is opened when something is to be heard. */
+static void set_sound(bool muted, int volume)
+{
+    cab.speaker.muted = muted;
+    cab.speaker.volume = volume < 0 ? 0 : volume > 100 ? 100 : volume;
+    if (!board_has_sound(cab_live()))
+        cab_notice(CAB_NOTICE_FRAMES / 2, "this game has no sound");
+    else if (muted)
+        cab_notice(CAB_NOTICE_FRAMES / 2, "sound off");
+    else
+        cab_notice(CAB_NOTICE_FRAMES / 2, "volume %d %%", cab.speaker.volume);
+    if (!muted && !cab.want.rate)
+        cab.quit = !cab_open_window() || cab.quit;
+}
+
+static void sound_keys(const struct keys_read *k)
+{
+    if (k->pressed & 1 << CAB_MUTE)
+        set_sound(!cab.speaker.muted, cab.speaker.volume);
+    if (k->pressed & 1 << CAB_QUIETER)
+        set_sound(cab.speaker.muted, cab.speaker.volume - LOUDER);
+    if (k->pressed & 1 << CAB_LOUDER)
+        set_sound(false, cab.speaker.volume + LOUDER);
 }
 
 static void cabinet_keys(const struct keys_read *k)
@@ -22,8 +47,7 @@ static void cabinet_keys(const struct keys_read *k)
     }
     if (k->pressed & 1 << CAB_FULLSCREEN)
         reopen();
-    if (k->pressed & 1 << CAB_MUTE)
-        cab.speaker.muted = !cab.speaker.muted;
+    sound_keys(k);
     if (k->pressed & 1 << CAB_PAUSE)
         cab.paused = !cab.paused;
     if (k->pressed & 1 << CAB_STEP)

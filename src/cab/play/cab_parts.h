@@ -61,7 +61,7 @@ struct cab {
     bool paused, step;
     bool rewinding;   /* time runs backwards */
     bool scrubbed;    /* the player moved in time in a playback: at its end it pauses and does not quit */
-    bool quiet;       /* not at full speed: no sound */
+    bool quiet;       /* ticks are not heard: they are steps, or one of many */
     int slow;         /* 1, 2, 4: frames a tick */
     int slow_frames;  /* frames since the last tick */
     int timebar_left; /* frames that the time bar is still shown */
@@ -120,6 +120,9 @@ void cab_log_lines(const struct board_out *out);
 
 /* Writes the board's fault to the log, once. */
 void cab_report_fault(void);
+
+/* The frame that was reached is heard, for a sixtieth. */
+void cab_hear_once(enum speaker_way way);
 
 /* Ends the attract demo. */
 void cab_attract_end(void);

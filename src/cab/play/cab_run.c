@@ -100,7 +100,12 @@ void cab_log_lines(const struct board_out *out)
 static void play_sound(const struct board *b)
 {
     if (!cab.quiet)
-        speaker_play(&cab.speaker, b);
+        speaker_hear(&cab.speaker, b, SPEAKER_ON, cab.slow);
+}
+
+void cab_hear_once(enum speaker_way way)
+{
+    speaker_hear(&cab.speaker, cab.attracting ? cab.attract_guard.board : cab_live(), way, 1);
 }
 
 void cab_report_fault(void)

@@ -38,7 +38,9 @@ void cab_picture_close(struct picture *p)
 bool cab_open_window(void)
 {
     const struct manifest *m = &cab_cart()->m;
+    const bool heard = board_has_sound(cab_live()) && (!cab.speaker.muted || cab.want.rate);
 
+    cab.want.rate = heard ? SPEAKER_RATE : 0;
     cab.want.w = m->screen_w;
     cab.want.h = m->screen_h;
     snprintf(cab.title, sizeof cab.title, "%s", m->title); /* the manifest may go */

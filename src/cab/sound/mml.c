@@ -162,7 +162,13 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
     }
 }
 
-/* Instruments, macros and what stands behind #. */
+/* @E, @M or @P, then a blank? */
+static bool curve_line(const struct mml *m, uint32_t at, uint32_t end)
+{
+    return end - at > 2 && memchr("EMP", m->text[at + 1], 3) && blank(m->text[at + 2]);
+}
+
+/* Instruments, curves, macros and what stands behind #. */
 static void read_lines(struct mml *m)
 {
     uint32_t tracks, body;
@@ -171,7 +177,9 @@ static void read_lines(struct mml *m)
         const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
         if (first == end || track_line(m, first, end, &tracks, &body))
             continue;
-        if (m->text[first] == '@')
+        if (m->text[first] == '@' && curve_line(m, first, end))
+            mml_read_curve_line(m, first, end);
+        else if (m->text[first] == '@')
             mml_read_inst(m, first, end);
         else if (m->text[first] == '!')
             read_macro(m, first, end);
@@ -333,7 +341,7 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
     read_echoes(m);
     if (!any_track(m))
         mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
-    mml_make(m, about, NULL, 0, out, size);
+    mml_make(m, about, out, size);
 }
 
 static struct mml *begin(const char *file, char *err, size_t err_size)
@@ -358,6 +366,8 @@ static void end(struct mml *m)
 {
     for (int i = 0; i < TUNE_TRACKS; i++)
         free(m->tracks[i].events);
+    for (uint32_t i = 0; i < m->n_pieces; i++)
+        free(m->pieces[i].bytes);
     free(m->conductor.events);
     free(m->line.text);
     free(m->line.from);
@@ -380,34 +390,6 @@ bool mml_compile(const char *text, size_t n, const char *file, const struct mml_
     m->n = n;
     if (setjmp(m->out) == 0)
         compile(m, about, out, size);
-    end(m);
-    return *out != NULL;
-}
-
-/* At 6,000 quarter notes in hundredths a tick is 100 samples. */
-enum { RECORDING_TEMPO = 6000, RECORDING_ROOT = 60 };
-
-bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *about, uint8_t **out, size_t *size)
-{
-    const struct sample s = sample_of(sample);
-    char err[64];
-    struct mml *m = begin("", err, sizeof err);
-
-    *out = NULL;
-    if (m == NULL)
-        return false;
-    if (setjmp(m->out) == 0) {
-        const uint64_t ticks = ((uint64_t)s.n * SND_RATE / s.rate * RECORDING_TEMPO + TUNE_TICK - 1) / TUNE_TICK;
-        struct mml_track *t = &m->tracks[0];
-        m->insts[m->n_insts++] =
-            (struct inst){ .kind = INST_SAMPLE, .sustain = 32767, .release = 480, .root = RECORDING_ROOT * PITCH_ONE };
-        t->used = true;
-        mml_add(m, t, 0, TUNE_VOLUME, TUNE_LOUD, 0);
-        mml_add(m, t, 0, TUNE_NOTE, RECORDING_ROOT * 256, 0);
-        t->end = s.loop == SAMPLE_ENDS ? (uint32_t)ticks : MML_TICKS;
-        mml_add(m, &m->conductor, 0, TUNE_TEMPO, RECORDING_TEMPO, 0);
-        mml_make(m, about, sample, n, out, size);
-    }
     end(m);
     return *out != NULL;
 }

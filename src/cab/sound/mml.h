@@ -22,7 +22,4 @@ struct mml_about {
 bool mml_compile(const char *text, size_t n, const char *file, const struct mml_about *about, uint8_t **out,
                  size_t *size, char *err, size_t err_size);
 
-/* A tune that plays a recording once: the bytes of a sample (adpcm.h). */
-bool mml_of_sample(const uint8_t *sample, size_t n, const struct mml_about *about, uint8_t **out, size_t *size);
-
 #endif

@@ -8,11 +8,15 @@
 #include "../../base/edit.h"
 #include "../../snd/pitch.h"
 
-static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine", "fm", "noise", "sample" };
+static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine", "fm",
+                                               "noise", "sample",   "fm4", "wave" };
+static const char all_kinds[] =
+    "pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument that stands above";
 
-/* Times in samples: 48 a millisecond. */
-static const struct inst plain = {
-    .duty = 32768, .sustain = 24000, .attack = 96, .decay = 4800, .release = 1920, .ratio = 256, .root = 60 * PITCH_ONE
+/* Times in samples: 48 a millisecond. An operator is at the note's pitch. */
+static const struct op plain_op = { .ratio = 256, .env.sustain = 32767 };
+static const struct mml_inst plain = {
+    .inst = { .duty = 32768, .env = { 24000, 96, 4800, 0, 1920 }, .root = 60 * PITCH_ONE }
 };
 
 uint32_t mml_samples(int64_t thousandths)
@@ -54,8 +58,26 @@ static int kind_named(const char *name)
     return -1;
 }
 
-/* Every kind but a sample is an instrument without being declared. */
-bool mml_find_inst(const struct mml *m, const char *name, struct inst *out)
+/* Settings as they are without being set. Of two operators the first bends by two radians; of four, as algorithm 7
+ * has them all, each is heard. */
+static struct mml_inst plain_of(int kind)
+{
+    struct mml_inst i = plain;
+
+    i.inst.kind = (uint8_t)kind;
+    if (kind == INST_SAMPLE)
+        i.inst.env.sustain = 32767;
+    if (kind == INST_FM4)
+        i.inst.algorithm = FM_ALGORITHMS - 1;
+    for (int k = 0; k < inst_ops(kind); k++) {
+        i.ops[k] = plain_op;
+        i.ops[k].level = kind == INST_FM && k == 0 ? 1304 : 32767;
+    }
+    return i;
+}
+
+/* Every kind but a sample and a wave is an instrument without being declared. */
+bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
 {
     const int kind = kind_named(name);
 
@@ -64,16 +86,43 @@ bool mml_find_inst(const struct mml *m, const char *name, struct inst *out)
             *out = m->named[i].inst;
             return true;
         }
-    if (kind < 0 || kind == INST_SAMPLE)
+    if (kind < 0 || kind == INST_SAMPLE || kind == INST_WAVE)
         return false;
-    *out = plain;
-    out->kind = (uint8_t)kind;
-    out->depth = kind == INST_FM ? 1304 : 0; /* 2 radians */
+    *out = plain_of(kind);
     return true;
 }
 
-/* The word at *at: letters, digits and _. */
-static void read_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
+/* Those that are heard are together as loud as one at most. */
+static void balance(struct mml_inst *i)
+{
+    const int n = inst_ops(i->inst.kind);
+    uint32_t loud = 0;
+
+    for (int k = 0; k < n; k++)
+        loud += fm_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
+    for (int k = 0; k < n && loud > 32767; k++)
+        if (fm_heard(n, i->inst.algorithm) >> k & 1)
+            i->ops[k].level = (uint16_t)((uint32_t)i->ops[k].level * 32767 / loud);
+}
+
+int mml_use_inst(struct mml *m, const struct mml_inst *inst)
+{
+    struct mml_inst balanced = *inst;
+    uint8_t bytes[INST_BYTES];
+    int i = 0;
+
+    balance(&balanced);
+    inst_write(bytes, &balanced.inst, balanced.ops, balanced.sample);
+    while (i < m->n_insts && memcmp(m->insts[i], bytes, INST_BYTES) != 0)
+        i++;
+    if (i == TUNE_INSTS)
+        return -1;
+    if (i == m->n_insts)
+        memcpy(m->insts[m->n_insts++], bytes, INST_BYTES);
+    return i;
+}
+
+void mml_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
 {
     const uint32_t from = *at;
 
@@ -85,110 +134,291 @@ static void read_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NA
     memcpy(out, m->text + from, *at - from);
 }
 
-static void comma(struct mml *m, uint32_t *at, uint32_t end)
-{
-    if (*at == end || m->text[*at] != ',')
-        mml_bad(m, *at, "expected vibrato=CENTS,HERTZ,MILLISECONDS");
-    ++*at;
-}
-
-enum { LONG = 60000000 /* a minute in thousandths of a millisecond: the longest time */ };
-
-static void read_vibrato(struct mml *m, struct inst *i, uint32_t *at, uint32_t end)
-{
-    i->vibrato = (uint16_t)(mml_decimal(m, at, end, "cents", 0, 2400000) * 256 / 100000);
-    comma(m, at, end);
-    i->vibrato_step = mml_hertz(mml_decimal(m, at, end, "hertz", 10, 25000));
-    comma(m, at, end);
-    i->vibrato_delay = mml_samples(mml_decimal(m, at, end, "milliseconds", 0, LONG));
-}
-
-/* One key=value. */
-static void read_setting(struct mml *m, struct inst *i, const char *key, uint32_t key_at, uint32_t *at, uint32_t end)
-{
-    static const char *const names[] = { "duty",    "attack", "decay", "sustain", "fade", "release",
-                                         "vibrato", "ratio",  "depth", "dull",    "root" };
-    const struct {
-        const char *name;
-        uint32_t *samples;
-    } times[] = { { "attack", &i->attack },
-                  { "decay", &i->decay },
-                  { "fade", &i->fade },
-                  { "release", &i->release },
-                  { "dull", &i->dulling } };
-
-    for (size_t k = 0; k < sizeof times / sizeof *times; k++)
-        if (strcmp(key, times[k].name) == 0) {
-            *times[k].samples = mml_samples(mml_decimal(m, at, end, "milliseconds", 0, LONG));
-            return;
-        }
-    if (strcmp(key, "duty") == 0)
-        i->duty = (uint16_t)(mml_decimal(m, at, end, "percent", 1000, 99000) * 65536 / 100000);
-    else if (strcmp(key, "sustain") == 0)
-        i->sustain = (uint16_t)(mml_decimal(m, at, end, "percent", 0, 100000) * 32767 / 100000);
-    else if (strcmp(key, "vibrato") == 0)
-        read_vibrato(m, i, at, end);
-    else if (strcmp(key, "ratio") == 0)
-        i->ratio = (uint16_t)(mml_decimal(m, at, end, "times the note's pitch", 10, 32000) * 256 / 1000);
-    else if (strcmp(key, "depth") == 0)
-        i->depth = (uint16_t)(mml_decimal(m, at, end, "radians", 0, 24000) * 652 / 1000);
-    else if (strcmp(key, "root") == 0)
-        i->root = (int32_t)(mml_decimal(m, at, end, "a note's number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
-    else {
-        const char *near = NULL;
-        int best = EDIT_FAR;
-        for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-            if (edit_distance(key, names[k]) < best) {
-                best = edit_distance(key, names[k]);
-                near = names[k];
-            }
-        mml_bad(m, key_at, near ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"", key,
-                near);
-    }
-}
-
-static uint32_t skip(const struct mml *m, uint32_t at, uint32_t end)
+uint32_t mml_skip(const struct mml *m, uint32_t at, uint32_t end)
 {
     while (at < end && (m->text[at] == ' ' || m->text[at] == '\t' || m->text[at] == '\r'))
         at++;
     return at;
 }
 
-void mml_read_inst(struct mml *m, uint32_t at, uint32_t end)
-{
-    char name[MML_NAME], word[MML_NAME];
-    struct inst inst;
-    uint32_t p = at + 1;
+/* ---- settings ---- */
 
-    read_word(m, &p, end, name, "an instrument's name");
+enum { LONG = 60000000 /* a minute in thousandths of a millisecond: the longest time */ };
+
+/* A setting being read: its instrument, its name and where that is, where its value goes on, where the line ends. */
+struct setting {
+    struct mml *m;
+    struct mml_inst *i;
+    const char *key;
+    uint32_t key_at, at, end;
+};
+
+static int64_t number(struct setting *s, const char *what, int64_t lo, int64_t hi)
+{
+    return mml_decimal(s->m, &s->at, s->end, what, lo, hi);
+}
+
+static uint32_t time_of(struct setting *s)
+{
+    return mml_samples(number(s, "milliseconds", 0, LONG));
+}
+
+static uint16_t share(struct setting *s, const char *what)
+{
+    return (uint16_t)(number(s, what, 0, 100000) * 32767 / 100000);
+}
+
+static uint16_t ratio(struct setting *s)
+{
+    return (uint16_t)(number(s, "times the note's pitch", 10, 32000) * 256 / 1000);
+}
+
+static uint16_t radians(struct setting *s)
+{
+    return (uint16_t)(number(s, "radians", 0, 24000) * 652 / 1000);
+}
+
+static bool next(struct setting *s)
+{
+    if (s->at == s->end || s->m->text[s->at] != ',')
+        return false;
+    s->at++;
+    return true;
+}
+
+static void comma(struct setting *s, const char *form)
+{
+    if (!next(s))
+        mml_bad(s->m, s->at, "expected %s", form);
+}
+
+static void read_lfo(struct setting *s, struct lfo *l, const char *form)
+{
+    comma(s, form);
+    l->step = mml_hertz(number(s, "hertz", 10, 25000));
+    comma(s, form);
+    l->delay = time_of(s);
+}
+
+/* op2=RATIO,LEVEL,ATTACK,DECAY,SUSTAIN,RELEASE: of them as many as are there. */
+static void read_op(struct setting *s, int k)
+{
+    struct op *o = &s->i->ops[k];
+    const int n = inst_ops(s->i->inst.kind);
+
+    if (k >= n)
+        mml_bad(s->m, s->key_at, n ? "it has %d operators" : "only fm and fm4 have operators", n);
+    o->ratio = ratio(s);
+    if (!next(s))
+        return;
+    o->level =
+        fm_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
+    if (!next(s))
+        return;
+    o->env.attack = time_of(s);
+    if (!next(s))
+        return;
+    o->env.decay = time_of(s);
+    o->env.sustain = 0;
+    if (!next(s))
+        return;
+    o->env.sustain = share(s, "percent");
+    if (next(s))
+        o->env.release = time_of(s);
+}
+
+/* Which of two meanings a level has, the algorithm says: so it is set before them. */
+static void read_algorithm(struct setting *s)
+{
+    const uint32_t from = s->at;
+
+    if (s->i->inst.kind != INST_FM4)
+        mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
+    s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
+    for (int k = 0; k < FM_OPS; k++) {
+        const bool heard = fm_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const struct op *o = &s->i->ops[k];
+        if (o->ratio != 256 || o->env.attack || o->env.decay)
+            mml_bad(s->m, from, "expected the algorithm before the operators, for it says which ones are heard");
+        s->i->ops[k].level = heard ? 32767 : 652;
+    }
+}
+
+static void read_arpeggio(struct setting *s)
+{
+    struct inst *i = &s->i->inst;
+
+    i->arpeggio_n = 0;
+    memset(i->arpeggio, 0, sizeof i->arpeggio);
+    i->arpeggio_frames = (uint16_t)(number(s, "frames a note", 1000, 3600000) / 1000);
+    if (s->at == s->end || s->m->text[s->at++] != ':')
+        mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as arpeggio=2:0,4,7");
+    do {
+        if (i->arpeggio_n == ARPEGGIO_MOST)
+            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MOST);
+        i->arpeggio[i->arpeggio_n++] = (int8_t)(number(s, "semitones", -48000, 48000) / 1000);
+    } while (next(s));
+}
+
+static bool read_time(struct setting *s)
+{
+    struct env *e = &s->i->inst.env;
+    const struct {
+        const char *name;
+        uint32_t *samples;
+    } times[] = { { "attack", &e->attack }, { "decay", &e->decay }, { "fade", &e->fade }, { "release", &e->release } };
+
+    for (size_t k = 0; k < sizeof times / sizeof *times; k++)
+        if (strcmp(s->key, times[k].name) == 0) {
+            *times[k].samples = time_of(s);
+            return true;
+        }
+    return false;
+}
+
+/* Settings of FM: `ratio`, `depth` and `dull` are the first operator's, in short. */
+static bool read_fm(struct setting *s)
+{
+    struct op *o = s->i->ops;
+    const size_t n = strlen(s->key);
+
+    if (strcmp(s->key, "ratio") == 0) {
+        o->ratio = ratio(s);
+    } else if (strcmp(s->key, "depth") == 0) {
+        o->level = radians(s);
+    } else if (strcmp(s->key, "dull") == 0) {
+        o->env.decay = time_of(s);
+        o->env.sustain = o->env.decay ? 0 : 32767;
+    } else if (strcmp(s->key, "feedback") == 0) {
+        s->i->inst.feedback = (uint16_t)(number(s, "radians", 0, 1500) * FM_FEEDBACK / 1500);
+    } else if (strcmp(s->key, "algorithm") == 0) {
+        read_algorithm(s);
+    } else if (n == 3 && memcmp(s->key, "op", 2) == 0 && s->key[2] >= '1' && s->key[2] <= '4') {
+        read_op(s, s->key[2] - '1');
+    } else if (n == 7 && memcmp(s->key, "detune", 6) == 0 && s->key[6] >= '1' && s->key[6] <= '4') {
+        const int64_t hertz = number(s, "hertz", -1000000, 1000000);
+        o[s->key[6] - '1'].detune = (int32_t)(hertz * ((int64_t)1 << 32) / (1000 * SND_RATE));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static bool read_shape(struct setting *s)
+{
+    struct inst *i = &s->i->inst;
+
+    if (strcmp(s->key, "volume") == 0)
+        i->volume_curve = mml_read_curve(s->m, &s->at, s->end, 'E');
+    else if (strcmp(s->key, "pitch") == 0)
+        i->pitch_curve = mml_read_curve(s->m, &s->at, s->end, 'M');
+    else if (strcmp(s->key, "pan") == 0)
+        i->pan_curve = mml_read_curve(s->m, &s->at, s->end, 'P');
+    else if (strcmp(s->key, "harmonics") == 0 && i->kind == INST_WAVE)
+        i->wave = mml_read_harmonics(s->m, &s->at, s->end);
+    else if (strcmp(s->key, "points") == 0 && i->kind == INST_WAVE)
+        i->wave = mml_read_points(s->m, &s->at, s->end);
+    else if (strcmp(s->key, "arpeggio") == 0)
+        read_arpeggio(s);
+    else
+        return false;
+    return true;
+}
+
+_Noreturn static void unknown(const struct setting *s)
+{
+    static const char *const names[] = { "duty",     "attack",    "decay",  "sustain",  "fade",     "release",
+                                         "vibrato",  "tremolo",   "ratio",  "depth",    "dull",     "root",
+                                         "feedback", "algorithm", "op1",    "detune1",  "arpeggio", "volume",
+                                         "pitch",    "pan",       "points", "harmonics" };
+    const char *near = NULL;
+    int best = EDIT_FAR;
+
+    if (strcmp(s->key, "harmonics") == 0 || strcmp(s->key, "points") == 0)
+        mml_bad(s->m, s->key_at, "only a wave has %s", s->key);
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (edit_distance(s->key, names[k]) < best) {
+            best = edit_distance(s->key, names[k]);
+            near = names[k];
+        }
+    mml_bad(s->m, s->key_at, near ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"", s->key,
+            near);
+}
+
+/* One key=value. */
+static void read_setting(struct setting *s)
+{
+    struct inst *i = &s->i->inst;
+
+    if (read_time(s) || read_shape(s) || (inst_ops(i->kind) && read_fm(s)))
+        return;
+    if (strcmp(s->key, "duty") == 0)
+        i->duty = (uint16_t)(number(s, "percent", 1000, 99000) * 65536 / 100000);
+    else if (strcmp(s->key, "sustain") == 0)
+        i->env.sustain = share(s, "percent");
+    else if (strcmp(s->key, "vibrato") == 0) {
+        i->vibrato.depth = (uint16_t)(number(s, "cents", 0, 2400000) * 256 / 100000);
+        read_lfo(s, &i->vibrato, "vibrato=CENTS,HERTZ,MILLISECONDS");
+    } else if (strcmp(s->key, "tremolo") == 0) {
+        i->tremolo.depth = share(s, "percent");
+        read_lfo(s, &i->tremolo, "tremolo=PERCENT,HERTZ,MILLISECONDS");
+    } else if (strcmp(s->key, "root") == 0)
+        i->root = (int32_t)(number(s, "a note's number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
+    else
+        unknown(s);
+}
+
+static void check_name(struct mml *m, uint32_t at, const char *name)
+{
     if (m->n_named == MML_NAMES)
         mml_bad(m, at, "more than %d instruments", (int)MML_NAMES);
     for (int i = 0; i < m->n_named; i++)
         if (strcmp(m->named[i].name, name) == 0)
             mml_bad(m, at, "the instrument \"%s\" is there twice", name);
-    p = skip(m, p, end);
-    const uint32_t kind_at = p;
-    read_word(m, &p, end, word, "pulse, triangle, saw, sine, fm, noise, sample, or an instrument to start from");
-    if (strcmp(word, "sample") == 0) {
-        inst = plain;
-        inst.kind = INST_SAMPLE;
-        inst.sustain = 32767;
-        p = skip(m, p, end);
-        read_word(m, &p, end, inst.sample, "sample NAME, a sound of rom.lua that is a recording");
-    } else if (!mml_find_inst(m, word, &inst)) {
-        mml_bad(
-            m, kind_at,
-            "expected pulse, triangle, saw, sine, fm, noise, sample, or an instrument that stands above, got \"%s\"",
-            word);
+}
+
+/* The kind at *at, or the instrument it is started from. */
+static struct mml_inst read_kind(struct mml *m, uint32_t *at, uint32_t end)
+{
+    const uint32_t from = *at;
+    struct mml_inst inst;
+    char word[MML_NAME];
+
+    mml_word(m, at, end, word, all_kinds);
+    if (mml_find_inst(m, word, &inst))
+        return inst;
+    if (kind_named(word) < 0)
+        mml_bad(m, from, "expected %s, got \"%s\"", all_kinds, word);
+    inst = plain_of(kind_named(word));
+    if (inst.inst.kind == INST_SAMPLE) {
+        *at = mml_skip(m, *at, end);
+        mml_word(m, at, end, inst.sample, "sample NAME, a sound of rom.lua that is a recording");
     }
-    while ((p = skip(m, p, end)) < end) {
-        const uint32_t key_at = p;
-        read_word(m, &p, end, word, "a setting, as attack=5");
+    return inst;
+}
+
+void mml_read_inst(struct mml *m, uint32_t at, uint32_t end)
+{
+    char name[MML_NAME], word[MML_NAME];
+    uint32_t p = at + 1;
+
+    mml_word(m, &p, end, name, "an instrument's name");
+    check_name(m, at, name);
+    p = mml_skip(m, p, end);
+    struct mml_inst inst = read_kind(m, &p, end);
+    while ((p = mml_skip(m, p, end)) < end) {
+        struct setting s = { m, &inst, word, p, 0, end };
+        mml_word(m, &p, end, word, "a setting, as attack=5");
         if (p == end || m->text[p] != '=')
-            mml_bad(m, key_at, "expected %s=a number", word);
-        p++;
-        read_setting(m, &inst, word, key_at, &p, end);
+            mml_bad(m, s.key_at, "expected %s=a value", word);
+        s.at = p + 1;
+        read_setting(&s);
+        p = s.at;
+        if (p < end && m->text[p] != ' ' && m->text[p] != '\t' && m->text[p] != '\r')
+            mml_bad(m, p, "expected a blank behind %s, got \"%c\"", word, m->text[p]);
     }
+    if (inst.inst.kind == INST_WAVE && inst.inst.wave == 0)
+        mml_bad(m, at, "expected harmonics= or points=: a wave has none of its own");
     memcpy(m->named[m->n_named].name, name, MML_NAME);
     m->named[m->n_named++].inst = inst;
 }

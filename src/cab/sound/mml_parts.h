@@ -1,6 +1,6 @@
 /*
- * mml_parts.h - what the files of the MML compiler share: mml.c (lines, macros), mml_inst.c (instruments), mml_track.c
- * (a track's commands), mml_tune.c (the bytes).
+ * mml_parts.h - what the files of the MML compiler share: mml.c (lines, macros), mml_inst.c (instruments), mml_curve.c
+ * (their curves and waves), mml_track.c (a track's commands), mml_tune.c (the bytes).
  * floor: cab
  */
 #ifndef CAB_MML_PARTS_H
@@ -12,7 +12,8 @@
 
 enum {
     MML_NAME = 32,
-    MML_NAMES = 128,      /* instruments of the text, and so many macros */
+    MML_NAMES = 128,      /* instruments of the text, and so many macros, and curves */
+    MML_PIECES = 256,     /* curves and waves that differ */
     MML_WIDE = 1 << 20,   /* characters of a track, macros written out */
     MML_EVENTS = 1 << 18, /* of all tracks */
     MML_TICKS = 480 * 4 * 4096,
@@ -33,6 +34,19 @@ struct mml_line {
     uint32_t n;
 };
 
+/* An instrument as it is declared: in it a wave and curves are numbers of pieces, from 1. */
+struct mml_inst {
+    struct inst inst;
+    struct op ops[FM_OPS];
+    char sample[INST_NAME];
+};
+
+/* A curve, or a wave: bytes that stand behind a tune's markers. */
+struct mml_piece {
+    uint8_t *bytes; /* malloc */
+    uint32_t n, at; /* at: in the tune, 0: not there */
+};
+
 struct mml_track {
     bool used;
     struct mml_event *events; /* malloc */
@@ -50,14 +64,21 @@ struct mml {
     jmp_buf out; /* to where an error leaves */
     struct {
         char name[MML_NAME];
-        struct inst inst;
+        struct mml_inst inst;
     } named[MML_NAMES];
     struct {
         char name[MML_NAME];
         uint32_t from, to;
     } macros[MML_NAMES];
-    int n_named, n_macros;
-    struct inst insts[TUNE_INSTS]; /* that notes use */
+    struct {
+        char name[MML_NAME];
+        char kind; /* E, M or P */
+        uint32_t piece;
+    } curves[MML_NAMES];
+    int n_named, n_macros, n_curves;
+    struct mml_piece pieces[MML_PIECES];
+    uint32_t n_pieces;
+    uint8_t insts[TUNE_INSTS][INST_BYTES]; /* that notes use */
     int n_insts;
     char marks[TUNE_MARKS][TUNE_NAME];
     int n_marks;
@@ -77,10 +98,29 @@ static inline bool mml_name_char(char c)
 }
 
 /* The instrument of that name, declared or built in; false: there is none. */
-bool mml_find_inst(const struct mml *m, const char *name, struct inst *out);
+bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out);
+
+/* Its number among those that notes use; -1: there are too many. */
+int mml_use_inst(struct mml *m, const struct mml_inst *inst);
 
 /* Reads what stands behind @name in a line of its own, [at, end) of the file. */
 void mml_read_inst(struct mml *m, uint32_t at, uint32_t end);
+
+/* Reads FRAMES:value,value|value at *at: a curve of that kind, E (percent), M (cents) or P (place); its number. */
+uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind);
+
+/* Reads percent of harmonics, or a turn's points: a wave's number. */
+uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end);
+uint32_t mml_read_points(struct mml *m, uint32_t *at, uint32_t end);
+
+/* Reads the line of a curve, @E, @M or @P and a blank. */
+void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end);
+
+/* The word at *at, letters, digits and _, below end; *at moves behind it. */
+void mml_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what);
+
+/* Behind blanks. */
+uint32_t mml_skip(const struct mml *m, uint32_t at, uint32_t end);
 
 /* A number with three decimals at *at, below end, in thousandths; *at moves behind it. */
 int64_t mml_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi);
@@ -96,7 +136,6 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
 void mml_read_track(struct mml *m, struct mml_track *t);
 
 /* The tune of what was read. */
-void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
-              size_t *size);
+void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size);
 
 #endif

@@ -20,8 +20,8 @@ struct reader {
     struct mml_track *t;
     uint32_t p; /* in m->line */
     uint32_t tick;
-    struct inst inst; /* that was chosen */
-    int inst_now;     /* that the track plays, -1: none yet */
+    struct mml_inst inst; /* that was chosen */
+    int inst_now;         /* that the track plays, -1: none yet */
     int octave, transpose, volume, pan;
     int detune; /* 256ths of a semitone */
     int accidental[KEYS];
@@ -171,15 +171,10 @@ static void event(struct reader *r, uint32_t tick, enum tune_event e, int value,
 /* The track plays the instrument that was chosen. */
 static void use_inst(struct reader *r, uint32_t from)
 {
-    struct mml *m = r->m;
-    int i = 0;
+    const int i = mml_use_inst(r->m, &r->inst);
 
-    while (i < m->n_insts && memcmp(&m->insts[i], &r->inst, sizeof r->inst) != 0)
-        i++;
-    if (i == TUNE_INSTS)
+    if (i < 0)
         BAD(r, from, "more than %d instruments; each vibrato and envelope makes one of its own", (int)TUNE_INSTS);
-    if (i == m->n_insts)
-        m->insts[m->n_insts++] = r->inst;
     if (i != r->inst_now)
         event(r, r->tick, TUNE_INST, i, 0);
     r->inst_now = i;
@@ -466,13 +461,13 @@ static void set_envelope(struct reader *r)
     static const char form[] = "E attack,decay,sustain,release: milliseconds, and percent for sustain";
 
     r->p++;
-    r->inst.attack = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    r->inst.inst.env.attack = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
     comma(r, form);
-    r->inst.decay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    r->inst.inst.env.decay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
     comma(r, form);
-    r->inst.sustain = (uint16_t)(number(r, form, 0, 100) * 32767 / 100);
+    r->inst.inst.env.sustain = (uint16_t)(number(r, form, 0, 100) * 32767 / 100);
     comma(r, form);
-    r->inst.release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    r->inst.inst.env.release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
 }
 
 /* Mcents,hertz,milliseconds; M0: none. */
@@ -480,15 +475,16 @@ static void set_vibrato(struct reader *r)
 {
     static const char form[] = "M cents,hertz,milliseconds of delay";
 
+    struct lfo *l = &r->inst.inst.vibrato;
+
     r->p++;
-    r->inst.vibrato = (uint16_t)(number(r, form, 0, 2400) * 256 / 100);
-    r->inst.vibrato_step = r->inst.vibrato_delay = 0;
-    if (r->inst.vibrato == 0)
+    *l = (struct lfo){ .depth = (uint16_t)(number(r, form, 0, 2400) * 256 / 100) };
+    if (l->depth == 0)
         return;
     comma(r, form);
-    r->inst.vibrato_step = mml_hertz(10 * (int64_t)hundredths(r, form, 1, 2500));
+    l->step = mml_hertz(10 * (int64_t)hundredths(r, form, 1, 2500));
     comma(r, form);
-    r->inst.vibrato_delay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    l->delay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
 }
 
 /* _{+fc}: from now on f and c are sharp; _{=}: as written. */

@@ -173,6 +173,29 @@ static void put_place(struct bytes *b, int k, size_t at, uint32_t loop)
     bytes_put32(b->p + TUNE_HEADER + TUNE_TITLE + 8 * (size_t)k + 4, loop);
 }
 
+/* Where in an instrument's bytes stands which piece it has. */
+static const uint8_t piece_places[] = { INST_WAVE_AT, INST_CURVES_AT, INST_CURVES_AT + 4, INST_CURVES_AT + 8 };
+
+/* The waves and curves of the instruments that begin at `insts`, which then say how far from them they are. */
+static void add_pieces(struct bytes *b, size_t insts)
+{
+    struct mml *m = b->m;
+
+    for (int i = 0; i < m->n_insts; i++)
+        for (size_t k = 0; k < sizeof piece_places; k++) {
+            const size_t inst = insts + INST_BYTES * (size_t)i;
+            const uint32_t number = bytes_get32(b->p + inst + piece_places[k]);
+            if (number == 0)
+                continue;
+            struct mml_piece *piece = &m->pieces[number - 1];
+            if (piece->at == 0) {
+                piece->at = (uint32_t)b->n;
+                add_bytes(b, piece->bytes, piece->n);
+            }
+            bytes_put32(b->p + inst + piece_places[k], piece->at - (uint32_t)inst);
+        }
+}
+
 static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
 {
     struct mml *m = b->m;
@@ -187,20 +210,15 @@ static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
     add_bytes(b, head, sizeof head);
     add_bytes(b, title, sizeof title);
     add_zeros(b, 8 * ((size_t)tracks + 1));
-    for (int i = 0; i < m->n_insts; i++) {
-        uint8_t inst[INST_BYTES];
-        inst_write(inst, &m->insts[i]);
-        add_bytes(b, inst, sizeof inst);
-    }
+    add_bytes(b, m->insts, (size_t)m->n_insts * INST_BYTES);
     add_bytes(b, m->marks, (size_t)m->n_marks * TUNE_NAME);
+    add_pieces(b, TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)tracks + 1));
 }
 
-void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sample, size_t sample_size, uint8_t **out,
-              size_t *size)
+void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
 {
     struct bytes b = { m, NULL, 0, 0 };
     int last = TUNE_TRACKS - 1;
-    uint32_t sample_at = 0;
 
     while (!m->tracks[last].used)
         last--;
@@ -214,18 +232,6 @@ void mml_make(struct mml *m, const struct mml_about *about, const uint8_t *sampl
         put_place(&b, k, at, loop);
     }
     add_zeros(&b, 8 + (0 - b.n) % 4);
-    if (sample) {
-        sample_at = (uint32_t)b.n;
-        uint8_t *more = realloc(b.p, b.n + sample_size);
-        if (more == NULL) {
-            free(b.p);
-            mml_bad(m, 0, "out of memory");
-        }
-        b.p = more;
-        memcpy(b.p + b.n, sample, sample_size);
-        b.n += sample_size;
-    }
-    bytes_put32(b.p + 12, sample_at);
     bytes_put32(b.p + 16, (uint32_t)b.n);
     *out = b.p;
     *size = b.n;

@@ -9,13 +9,15 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../snd/adpcm.h"
-#include "../../snd/pitch.h"
+
+enum { INTEGERS = 1, FLOATS = 3 };
+#define UNKNOWN UINT32_MAX /* bytes of a file that a program wrote into a pipe */
 
 struct wav {
     const uint8_t *samples;
     uint32_t bytes, rate;
-    int channels, bits;
-    int64_t loop, loop_end; /* -1: none */
+    int format, channels, bits;
+    int64_t loop, loop_end; /* -1: none; the last one of it */
 };
 
 /* WAVE_FORMAT_EXTENSIBLE says the format again, at the beginning of a GUID. */
@@ -23,18 +25,21 @@ static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, 
 {
     const int format = n >= 16 ? bytes_get16(p) : 0, real = format == 0xfffe && n >= 26 ? bytes_get16(p + 24) : format;
 
-    if (real != 1)
-        return err_set(err, err_size, "expected PCM samples (format 1), got format %d", real);
+    if (real != INTEGERS && real != FLOATS)
+        return err_set(err, err_size, "expected PCM samples (format 1, or 3: floats), got format %d", real);
+    w->format = real;
     w->channels = bytes_get16(p + 2);
     w->rate = bytes_get32(p + 4);
     w->bits = bytes_get16(p + 14);
     if (w->channels < 1 || w->channels > 2)
         return err_set(err, err_size, "expected one channel or two, got %d", w->channels);
+    if (real == FLOATS && w->bits != 32)
+        return err_set(err, err_size, "expected floats of 32 bits, got %d", w->bits);
     if (w->bits != 8 && w->bits != 16 && w->bits != 24 && w->bits != 32)
         return err_set(err, err_size, "expected samples of 8, 16, 24 or 32 bits, got %d", w->bits);
-    if (w->rate < SAMPLE_RATE || w->rate > SND_RATE)
-        return err_set(err, err_size, "expected %d to %d frames a second, got %" PRIu32 " (save it with %d)",
-                       (int)SAMPLE_RATE, (int)SND_RATE, w->rate, (int)SND_RATE);
+    if (w->rate < SAMPLE_RATE || w->rate > PCM_RATE)
+        return err_set(err, err_size, "expected %d to %d frames a second, got %" PRIu32, (int)SAMPLE_RATE,
+                       (int)PCM_RATE, w->rate);
     return true;
 }
 
@@ -67,6 +72,9 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
     *w = (struct wav){ .loop = -1 };
     if (n < 12 || memcmp(data, "RIFF", 4) != 0 || memcmp(data + 8, "WAVE", 4) != 0)
         return err_set(err, err_size, "expected a WAV file (RIFF, WAVE)");
+    if (bytes_get32(data + 4) > n - 8 && bytes_get32(data + 4) != UNKNOWN)
+        return err_set(err, err_size, "it says that it has %" PRIu32 " bytes behind the first 8, and has %zu",
+                       bytes_get32(data + 4), n - 8);
     for (size_t at = 12; at + 8 <= n;) {
         const uint32_t size = bytes_get32(data + at + 4);
         if (size > n - at - 8)
@@ -83,56 +91,58 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
     return true;
 }
 
-/* One channel of one frame, in 32 bits. */
-static int32_t sample_at(const uint8_t *p, int bits)
+/* One channel of one frame, full scale from -1 to 1. */
+static float sample_at(const struct wav *w, const uint8_t *p)
 {
-    switch (bits) {
+    const uint32_t whole = w->bits == 32 ? bytes_get32(p) : 0;
+    float v;
+
+    if (w->format == FLOATS) {
+        memcpy(&v, &whole, sizeof v);
+        return v;
+    }
+    switch (w->bits) {
     case 8:
-        return (int32_t)((uint32_t)(p[0] ^ 128) << 24);
+        return (float)(p[0] - 128) / 128;
     case 16:
-        return (int32_t)((uint32_t)bytes_get16(p) << 16);
+        return (float)(int16_t)bytes_get16(p) / 32768;
     case 24:
-        return (int32_t)((uint32_t)bytes_get16(p) << 8 | (uint32_t)p[2] << 24);
+        return (float)((int32_t)((uint32_t)bytes_get16(p) << 8 | (uint32_t)p[2] << 24) >> 8) / 8388608;
     default:
-        return (int32_t)bytes_get32(p);
+        return (float)((double)(int32_t)whole / 2147483648.0);
     }
 }
 
-/* A frame as 16 bits, rounded; two channels are their mean. */
-static int16_t frame_at(const struct wav *w, size_t i)
-{
-    const size_t one = (size_t)w->bits / 8;
-    const uint8_t *p = w->samples + i * one * (size_t)w->channels;
-    const int64_t left = sample_at(p, w->bits), right = w->channels == 2 ? sample_at(p + one, w->bits) : left;
-    const int64_t v = (left + right + 0x10000) >> 17;
+enum { PART = 1024 /* frames at a time */ };
 
-    return (int16_t)(v > 32767 ? 32767 : v);
+static bool read_frames(const struct wav *w, struct pcm *out)
+{
+    const size_t one = (size_t)w->bits / 8, each = one * (size_t)w->channels, frames = w->bytes / each;
+    float part[PART * PCM_CHANNELS] = { 0 };
+
+    for (size_t at = 0, n; at < frames; at += n) {
+        n = frames - at < PART ? frames - at : PART;
+        for (size_t i = 0; i < n * (size_t)w->channels; i++)
+            part[i] = sample_at(w, w->samples + at * each + i * one);
+        if (!pcm_add(out, part, n))
+            return false;
+    }
+    return true;
 }
 
-bool wav_read(const uint8_t *data, size_t n, uint8_t **out, size_t *size, char *err, size_t err_size)
+bool wav_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
 {
     struct wav w;
 
+    *out = (struct pcm){ .loop = -1, .loop_end = -1 };
     if (!read_chunks(&w, data, n, err, err_size))
         return false;
-    size_t frames = w.bytes / ((size_t)w.bits / 8 * (size_t)w.channels);
-    if (w.loop >= 0 && (w.loop_end < w.loop || (uint64_t)w.loop_end >= frames))
-        return err_set(err, err_size, "its loop, %" PRId64 " to %" PRId64 ", is not within its %zu frames", w.loop,
-                       w.loop_end, frames);
-    if (w.loop >= 0)
-        frames = (size_t)w.loop_end + 1;
-    if (frames < 1 || frames > SAMPLE_MOST)
-        return err_set(err, err_size, "expected 1 to %d frames, got %zu", (int)SAMPLE_MOST, frames);
-    int16_t *in = malloc(frames * sizeof *in);
-    *size = sample_size((uint32_t)frames);
-    *out = malloc(*size);
-    for (size_t i = 0; in && *out && i < frames; i++)
-        in[i] = frame_at(&w, i);
-    if (in && *out)
-        sample_write(*out, in, (uint32_t)frames, w.rate, w.loop >= 0 ? (uint32_t)w.loop : SAMPLE_ENDS);
-    else
-        free(*out);
-    const bool good = in && *out;
-    free(in);
-    return good ? true : err_set(err, err_size, "out of memory");
+    out->rate = w.rate;
+    out->channels = w.channels;
+    out->loop = w.loop;
+    out->loop_end = w.loop < 0 ? -1 : w.loop_end + 1;
+    if (read_frames(&w, out))
+        return true;
+    pcm_free(out);
+    return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
 }

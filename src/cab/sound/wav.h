@@ -1,18 +1,16 @@
 /*
- * wav.h - recordings in WAV files, to a sample (adpcm.h).
+ * wav.h - recordings in WAV files.
  * floor: cab
  *
- * PCM of 8, 16, 24 or 32 bits, one or two channels, SAMPLE_RATE to SND_RATE frames a second; two channels become one.
- * A loop of the chunk "smpl" is kept: what lies behind its end goes.
+ * PCM of 8, 16, 24 or 32 bits or floats, one or two channels, SAMPLE_RATE to PCM_RATE frames a second. The first loop
+ * of the chunk "smpl" is kept.
  */
 #ifndef CAB_WAV_H
 #define CAB_WAV_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "pcm.h"
 
-/* Reads a file's bytes. *out (free it) is a sample. False and one sentence without the file's name. */
-bool wav_read(const uint8_t *data, size_t n, uint8_t **out, size_t *size, char *err, size_t err_size);
+/* Reads a file's bytes; pcm_free what it gives. False and one sentence without the file's name. */
+bool wav_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size);
 
 #endif

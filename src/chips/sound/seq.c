@@ -10,13 +10,17 @@
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),        REGISTER(seq, next),         REGISTER(seq, fade),         REGISTER(seq, fade_over),
     REGISTER(seq, mark),        REGISTER(seq, marks),        REGISTER(seq, tempo),        REGISTER(seq, pos),
+    REGISTER(seq, next_back),   REGISTER(seq, next_waits),   REGISTER(seq, when),         REGISTER(seq, level),
+    REGISTER(seq, level_to),    REGISTER(seq, level_over),   REGISTER(seq, passes),       REGISTER(seq, ahead),
+    REGISTER(seq, passed),      REGISTERS(seq, heard),       REGISTER(seq, aside),        REGISTERS(seq, kept),
+    REGISTERS(seq, kept_mark),  REGISTERS(seq, kept_marks),  REGISTERS(seq, kept_tempo),  REGISTERS(seq, kept_pos),
     DERIVED(seq, at, FOLLOWS),  DERIVED(seq, left, FOLLOWS), DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
     DERIVED(seq, pan, FOLLOWS),
 };
 static const struct column cues_columns[] = {
     COLUMN(cues, tune), COLUMN(cues, born),  COLUMN(cues, track),  COLUMN(cues, at),
     COLUMN(cues, left), COLUMN(cues, inst),  COLUMN(cues, volume), COLUMN(cues, pan),
-    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),
+    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),  REGISTERS(cues, last),
 };
 
 const struct chip seq_chip = { "music", seq_columns, sizeof seq_columns / sizeof *seq_columns, true, false };
@@ -24,14 +28,22 @@ const struct chip cues_chip = { "cues", cues_columns, sizeof cues_columns / size
 
 enum { FIRST_VOLUME = 100 };
 
+static void end_next(struct seq *s)
+{
+    s->next = s->fade = s->fade_over = 0;
+    s->next_back = s->next_waits = 0;
+    s->when = 0;
+}
+
 void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 {
     s->tune = index;
-    s->next = s->fade = s->fade_over = s->mark = 0;
+    end_next(s);
+    s->mark = 0;
     s->marks = 0;
-    s->pos = 0;
+    s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
     s->tempo = index ? t->tempo : 0;
-    for (int i = 0; i < SEQ_SLOTS; i++) {
+    for (int i = 0; i < SEQ_TRACKS; i++) {
         const struct tune_at c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct tune_at){ 0, 0 };
         s->at[i] = c.at;
         s->left[i] = c.left;
@@ -39,6 +51,129 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
         s->volume[i] = FIRST_VOLUME;
         s->pan[i] = TUNE_PAN;
     }
+}
+
+/* Where the tracks of one piece are, in another's place; 0: of what plays. */
+static void copy_tracks(struct seq *s, int to, int from)
+{
+    const int t = to * SEQ_TRACKS, f = from * SEQ_TRACKS;
+
+    memcpy(s->at + t, s->at + f, SEQ_TRACKS * sizeof *s->at);
+    memcpy(s->left + t, s->left + f, SEQ_TRACKS * sizeof *s->left);
+    memcpy(s->inst + t, s->inst + f, SEQ_TRACKS);
+    memcpy(s->volume + t, s->volume + f, SEQ_TRACKS);
+    memcpy(s->pan + t, s->pan + f, SEQ_TRACKS);
+}
+
+static void clear_kept(struct seq *s, int i)
+{
+    s->kept[i] = s->kept_mark[i] = 0;
+    s->kept_marks[i] = s->kept_tempo[i] = 0;
+    s->kept_pos[i] = 0;
+    for (int k = (1 + i) * SEQ_TRACKS; k < (2 + i) * SEQ_TRACKS; k++) {
+        s->at[k] = 0;
+        s->left[k] = 0;
+        s->inst[k] = s->volume[k] = s->pan[k] = 0;
+    }
+}
+
+void seq_keep(struct seq *s)
+{
+    const int i = s->aside;
+
+    if (i == SEQ_ASIDE || !s->tune)
+        return;
+    s->kept[i] = s->tune;
+    s->kept_mark[i] = s->mark;
+    s->kept_marks[i] = s->marks;
+    s->kept_tempo[i] = s->tempo;
+    s->kept_pos[i] = s->pos;
+    copy_tracks(s, 1 + i, 0);
+    s->aside++;
+}
+
+void seq_forget(struct seq *s, int i)
+{
+    while (s->aside > i)
+        clear_kept(s, --s->aside);
+}
+
+void seq_drop(struct seq *s, int i)
+{
+    for (; i + 1 < s->aside; i++) {
+        s->kept[i] = s->kept[i + 1];
+        s->kept_mark[i] = s->kept_mark[i + 1];
+        s->kept_marks[i] = s->kept_marks[i + 1];
+        s->kept_tempo[i] = s->kept_tempo[i + 1];
+        s->kept_pos[i] = s->kept_pos[i + 1];
+        copy_tracks(s, 1 + i, 2 + i);
+    }
+    seq_forget(s, i);
+}
+
+void seq_back(struct seq *s)
+{
+    const int i = s->aside - 1;
+
+    s->tune = s->kept[i];
+    s->mark = s->kept_mark[i];
+    s->marks = s->kept_marks[i];
+    s->tempo = s->kept_tempo[i];
+    s->pos = s->kept_pos[i];
+    end_next(s);
+    copy_tracks(s, 0, 1 + i);
+    seq_forget(s, i);
+}
+
+int seq_kept(const struct seq *s, uint16_t index)
+{
+    int i = s->aside - 1;
+
+    while (i >= 0 && s->kept[i] != index)
+        i--;
+    return i;
+}
+
+bool seq_over(const struct seq *s)
+{
+    for (int i = 1; i < SEQ_TRACKS; i++)
+        if (s->at[i] != 0)
+            return false;
+    return true;
+}
+
+struct looking {
+    int mark;
+    bool found;
+    uint32_t *work;
+};
+
+static void look_at(void *context, const struct tune_played *p, int sample)
+{
+    struct looking *l = context;
+
+    (void)sample;
+    ++*l->work;
+    l->found = l->found || (p->event == TUNE_MARK && p->value == l->mark);
+}
+
+/* The conductor's events from where it is, without their time; after its loop's end once more. A loop has time, so a
+ * run of events without any that passes its end stops before where it began. */
+bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
+{
+    struct tune_at c = { s->at[0], 0 };
+    struct looking l = { mark, false, work };
+    int loops = 0;
+
+    *work = 0;
+    while (c.at != 0 && loops < 2 && !l.found) {
+        const uint32_t was = c.at;
+        c.left = 0;
+        tune_run(t, -1, &c, 1, 0, 1, look_at, &l);
+        ++*work;
+        loops += c.at <= was;
+    }
+    return l.found;
 }
 
 struct playing {
@@ -93,17 +228,40 @@ static int until_conductor(struct playing *g, const struct tune *t, int first)
     return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
 }
 
-void seq_step(struct seq *s, const struct tune *t, seq_play *play, void *context)
+void seq_wait(struct seq *s, int beats)
+{
+    const uint64_t step = (uint64_t)beats * TUNE_QUARTER * TUNE_TICK;
+
+    s->next_waits = 1;
+    s->when = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
+}
+
+/* Samples until the next piece begins. */
+static int until_next(const struct seq *s)
+{
+    const int64_t left = (int64_t)(s->when - s->pos);
+
+    if (!s->next_waits || left > (int64_t)SND_FRAME * s->tempo)
+        return SND_FRAME;
+    return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
+}
+
+int seq_step(struct seq *s, const struct tune *t, int first, seq_play *play, void *context)
 {
     struct playing g = { s, 0, play, context };
 
-    for (int first = 0, n; first < SND_FRAME; first += n) {
+    for (int n; first < SND_FRAME; first += n) {
+        if (until_next(s) == 0)
+            return first;
         n = until_conductor(&g, t, first);
+        if (n > until_next(s))
+            n = until_next(s);
         s->left[0] -= (int64_t)n * s->tempo;
         for (int i = 1; i <= t->tracks; i++)
             run_slot(&g, t, i, first, n, s->tempo);
         s->pos += (uint64_t)n * s->tempo;
     }
+    return SND_FRAME;
 }
 
 /* ---- cues ---- */

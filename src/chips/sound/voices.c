@@ -7,16 +7,19 @@
 
 #include "../../base/trig.h"
 #include "../../snd/adpcm.h"
+#include "../../snd/fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),   COLUMN(voices, step0), COLUMN(voices, step1), COLUMN(voices, age),
-    COLUMN(voices, off),     COLUMN(voices, kill),  COLUMN(voices, pitch), COLUMN(voices, goal),
-    COLUMN(voices, glide),   COLUMN(voices, inst),  COLUMN(voices, wave),  COLUMN(voices, vol0),
-    COLUMN(voices, vol1),    COLUMN(voices, pan0),  COLUMN(voices, pan1),  REGISTER(voices, gain0),
-    REGISTER(voices, gain1),
+    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1), COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch), COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),  COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),  REGISTER(voices, gain0),
+    REGISTER(voices, gain1), REGISTER(voices, held),
 };
 
 const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
+
+/* ---- pitch ---- */
 
 /* The step of a note at that pitch. A sample's is at most 4, so that a frame reads few of them. */
 static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
@@ -30,6 +33,45 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
     const uint64_t step = pitch_ratio(pitch - i->root) * sample_of(rom + wave).rate / SND_RATE;
     return step < most ? step : most;
 }
+
+/* Which of its pitches an arpeggio has in a frame that begins at that age: they change at frames' borders. */
+static int32_t arpeggio(const struct inst *inst, int32_t age)
+{
+    const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
+
+    return inst->arpeggio_n ? inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE : 0;
+}
+
+/* A slow wave at an age, Q30; 0 until it begins. */
+static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
+{
+    const int32_t t = age - (int32_t)l->delay;
+
+    return t <= 0 ? trig_sin30(turn) : trig_sin30(turn + (uint32_t)t * l->step);
+}
+
+/* What vibrato and curve add to the pitch. */
+static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
+{
+    int32_t by = 0;
+
+    if (inst->vibrato.depth)
+        by = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
+    if (inst->pitch_curve)
+        by += curve_at(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+    return by;
+}
+
+/* The step of slot i at an age, in the frame that begins at age `now`. */
+static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i, int32_t now,
+                        int32_t age)
+{
+    const uint8_t *bytes = rom + s->inst[i];
+
+    return step_of(rom, inst, s->wave[i], s->pitch[i] + arpeggio(inst, now) + bend(inst, bytes, age));
+}
+
+/* ---- what begins and ends ---- */
 
 /* Slot `from` as it is, in slot `to`. */
 static void copy(struct voices *s, int to, int from)
@@ -59,8 +101,6 @@ void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct v
         copy(s, VOICES + voice, voice);
         voices_cut(s, VOICES + voice, at);
     }
-    s->step0[voice] = s->step1[voice] = step_of(rom, &i, n->wave, n->pitch);
-    s->phase[voice] = 0 - (uint64_t)at * s->step0[voice];
     s->age[voice] = -at;
     s->off[voice] = s->kill[voice] = NOTE_HELD;
     s->pitch[voice] = s->goal[voice] = n->pitch;
@@ -69,6 +109,8 @@ void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct v
     s->wave[voice] = n->wave;
     s->vol0[voice] = s->vol1[voice] = n->vol;
     s->pan0[voice] = s->pan1[voice] = n->pan;
+    s->step0[voice] = s->step1[voice] = step_at(s, rom, &i, voice, 0, 0);
+    s->phase[voice] = 0 - (uint64_t)at * s->step0[voice];
 }
 
 void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
@@ -78,7 +120,7 @@ void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
     const struct inst i = inst_of(rom + s->inst[voice]);
     s->pitch[voice] = s->goal[voice] = pitch;
     s->glide[voice] = 0;
-    s->step1[voice] = step_of(rom, &i, s->wave[voice], pitch);
+    s->step1[voice] = step_at(s, rom, &i, voice, s->age[voice], s->age[voice] + SND_FRAME);
 }
 
 void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames)
@@ -127,20 +169,11 @@ static void slide(struct voices *s, int i)
     }
 }
 
-static int32_t vibrato(const struct inst *inst, int32_t age)
-{
-    const int32_t t = age - (int32_t)inst->vibrato_delay;
-
-    if (inst->vibrato == 0 || t <= 0)
-        return 0;
-    return (int32_t)((int64_t)trig_sin30((uint32_t)t * inst->vibrato_step) * inst->vibrato >> 22);
-}
-
 static bool ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
 {
     if (s->kill[i] != NOTE_HELD && s->age[i] - s->kill[i] >= VOICE_FADE)
         return true;
-    if (wave_over(inst, s->age[i], s->off[i]))
+    if (wave_over(&inst->env, s->age[i], s->off[i]))
         return true;
     if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
         return false;
@@ -160,38 +193,42 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
     s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
+    if (arpeggio(&inst, s->age[i]) != arpeggio(&inst, s->age[i] - SND_FRAME))
+        s->step0[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i]);
+    else
+        s->step0[i] = s->step1[i];
     slide(s, i);
-    s->step0[i] = s->step1[i];
-    s->step1[i] = step_of(rom, &inst, s->wave[i], s->pitch[i] + vibrato(&inst, s->age[i]));
+    s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
     if (ended(s, rom, &inst, i))
         s->inst[i] = 0;
 }
 
 void voices_step(struct voices *s, const uint8_t *rom)
 {
-    const bool stands = s->gain0 == 0 && s->gain1 == 0;
-
     for (int i = 0; i < VOICE_SLOTS; i++)
-        if (voices_busy(s, i) && !(stands && i % VOICES < VOICES_MUSIC))
+        if (voices_busy(s, i) && !(s->held && i % VOICES < VOICES_MUSIC))
             step_slot(s, rom, i);
     s->gain0 = s->gain1;
 }
 
 /* ---- the mix ---- */
 
-enum { READ = 4 * SND_FRAME + 64 /* samples of a recording that a frame passes at most, and what the filter needs */ };
+/* Samples of a recording that a frame passes at most, with what the filters need on both sides. */
+enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
 
 /* A note, and what of it is made once a frame. */
 struct note {
     const struct voices *s;
     const struct snd_tables *t;
     int i;
+    const uint8_t *bytes; /* of the instrument */
     struct inst inst;
+    struct fm_note fm;
     int32_t age, off, kill;
     int64_t bend; /* of the step, a sample */
     int mip0, mip1;
-    int64_t first; /* of `read` */
-    int16_t read[READ];
+    int64_t first; /* of `passed` */
+    int16_t passed[PASSED], read[READ];
 };
 
 /* The phase at sample n of the frame. */
@@ -200,45 +237,52 @@ static uint64_t phase_at(const struct note *n, int at)
     return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
 }
 
-/* Reads what the frame's samples pass of a recording. */
+/* Reads what the frame's samples pass of a recording, without what would fold back. */
 static void read_recording(struct note *n, const uint8_t *rom)
 {
-    const struct sample sample = sample_of(rom + n->s->wave[n->i]);
+    const struct voices *s = n->s;
+    const struct sample sample = sample_of(rom + s->wave[n->i]);
     const int64_t last = ((int64_t)phase_at(n, SND_FRAME) >> 32) + SINC_TAPS;
 
-    n->first = ((int64_t)n->s->phase[n->i] >> 32) - SINC_TAPS;
-    const int64_t many = last - n->first + 1;
-    sample_read(&sample, n->first, (int)(many < READ ? many : READ), n->read);
+    n->first = ((int64_t)s->phase[n->i] >> 32) - SINC_TAPS;
+    const int64_t all = last - n->first + 1;
+    const int many = (int)(all < PASSED ? all : PASSED);
+    if (snd_low(s->step0[n->i]) < 0 && snd_low(s->step1[n->i]) < 0) {
+        sample_read(&sample, n->first, many, n->passed);
+        return;
+    }
+    sample_read(&sample, n->first - LOW_TAPS / 2, many + LOW_TAPS, n->read);
+    wave_low(n->t, n->read + LOW_TAPS / 2, many, s->step0[n->i], s->step1[n->i], n->passed);
 }
 
-static void make_block(const struct note *n, int b, int16_t out[SND_BLOCK])
+static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
 {
     const uint64_t from = phase_at(n, b * SND_BLOCK), to = phase_at(n, (b + 1) * SND_BLOCK);
     const uint64_t step = (uint64_t)((int64_t)(to - from) / SND_BLOCK);
-    struct wave_at at = { from, step, n->mip0, n->mip1, b, 0, 0, (uint32_t)n->i };
+    const struct wave_at at = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
 
-    if (n->inst.kind == INST_SAMPLE) {
-        wave_sample(n->t, n->read + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
-        return;
-    }
-    if (n->inst.kind == INST_FM) {
-        const int32_t age = n->age + b * SND_BLOCK, next = age + SND_BLOCK;
-        const int64_t depth = (int64_t)n->inst.depth << 20;
-        at.depth0 = depth;
-        at.depth1 = depth;
-        if (n->inst.dulling) {
-            at.depth0 = depth * pitch_halved(age > 0 ? ((uint64_t)(uint32_t)age << 32) / n->inst.dulling : 0) >> 30;
-            at.depth1 = depth * pitch_halved(next > 0 ? ((uint64_t)(uint32_t)next << 32) / n->inst.dulling : 0) >> 30;
-        }
-    }
-    wave_block(n->t, &n->inst, &at, out);
+    if (n->inst.kind == INST_SAMPLE)
+        wave_sample(n->t, n->passed + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
+    else if (inst_ops(n->inst.kind))
+        fm_play(&n->fm, n->t, n->age + b * SND_BLOCK, n->off, from, step, out);
+    else
+        wave_block(n->t, &n->inst, &at, out);
 }
 
-/* The note's level at an age, its fade included. */
+/* ---- levels ---- */
+
+/* The note's level at an age: its envelope, tremolo, curve and fade. */
 static int32_t level_at(const struct note *n, int32_t age)
 {
-    const int32_t level = wave_level(&n->inst, age, n->off);
+    const struct lfo *tremolo = &n->inst.tremolo;
+    int32_t level = wave_level(&n->inst.env, age, n->off);
 
+    if (tremolo->depth) {
+        const int32_t softer = ((1 << 30) - slow_wave(tremolo, age, (uint32_t)1 << 30)) >> 16; /* cosine: 0 to 2, Q14 */
+        level -= (level * tremolo->depth >> 15) * softer >> 15;
+    }
+    if (n->inst.volume_curve)
+        level = level * curve_at(n->bytes + n->inst.volume_curve, age) / 32767;
     if (n->kill == NOTE_HELD || age <= n->kill)
         return level;
     return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
@@ -246,9 +290,10 @@ static int32_t level_at(const struct note *n, int32_t age)
 
 static bool has_corner(const struct note *n, int32_t from, int32_t to)
 {
-    return wave_corner(&n->inst, from, to, n->off) ||
+    return wave_corner(&n->inst.env, from, to, n->off) ||
            (n->kill != NOTE_HELD &&
-            ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE)));
+            ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE))) ||
+           (n->inst.volume_curve && curve_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
 /* The levels of a block's samples; false: all are 0. */
@@ -272,9 +317,13 @@ static int32_t side_at(const struct note *n, int b, bool right)
 {
     const struct voices *s = n->s;
     const int i = n->i;
-    const int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_BLOCKS);
+    int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_BLOCKS);
     int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
 
+    if (n->inst.pan_curve) {
+        pan += 2 * curve_at(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
+        pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
+    }
     if (i % VOICES < VOICES_MUSIC)
         vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN;
     return vol * n->t->pan[right ? pan : 256 - pan] >> 15;
@@ -296,7 +345,8 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
     const int i = n->i;
     int16_t wave[SND_BLOCK], level[SND_BLOCK];
 
-    n->inst = inst_of(rom + s->inst[i]);
+    n->bytes = rom + s->inst[i];
+    n->inst = inst_of(n->bytes);
     n->age = s->age[i];
     n->off = s->off[i];
     n->kill = s->kill[i];
@@ -307,6 +357,8 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
         return;
     if (n->inst.kind == INST_SAMPLE)
         read_recording(n, rom);
+    if (inst_ops(n->inst.kind))
+        fm_begin(&n->fm, &n->inst, n->bytes);
     for (int b = 0; b < SND_BLOCKS; b++) {
         if (!make_levels(n, b, level))
             continue;

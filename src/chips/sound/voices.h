@@ -37,6 +37,7 @@ struct voices {
     uint16_t *vol0, *vol1; /* of VOICE_LOUD, at the frame's beginning and end */
     uint8_t *pan0, *pan1;  /* 0 left to 128 right */
     uint16_t gain0, gain1; /* of all music */
+    uint8_t held;          /* music stands: it did not play the last frame, and plays it anew */
 };
 
 extern const struct chip voices_chip;
@@ -59,7 +60,7 @@ void voices_off(struct voices *s, int voice, int at);
 void voices_cut(struct voices *s, int voice, int at);
 void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan);
 
-/* Moves all by a frame. Music stands while it has no gain at both of the last frame's ends: a pause holds it. */
+/* Moves all by a frame, but for music that is held. */
 void voices_step(struct voices *s, const uint8_t *rom);
 
 /* The frame's SND_FRAME stereo samples. Reads s and rom alone. */

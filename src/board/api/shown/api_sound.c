@@ -8,7 +8,8 @@
 
 /* Parameters by place. */
 enum { P_NAME, P_VOLUME, P_PAN, P_FROM, P_PITCH };
-enum { M_NAME, M_FADE, M_AGAIN };
+enum { M_NAME, M_FADE, M_AGAIN, M_BACK, M_AT };
+enum { VOL_SHARE, VOL_OVER };
 enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 
 enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
@@ -25,7 +26,11 @@ static const struct api_param music_play_params[] = {
     { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
     { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" },
     { "again", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "back", A_BOOL, OPT, 0, 0, NULL, "false" },
+    { "at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL },
 };
+static const struct api_param volume[] = { { "share", A_NUM, OPT, 0, 1, NULL, NULL },
+                                           { "over", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
 static const struct api_param music_stop_params[] = { { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
 static const struct api_param beats[] = { { "beats", A_NUM, REQ, 0, 65536, NULL, NULL } };
 static const struct api_param until[] = { { "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1" } };
@@ -63,9 +68,29 @@ static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
 
 static int music_play(lua_State *L, struct board *b, struct api_value *v)
 {
-    (void)L;
-    sound_music(b, (int)v[M_NAME].i - 1, (int32_t)v[M_FADE].i, v[M_AGAIN].i != 0);
+    static const char *const places[] = { "beat", "bar" };
+    struct music_how how = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
+    const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
+
+    if (at && v[M_FADE].i)
+        return api_error(L, "music.play", "expected at or fade, not both");
+    for (int i = 0; at && i < 2; i++)
+        if (!strcmp(at, places[i]))
+            how.at = i ? MUSIC_AT_BAR : MUSIC_AT_BEAT;
+    if (at && !how.at)
+        return api_error(L, "music.play", "at: expected \"beat\" or \"bar\", got \"%s\"", at);
+    sound_music(b, (int)v[M_NAME].i - 1, &how);
     return 0;
+}
+
+static int music_volume(lua_State *L, struct board *b, struct api_value *v)
+{
+    const double was = (double)b->music.level / SEQ_FULL;
+
+    if (v[VOL_SHARE].given)
+        sound_volume(b, (uint16_t)(v[VOL_SHARE].n * SEQ_FULL + 0.5), (int32_t)v[VOL_OVER].i);
+    lua_pushnumber(L, was);
+    return 1;
 }
 
 static int music_stop(lua_State *L, struct board *b, struct api_value *v)
@@ -170,6 +195,21 @@ static int wait_on(lua_State *L, int status, lua_KContext context)
     return lua_yieldk(L, 0, 0, wait_on);
 }
 
+/* On the way to a mark it comes in no time. */
+static int pass_beats(lua_State *L, struct board *b)
+{
+    uint64_t work = 1;
+
+    if (!b->music.tune)
+        vm_charge(L, sound_pass_wait(b, waits_for(L, W_LEFT)));
+    while (b->music.passes && b->music.tune && work > 0 && !has_come(L, b)) {
+        work = sound_pass_wait(b, 1);
+        vm_charge(L, work);
+    }
+    lua_pushinteger(L, (lua_Integer)seq_beats(&b->music));
+    return 1;
+}
+
 /* The number of the marker in the piece that plays; 0: none plays. */
 static int marker_named(lua_State *L, struct board *b, const char *name)
 {
@@ -190,6 +230,17 @@ static int marker_named(lua_State *L, struct board *b, const char *name)
     return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);
 }
 
+/* A marker before the loop comes once, and after the piece's end none does. */
+static bool will_come(lua_State *L, struct board *b, int mark)
+{
+    struct tune t;
+    uint32_t work = 0;
+    const bool comes = playing(b, &t) && seq_comes(&b->music, &t, mark - 1, &work);
+
+    vm_charge(L, work);
+    return comes;
+}
+
 static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
     static const struct api_param whole = { "n", A_INT, REQ, 1, 65536, "beats", NULL };
@@ -203,17 +254,19 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
         api_check(L, "music.wait", &whole, v[ARG_N].at, &n);
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "music.wait", "only a task can wait; start one with task.go");
-    if (skips(b)) {
-        const int yields = api_pass_wait(L, b);
-        return yields ? yields : music_beat(L, b, v);
-    }
+    if (mark && !will_come(L, b, mark))
+        return music_beat(L, b, v);
+    const bool skipped = skips(b);
+    const int yields = skipped ? api_pass_wait(L, b) : 0;
+    if (yields)
+        return yields;
     lua_settop(L, 0);
     lua_pushinteger(L, b->music.tune);
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music) + n.i);
     lua_pushinteger(L, mark);
     lua_pushinteger(L, b->music.marks);
     lua_pushinteger(L, n.i * (BEAT_FRAMES / NO_TEMPO));
-    return wait_on(L, LUA_OK, 0);
+    return skipped ? pass_beats(L, b) : wait_on(L, LUA_OK, 0);
 }
 
 #define NO_PARAMS NULL, 0
@@ -223,8 +276,13 @@ static const struct api_entry entries[] = {
       "skipped" },
     { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, "ends that sound; without a name, all" },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      "begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again" },
-    { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL, "ends the music" },
+      "begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again; back: what "
+      "plays is put aside, and goes on where it was when this one has ended, or when it is asked for; at: on the "
+      "next beat or bar of what plays, to the sample" },
+    { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
+      "ends the music, and what was put aside" },
+    { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",
+      "how loud all music is, 0 to 1, in so many frames; gives what it was; 1 in each new game" },
     { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", "the piece that plays" },
     { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer", "whole quarter notes since it began, from 0" },
     { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", "whole bars since it began, from 0" },
@@ -232,6 +290,6 @@ static const struct api_entry entries[] = {
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
       "how long so many beats last at its tempo; 120 a minute with nothing playing" },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      "until its n-th next beat, or until a marker of that name; gives the beat. In a task" },
+      "until its n-th next beat, or until a marker of that name that still comes; gives the beat. In a task" },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };

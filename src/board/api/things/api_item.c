@@ -197,19 +197,25 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Has any ship a register of that name with a max? */
-static bool can_fill(lua_State *L, const struct board *b, const char *name)
+static bool has_most(const struct board *b, uint32_t row)
 {
-    for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
-        int reg = api_ship_register(L, (int32_t)ship, name);
-        if (reg >= 0 &&
-            registers_rule(&b->registers, b->player_kinds.first[ship] + (uint32_t)reg).most != REGISTER_MOST)
-            return true;
-    }
-    return false;
+    return registers_rule(&b->registers, row).most != REGISTER_MOST;
 }
 
-/* No ship has the item's register r. */
+/* Has any ship, or the run, a register of that name with a max? */
+static bool can_fill(lua_State *L, const struct board *b, const char *name)
+{
+    const int of_run = api_run_register(L, name);
+
+    for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
+        int reg = api_ship_register(L, (int32_t)ship, name);
+        if (reg >= 0 && has_most(b, b->player_kinds.first[ship] + (uint32_t)reg))
+            return true;
+    }
+    return of_run >= 0 && has_most(b, b->registers.first + (uint32_t)of_run);
+}
+
+/* Neither a ship nor the run has the item's register r. */
 static void refuse_register(lua_State *L, const struct board *b, int r)
 {
     const struct item_kinds *k = &b->item_kinds;
@@ -220,9 +226,12 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
         i++;
     const char *item = api_names_at(b, N_ITEM, (int)i);
     if (near)
-        api_error(L, DEF, "item \"%s\": no ship has a register \"%s\" (did you mean \"%s\"?)", item, name, near);
-    api_error(L, DEF, "item \"%s\": no ship has a register \"%s\" (registers = { %s = 0 } of player.def)", item, name,
-              name);
+        api_error(L, DEF, "item \"%s\": no ship has a register \"%s\", nor the run (did you mean \"%s\"?)", item, name,
+                  near);
+    api_error(
+        L, DEF,
+        "item \"%s\": no ship has a register \"%s\", nor the run (registers = { %s = 0 } of player.def, or game.def)",
+        item, name, name);
 }
 
 void api_items_check(lua_State *L, struct board *b)
@@ -234,7 +243,8 @@ void api_items_check(lua_State *L, struct board *b)
         const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
         if (name && !can_fill(L, b, name))
             api_error(L, DEF,
-                      "full: no ship's register \"%s\" has a max (registers = { %s = { max = n } } of player.def)",
+                      "full: no ship's register \"%s\" has a max, nor the run's (registers = { %s = { max = n } } of "
+                      "player.def, or game.def)",
                       name, name);
     }
 }

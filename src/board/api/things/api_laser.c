@@ -185,6 +185,12 @@ static struct bullet_shape head_of(lua_State *L, struct board *b, const char *en
     return s;
 }
 
+/* A ship that was hit fires no laser of its own. */
+static bool is_silent(const struct board *b, const struct bullet_shape *s)
+{
+    return s->player && b->player.hit[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
+}
+
 static fx width_of(const struct board *b, const struct api_value *v)
 {
     return v[F_WIDTH].given ? v[F_WIDTH].f : b->laser_kinds.width[v[F_KIND].i];
@@ -215,7 +221,7 @@ static int fly(lua_State *L, struct board *b, const char *entry, struct api_valu
     shape->width = width_of(b, v);
     shape->hold = LASER_FOREVER;
     shape->fade = FADE;
-    int32_t i = lasers_fire(b, &s, shape);
+    int32_t i = is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
     if (i != NO_SLOT && s.fine)
         bullets_set_speed(&b->laser_heads, (uint32_t)i, api_units(true, &v[F_SPEED]));
     return push_laser(L, b, i);
@@ -269,7 +275,7 @@ static int beam(lua_State *L, struct board *b, struct api_value *v)
                                  .follow = follows ? v[F_FOLLOW].i : 0 };
     if (follows && !v[F_BY].given)
         s.player = player_of(b, &v[F_FOLLOW]);
-    return push_laser(L, b, lasers_fire(b, &s, &shape));
+    return push_laser(L, b, is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
 }
 
 /* ---- properties ---- */

@@ -85,17 +85,20 @@ void api_player_needs(lua_State *L, int32_t kind)
     lua_settop(L, top + 1);
 }
 
-/* The register, + 1, at whose most all items come. */
+/* The register, + 1, at whose most all items come: the ship's, or else one of the run. */
 static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, const struct api_value *full)
 {
-    if (!full->given)
+    const char *name = full->given ? lua_tostring(L, full->at) : NULL;
+
+    if (!name)
         return 0;
-    const char *name = lua_tostring(L, full->at);
-    int i = api_register_expect(L, "player.def", "collect_full", kind, name);
-    if (registers_rule(&b->registers, b->player_kinds.first[kind] + (uint32_t)i).most == REGISTER_MOST)
+    const int of_run = api_ship_register(L, kind, name) < 0 ? api_run_register(L, name) : -1;
+    const int i = of_run < 0 ? api_register_expect(L, "player.def", "collect_full", kind, name) : of_run;
+    const uint32_t first = of_run < 0 ? b->player_kinds.first[kind] : b->registers.first;
+    if (registers_rule(&b->registers, first + (uint32_t)i).most == REGISTER_MOST)
         api_error(L, "player.def", "collect_full: the register \"%s\" has no max (registers = { %s = { max = n } })",
                   name, name);
-    return (uint8_t)(i + 1);
+    return (uint8_t)(of_run < 0 ? i + 1 : PLAYER_FULL_RUN + i);
 }
 
 /* How the ship attracts items. */

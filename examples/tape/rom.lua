@@ -1,0 +1,16 @@
+-- rom.lua - a game whose sound is recordings: tools/recordings.py computes them. The loop stands in reel.ogg's tags.
+return {
+  title = "Tape", author = "The Curtain authors", palette = "art/palette.png", font = "art/font.png",
+  music = { reel = { file = "music/reel.ogg", title = "The Reel", tempo = 120, bar = 4,
+                     markers = { around = 8, turn = 24 } } }, -- beats: the loop's first bar, and its fifth
+  sounds = {
+    kill = { file = "sfx/bell.flac", volume = 0.8, limit = 3 },
+    hit  = { file = "sfx/thump.flac", exact = true, priority = 7 }, -- 16 bits
+  },
+  sheets = { bullets = { file = "art/bullets.png", bank = 0 }, heron = { file = "art/heron.png", bank = 8 },
+             enemies = { file = "art/enemies.png", bank = 10 } },
+  sprites = {
+    ship  = { sheet = "heron",   x = 0,  y = 0,  w = 28, h = 36, frames = 4, every = 3, origin = { 14, 17 } },
+    jelly = { sheet = "enemies", x = 0,  y = 32, w = 36, h = 44, frames = 4, every = 9, origin = { 18, 17 } },
+    orb   = { sheet = "bullets", x = 16, y = 0,  w = 12, h = 12 },
+    dart  = { sheet = "bullets", x = 64, y = 0,  w = 14, h = 14, rotations = 32 } } }

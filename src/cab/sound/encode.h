@@ -1,0 +1,13 @@
+/*
+ * encode.h - samples to the bytes that adpcm.h reads.
+ * floor: cab
+ */
+#ifndef CAB_ENCODE_H
+#define CAB_ENCODE_H
+
+#include "../../snd/adpcm.h"
+
+/* Writes n samples with their header, sample_size bytes. */
+void sample_write(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop, enum sample_coding coding);
+
+#endif

@@ -1,0 +1,226 @@
+/*
+ * mml_curve.c - curves and waves of MML instruments. A wave is the sum of its harmonics, in versions with fewer and fewer
+ * of them (inst.h); points are a turn's values, and what is heard is the smoothest line through them. All of it is whole
+ * numbers, so that a piece is packed to the same bytes everywhere.
+ */
+#include "mml_parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/trig.h"
+#include "../../snd/tables.h"
+
+/* The number of that piece; takes the bytes. */
+static uint32_t keep_piece(struct mml *m, uint32_t at, uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < m->n_pieces; i++)
+        if (m->pieces[i].n == n && memcmp(m->pieces[i].bytes, bytes, n) == 0) {
+            free(bytes);
+            return i + 1;
+        }
+    if (m->n_pieces == MML_PIECES) {
+        free(bytes);
+        mml_bad(m, at, "more than %d curves and waves", (int)MML_PIECES);
+    }
+    m->pieces[m->n_pieces++] = (struct mml_piece){ bytes, n, 0 };
+    return m->n_pieces;
+}
+
+static uint8_t *room(struct mml *m, uint32_t at, size_t n)
+{
+    uint8_t *p = calloc(1, n);
+
+    if (p == NULL)
+        mml_bad(m, at, "out of memory");
+    return p;
+}
+
+static bool comma(const struct mml *m, uint32_t *at, uint32_t end)
+{
+    if (*at == end || m->text[*at] != ',')
+        return false;
+    ++*at;
+    return true;
+}
+
+/* ---- curves ---- */
+
+struct scale {
+    const char *what;
+    int64_t lo, hi;    /* thousandths */
+    int64_t times, of; /* to the curve's unit */
+};
+
+static struct scale scale_of(char kind)
+{
+    if (kind == 'E')
+        return (struct scale){ "percent", 0, 100000, 32767, 100000 };
+    if (kind == 'M')
+        return (struct scale){ "cents", -4800000, 4800000, 256, 100000 };
+    return (struct scale){ "a place (-64 left, 0 where the note is, 64 right)", -128000, 128000, 1, 1000 };
+}
+
+uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
+{
+    const uint32_t from = *at;
+    const struct scale scale = scale_of(kind);
+    uint8_t curve[4 + 2 * CURVE_MOST] = { 0, CURVE_STAYS };
+    uint8_t n = 0;
+
+    const int64_t frames =
+        mml_decimal(m, at, end, "frames from one value to the next", 1000, CURVE_FRAMES * 1000) / 1000;
+    bytes_put16(curve + 2, (uint16_t)frames);
+    if (*at == end || m->text[(*at)++] != ':')
+        mml_bad(m, from, "expected FRAMES:VALUE,VALUE...; with | before the value it goes on from, as 2:100,60|50,40");
+    do {
+        if (n == CURVE_MOST)
+            mml_bad(m, from, "expected at most %d values", (int)CURVE_MOST);
+        bytes_put16(curve + 4 + 2 * n++,
+                    (uint16_t)(mml_decimal(m, at, end, scale.what, scale.lo, scale.hi) * scale.times / scale.of));
+        if (*at < end && m->text[*at] == '|' && curve[1] == CURVE_STAYS) {
+            ++*at;
+            curve[1] = n;
+            continue;
+        }
+        if (!comma(m, at, end))
+            break;
+    } while (true);
+    curve[0] = n;
+    uint8_t *bytes = room(m, from, curve_size(curve));
+    memcpy(bytes, curve, curve_size(curve));
+    return keep_piece(m, from, bytes, (uint32_t)curve_size(curve));
+}
+
+void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
+{
+    const char kind = m->text[at + 1];
+    uint32_t p = mml_skip(m, at + 2, end);
+    char name[MML_NAME];
+    const uint32_t name_at = p;
+
+    mml_word(m, &p, end, name, "the curve's name, as @E swell 2:0,50,100");
+    if (name[0] < 'a' || name[0] > 'z')
+        mml_bad(m, name_at, "expected a name that begins with a small letter, got \"%s\"", name);
+    for (int i = 0; i < m->n_curves; i++)
+        if (m->curves[i].kind == kind && strcmp(m->curves[i].name, name) == 0)
+            mml_bad(m, at, "the curve \"%s\" is there twice", name);
+    if (m->n_curves == MML_NAMES)
+        mml_bad(m, at, "more than %d curves", (int)MML_NAMES);
+    p = mml_skip(m, p, end);
+    m->curves[m->n_curves].piece = mml_read_curve(m, &p, end, kind);
+    m->curves[m->n_curves].kind = kind;
+    memcpy(m->curves[m->n_curves++].name, name, MML_NAME);
+    p = mml_skip(m, p, end);
+    if (p < end)
+        mml_bad(m, p, "expected the end of the line behind the curve");
+}
+
+/* ---- waves ---- */
+
+/* A wave's harmonics, Q20: what the first of the pair is to the sine, the second to the cosine. */
+struct harmonics {
+    int n;
+    int64_t part[WAVE_HARMONICS + 1][2];
+};
+
+/* Up to which harmonic version v goes. */
+static int reaches(int v)
+{
+    static const uint8_t harmonics[WAVE_VERSIONS] = { 1, 2, 3, 4, 6, 8, 11, 16, 23, 32 };
+
+    return harmonics[v];
+}
+
+/* Value i of 2^bits in a turn, of the harmonics up to `up_to`, Q30. */
+static int64_t value_at(const struct harmonics *h, int up_to, uint32_t i, int bits)
+{
+    int64_t v = 0;
+
+    for (int k = 1; k <= up_to && k <= h->n; k++) {
+        const ang turn = (ang)i * (ang)k << (32 - bits);
+        v += (trig_sin30(turn) * h->part[k][0] + trig_sin30(turn + (1u << 30)) * h->part[k][1]) >> 20;
+    }
+    return v;
+}
+
+enum { LOUDEST = 27600 /* as a saw's */ };
+
+static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *h)
+{
+    int versions = 1;
+    int64_t most = 1;
+
+    while (reaches(versions - 1) < h->n)
+        versions++;
+    for (uint32_t i = 0; i < 4096; i++) {
+        const int64_t v = value_at(h, h->n, i, 12);
+        most = v > most ? v : -v > most ? -v : most;
+    }
+    uint8_t *bytes = room(m, from, wave_size(versions));
+    bytes[0] = (uint8_t)versions;
+    for (int v = 0; v < versions; v++) {
+        uint8_t *p = bytes + wave_at_version(v);
+        const uint32_t n = 1u << wave_bits(v);
+        for (uint32_t i = 0; i <= n; i++) {
+            const int64_t x = value_at(h, reaches(v), i % n, wave_bits(v)) * LOUDEST / most;
+            bytes_put16(p + 2 * i, (uint16_t)(x < -32767 ? -32767 : x > 32767 ? 32767 : x));
+        }
+    }
+    return keep_piece(m, from, bytes, (uint32_t)wave_size(versions));
+}
+
+uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
+{
+    const uint32_t from = *at;
+    struct harmonics h = { 0 };
+
+    do {
+        if (h.n == WAVE_HARMONICS)
+            mml_bad(m, from, "expected at most %d harmonics", (int)WAVE_HARMONICS);
+        h.part[++h.n][0] = (mml_decimal(m, at, end, "percent", -100000, 100000) << 20) / 100000;
+    } while (comma(m, at, end));
+    while (h.n > 0 && h.part[h.n][0] == 0)
+        h.n--;
+    if (h.n == 0)
+        mml_bad(m, from, "expected a harmonic that is heard");
+    return keep_wave(m, from, &h);
+}
+
+enum { POINTS = 2 * WAVE_HARMONICS };
+
+/* The harmonics of a turn through those points. */
+static struct harmonics through(const int64_t *point, int n)
+{
+    struct harmonics h = { .n = n / 2 };
+
+    for (int k = 1; k <= h.n; k++) {
+        for (int i = 0; i < n; i++) {
+            const ang turn = (ang)(((uint64_t)(i * k % n) << 32) / (uint64_t)n);
+            h.part[k][0] += point[i] * trig_sin30(turn) >> 10;
+            h.part[k][1] += point[i] * trig_sin30(turn + (1u << 30)) >> 10;
+        }
+        for (int part = 0; part < 2; part++)
+            h.part[k][part] = h.part[k][part] * (2 * k == n ? 1 : 2) / (n * (int64_t)100000);
+    }
+    return h;
+}
+
+uint32_t mml_read_points(struct mml *m, uint32_t *at, uint32_t end)
+{
+    const uint32_t from = *at;
+    int64_t point[POINTS];
+    int n = 0;
+    bool same = true;
+
+    do {
+        if (n == POINTS)
+            mml_bad(m, from, "expected at most %d points", (int)POINTS);
+        point[n++] = mml_decimal(m, at, end, "percent", -100000, 100000);
+        same = same && point[n - 1] == point[0];
+    } while (comma(m, at, end));
+    if (n < 4 || same)
+        mml_bad(m, from, "expected 4 to %d points of a turn, not all of them equal", (int)POINTS);
+    const struct harmonics h = through(point, n);
+    return keep_wave(m, from, &h);
+}

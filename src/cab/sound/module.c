@@ -1,0 +1,137 @@
+/*
+ * module.c - see module.h. The first pass begins in silence; in the second what rings from the first one's end is heard
+ * too, so that the third one is, as a rule, the second one to the last bit. Then that is the loop. Where it is the end
+ * of the first pass too it is not kept twice.
+ */
+#include "module.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "../../snd/adpcm.h"
+#include "../../snd/pitch.h"
+
+#if defined __has_include && !defined WITHOUT_LIBRARIES
+#if __has_include(<libopenmpt/libopenmpt.h>)
+#define HAS_OPENMPT
+#endif
+#endif
+
+#ifndef HAS_OPENMPT
+
+bool module_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+{
+    (void)data, (void)n;
+    *out = (struct pcm){ .loop = -1, .loop_end = -1 };
+    return err_set(err, err_size,
+                   "this curtain was built without libopenmpt, which reads tracker modules "
+                   "(Debian: libopenmpt-dev, then build again)");
+}
+
+#else
+
+#include <libopenmpt/libopenmpt.h>
+#include "../host/library.h"
+
+struct functions {
+    openmpt_module *(*open)(const void *data, size_t n, openmpt_log_func log, void *log_user, openmpt_error_func fail,
+                            void *fail_user, int *error, const char **message, const openmpt_module_initial_ctl *ctls);
+    void (*close)(openmpt_module *module);
+    size_t (*read)(openmpt_module *module, int32_t rate, size_t frames, float *to);
+    double (*duration)(openmpt_module *module);
+    double (*tempo)(openmpt_module *module);
+};
+
+static bool find(struct functions *f)
+{
+    const struct library_function list[] = { { "openmpt_module_create_from_memory2", &f->open },
+                                             { "openmpt_module_destroy", &f->close },
+                                             { "openmpt_module_read_interleaved_float_stereo", &f->read },
+                                             { "openmpt_module_get_duration_seconds", &f->duration },
+                                             { "openmpt_module_get_current_estimated_bpm", &f->tempo } };
+
+    return library_open("libopenmpt.so.0", list, sizeof list / sizeof *list);
+}
+
+/* Errors come as results. */
+static int ignore(int error, void *user)
+{
+    (void)error, (void)user;
+    return OPENMPT_ERROR_FUNC_RESULT_NONE;
+}
+
+enum { PART = 1024 /* frames at a time */, PASSES = 4 /* at most, in search of one that is as the one before */ };
+
+/* Plays up to the module's end, from where it goes on. */
+static bool read_pass(const struct functions *f, openmpt_module *module, struct pcm *pass, char *err, size_t err_size)
+{
+    float part[PART * PCM_CHANNELS] = { 0 };
+
+    *pass = (struct pcm){ .rate = SND_RATE, .channels = PCM_CHANNELS, .loop = -1, .loop_end = -1 };
+    for (size_t n; (n = f->read(module, SND_RATE, PART, part)) > 0;)
+        if (!pcm_add(pass, part, n))
+            return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
+    return pass->n > 0 ? true : err_set(err, err_size, "there is nothing to hear in it");
+}
+
+/* Does p end with the same frames? */
+static bool ends_with(const struct pcm *p, const struct pcm *pass)
+{
+    const size_t frame = PCM_CHANNELS * sizeof *p->frames;
+
+    return p->n >= pass->n &&
+           memcmp(p->frames + (size_t)(p->n - pass->n) * PCM_CHANNELS, pass->frames, pass->n * frame) == 0;
+}
+
+/* Passes until one is as the one before, which becomes the loop. */
+static bool read_passes(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
+{
+    bool good = true, found = false;
+
+    for (int i = 0; good && !found && i < PASSES; i++) {
+        struct pcm pass;
+        good = read_pass(f, module, &pass, err, err_size);
+        found = good && i > 0 && ends_with(out, &pass);
+        if (good)
+            out->loop = found ? (int64_t)out->n - pass.n : out->n;
+        if (good && !found && !pcm_join(out, &pass))
+            good = err_set(err, err_size, "too long: %d passes have more than %d frames", i + 1, (int)SAMPLE_MOST);
+        if (i == 0)
+            out->once = out->n;
+        pcm_free(&pass);
+    }
+    return good;
+}
+
+static bool decode(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
+{
+    const double seconds = f->duration(module), most = (double)SAMPLE_MOST / SND_RATE;
+
+    if (!(seconds > 0 && seconds <= most))
+        return err_set(err, err_size, "expected music of at most %.0f s, got %.1f", most, seconds);
+    out->channels = PCM_CHANNELS;
+    out->rate = SND_RATE;
+    out->tempo = f->tempo(module);
+    return read_passes(f, module, out, err, err_size);
+}
+
+bool module_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+{
+    static const openmpt_module_initial_ctl ctls[] = { { "play.at_end", "continue" }, { NULL, NULL } };
+    struct functions f;
+
+    *out = (struct pcm){ .loop = -1, .loop_end = -1 };
+    if (!find(&f))
+        return err_set(err, err_size, "libopenmpt is not there, which reads tracker modules (Debian: libopenmpt0)");
+    openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
+    if (!module)
+        return err_set(err, err_size, "libopenmpt knows no module in it, or a damaged one");
+    const bool good = decode(&f, module, out, err, err_size);
+    f.close(module);
+    if (!good)
+        pcm_free(out);
+    return good;
+}
+
+#endif

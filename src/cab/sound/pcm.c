@@ -1,0 +1,185 @@
+/*
+ * pcm.c - see pcm.h. A rate above SND_RATE is lowered by a windowed sinc of 2 * ZEROES zero crossings: what is below
+ * 20 kHz stays, what would fold lies 90 dB below. Where there is a loop the new samples are laid out from its beginning
+ * on and a whole number of them is one turn, so that the loop stays exact; the pitch moves by less than 0.1 cents where
+ * a loop is longer than half a second.
+ */
+#include "pcm.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "../../snd/adpcm.h"
+#include "../../snd/pitch.h"
+
+static int16_t rounded(double v)
+{
+    const double scaled = v * 32768;
+
+    return (int16_t)(scaled >= 32767 ? 32767 : scaled > -32768 ? lrint(scaled) : -32768);
+}
+
+static uint64_t most(const struct pcm *p)
+{
+    return p->rate <= SND_RATE ? SAMPLE_MOST : (uint64_t)SAMPLE_MOST * p->rate / SND_RATE;
+}
+
+/* Makes room for n frames more. */
+static bool grow(struct pcm *p, size_t n)
+{
+    if (p->n + (uint64_t)n > most(p))
+        return false;
+    if (p->n + n > p->room) {
+        const size_t room = 2 * (p->n + n);
+        int16_t *more = realloc(p->frames, room * (size_t)p->channels * sizeof *more);
+        if (more == NULL)
+            return false;
+        p->frames = more;
+        p->room = (uint32_t)room;
+    }
+    return true;
+}
+
+bool pcm_add(struct pcm *p, const float *frames, size_t n)
+{
+    if (!grow(p, n))
+        return false;
+    for (size_t i = 0; i < n * (size_t)p->channels; i++) {
+        p->clipped += frames[i] > 1 || frames[i] < -1;
+        p->frames[p->n * (size_t)p->channels + i] = frames[i] == frames[i] ? rounded((double)frames[i]) : 0;
+    }
+    p->n += (uint32_t)n;
+    return true;
+}
+
+bool pcm_join(struct pcm *p, const struct pcm *more)
+{
+    if (!grow(p, more->n))
+        return false;
+    memcpy(p->frames + p->n * (size_t)p->channels, more->frames, more->n * (size_t)p->channels * sizeof *more->frames);
+    p->n += more->n;
+    p->clipped += more->clipped;
+    return true;
+}
+
+bool pcm_check(const struct pcm *p, char *err, size_t err_size)
+{
+    const int64_t end = p->loop_end < 0 ? p->n : p->loop_end;
+
+    if (p->n < 1 || p->n > most(p))
+        return err_set(err, err_size, "expected 1 to %" PRIu64 " frames, got %" PRIu32, most(p), p->n);
+    if (p->loop >= 0 && (p->loop >= end || end > p->n))
+        return err_set(err, err_size, "its loop, from frame %" PRId64 " up to %" PRId64 ", is not within its %" PRIu32,
+                       p->loop, end, p->n);
+    return true;
+}
+
+/* ---- a lower rate ---- */
+
+enum { ZEROES = 32, FINE = 512 /* places of the table between two of them */ };
+
+/* The filter over its right half: a sinc that ends at 22 of 24 kHz, in a Kaiser window. */
+static double kernel(double x)
+{
+    const double beta = 9, cut = 22.0 / 24, in = x / ZEROES, pi = acos(-1);
+    const double sinc = x == 0 ? cut : sin(pi * cut * x) / (pi * x);
+    double bessel[2] = { 1, 1 };
+
+    if (in >= 1)
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        const double y = k ? beta * beta / 4 : beta * beta / 4 * (1 - in * in);
+        double term = 1;
+        for (int i = 1; i < 40; i++)
+            bessel[k] += term *= y / (i * i);
+    }
+    return sinc * bessel[0] / bessel[1];
+}
+
+/* A frame of what was, which goes on in its loop and is silent outside. */
+static int64_t frame_at(const struct pcm *p, int64_t i)
+{
+    if (i >= p->n && p->loop >= 0)
+        return p->loop + (i - p->loop) % (p->n - p->loop);
+    return i >= 0 && i < p->n ? i : -1;
+}
+
+struct lowered {
+    const struct pcm *from;
+    double step; /* frames of `from` a new one */
+    float table[ZEROES * FINE + 2];
+};
+
+/* The new frame at place x of the old ones. */
+static void lower_frame(const struct lowered *l, double x, int16_t *out)
+{
+    const int channels = l->from->channels;
+    const int64_t first = (int64_t)ceil(x - ZEROES * l->step), last = (int64_t)floor(x + ZEROES * l->step);
+    double sum[PCM_CHANNELS] = { 0 };
+
+    for (int64_t i = first; i <= last; i++) {
+        const int64_t at = frame_at(l->from, i);
+        if (at < 0)
+            continue;
+        const double place = fabs((double)i - x) / l->step * FINE;
+        const int k = (int)place;
+        const double weight = (double)l->table[k] + (double)(l->table[k + 1] - l->table[k]) * (place - k);
+        for (int c = 0; c < channels; c++)
+            sum[c] += weight * l->from->frames[at * channels + c];
+    }
+    for (int c = 0; c < channels; c++)
+        out[c] = rounded(sum[c] / l->step / 32768);
+}
+
+static bool lower(struct pcm *p)
+{
+    const double ratio = (double)p->rate / SND_RATE;
+    const uint32_t turn = p->loop < 0 ? 0 : (uint32_t)lrint((double)(p->n - p->loop) / ratio);
+    struct lowered *l = malloc(sizeof *l);
+    struct pcm to = { .rate = SND_RATE, .channels = p->channels, .clipped = p->clipped, .loop = -1, .loop_end = -1 };
+
+    if (turn > 0)
+        to.loop = (int64_t)((double)p->loop / ratio);
+    to.n = turn > 0 ? (uint32_t)to.loop + turn : (uint32_t)ceil(p->n / ratio);
+    to.frames = malloc((size_t)to.n * (size_t)to.channels * sizeof *to.frames);
+    if (l && to.frames) {
+        l->from = p;
+        l->step = turn > 0 ? (double)(p->n - p->loop) / turn : ratio;
+        for (int i = 0; i < ZEROES * FINE + 2; i++)
+            l->table[i] = (float)kernel((double)i / FINE);
+        const double zero = turn > 0 ? (double)p->loop - (double)to.loop * l->step : 0;
+        for (uint32_t i = 0; i < to.n; i++)
+            lower_frame(l, zero + i * l->step, to.frames + (size_t)i * (size_t)to.channels);
+        free(p->frames);
+        *p = to;
+    } else {
+        free(to.frames);
+    }
+    const bool good = p->rate == SND_RATE;
+    free(l);
+    return good;
+}
+
+bool pcm_prepare(struct pcm *p)
+{
+    if (p->loop >= 0 && p->loop_end >= 0)
+        p->n = (uint32_t)p->loop_end;
+    p->loop_end = -1;
+    return p->rate <= SND_RATE || lower(p);
+}
+
+void pcm_side(const struct pcm *p, int side, int16_t *out)
+{
+    for (size_t i = 0; i < p->n; i++) {
+        const int16_t *f = p->frames + i * (size_t)p->channels;
+        out[i] = p->channels == 1 ? f[0] : side < 0 ? (int16_t)((f[0] + f[1] + 1) >> 1) : f[side];
+    }
+}
+
+void pcm_free(struct pcm *p)
+{
+    free(p->frames);
+    *p = (struct pcm){ .loop = -1, .loop_end = -1 };
+}

@@ -1,0 +1,211 @@
+/*
+ * tags.c - see tags.h. An OGG file is pages: a header, how long its up to 255 pieces are, the pieces; a piece of less
+ * than 255 bytes ends a packet. The second packet has the comments, as FLAC's block 4 has: u32 and so many bytes of who
+ * wrote it, u32 how many, then for each u32 and so many bytes "NAME=value". (RFC 3533, RFC 7845, RFC 9639, Vorbis I.)
+ */
+#include "tags.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/err.h"
+
+enum { PAGE = 27 /* bytes of its header */, LAST_PAGE = 4 /* of its flags */, MOST_COMMENTS = 1 << 24, DIGITS = 12 };
+
+static char upper(char c)
+{
+    return (char)(c >= 'a' && c <= 'z' ? c - 32 : c);
+}
+
+/* The value's text if the comment has that name, in whichever case; NULL: it has another. */
+static const char *value_of(const char *comment, size_t n, const char *name)
+{
+    const size_t long_ = strlen(name);
+
+    if (n <= long_ || comment[long_] != '=')
+        return NULL;
+    for (size_t i = 0; i < long_; i++)
+        if (upper(comment[i]) != name[i])
+            return NULL;
+    return comment + long_ + 1;
+}
+
+static bool whole_number(const char *text, const char *end, int64_t *out)
+{
+    *out = 0;
+    if (text == end || end - text > DIGITS)
+        return false;
+    for (; text < end; text++) {
+        if (*text < '0' || *text > '9')
+            return false;
+        *out = *out * 10 + (*text - '0');
+    }
+    return true;
+}
+
+static bool read_comment(const char *comment, size_t n, struct tags *out, char *err, size_t err_size)
+{
+    static const char *const names[] = { "LOOPSTART", "LOOPLENGTH", "LOOPEND" };
+    int64_t *const to[] = { &out->start, &out->length, &out->end };
+
+    for (int i = 0; i < 3; i++) {
+        const char *text = value_of(comment, n, names[i]);
+        if (text && !whole_number(text, comment + n, to[i]))
+            return err_set(err, err_size, "tag %s: expected a whole number of frames, got \"%.*s\"", names[i],
+                           (int)(comment + n - text > 40 ? 40 : comment + n - text), text);
+    }
+    return true;
+}
+
+static bool read_comments(const uint8_t *p, size_t n, struct tags *out, char *err, size_t err_size)
+{
+    size_t at = 4;
+    uint32_t many = 0;
+
+    if (n >= 8 && bytes_get32(p) <= n - 8) {
+        at += bytes_get32(p);
+        many = bytes_get32(p + at);
+        at += 4;
+    } else if (n > 0) {
+        return err_set(err, err_size, "its tags run past their end");
+    }
+    for (; many > 0; many--) {
+        if (n - at < 4 || bytes_get32(p + at) > n - at - 4)
+            return err_set(err, err_size, "its tags run past their end");
+        const size_t size = bytes_get32(p + at);
+        if (!read_comment((const char *)p + at + 4, size, out, err, err_size))
+            return false;
+        at += 4 + size;
+    }
+    return true;
+}
+
+/* ---- FLAC ---- */
+
+bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size)
+{
+    bool last = false;
+
+    *out = (struct tags){ "FLAC", -1, -1, -1 };
+    if (n < 4 || memcmp(data, "fLaC", 4) != 0)
+        return err_set(err, err_size, "expected a FLAC file (fLaC)");
+    for (size_t at = 4; !last;) {
+        if (n - at < 4)
+            return err_set(err, err_size, "it ends before its samples");
+        const size_t size = (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
+        const int kind = data[at] & 127;
+        last = data[at] >> 7;
+        if (size > n - at - 4)
+            return err_set(err, err_size, "block %d, of %zu bytes, at byte %zu runs past the end of the file", kind,
+                           size, at);
+        if (kind == 4 && !read_comments(data + at + 4, size, out, err, err_size))
+            return false;
+        at += 4 + size;
+    }
+    return true;
+}
+
+/* ---- OGG ---- */
+
+static uint32_t crc_of(const uint8_t *page, size_t n)
+{
+    uint32_t crc = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        crc ^= (uint32_t)(i >= 22 && i < 26 ? 0 : page[i]) << 24;
+        for (int k = 0; k < 8; k++)
+            crc = crc << 1 ^ (crc >> 31 ? 0x04c11db7u : 0);
+    }
+    return crc;
+}
+
+/* The page's bytes in all; 0 and a sentence: there is no good page. */
+static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, size_t err_size)
+{
+    const uint8_t *p = data + at;
+    size_t size = PAGE;
+
+    if (n - at < PAGE || memcmp(p, "OggS", 4) != 0 || p[4] != 0) {
+        err_set(err, err_size, "expected a page (OggS) at byte %zu", at);
+        return 0;
+    }
+    for (size_t i = 0; i < p[26] && PAGE + i < n - at; i++)
+        size += 1u + p[PAGE + i];
+    if (size > n - at)
+        err_set(err, err_size, "the page at byte %zu runs past the end of the file", at);
+    else if (crc_of(p, size) != bytes_get32(p + 22))
+        err_set(err, err_size, "the page at byte %zu is damaged: its checksum is another", at);
+    else if (bytes_get32(p + 14) != bytes_get32(data + 14))
+        err_set(err, err_size, "expected one stream in it; at byte %zu begins another", at);
+    else
+        return size;
+    return 0;
+}
+
+/* The packets before the music: `now` is the one that is read; the first two are kept. */
+struct packets {
+    uint8_t *bytes; /* malloc */
+    size_t n, end[2];
+    int now;
+};
+
+/* Adds a page's pieces. */
+static bool add_page(struct packets *k, const uint8_t *page, char *err, size_t err_size)
+{
+    const uint8_t *piece = page + PAGE + page[26];
+
+    for (int i = 0; i < page[26] && k->now < 2; i++) {
+        const size_t size = page[PAGE + i];
+        uint8_t *more = realloc(k->bytes, k->n + size + 1);
+        if (more == NULL || k->n > MOST_COMMENTS) {
+            k->bytes = more ? more : k->bytes;
+            return err_set(err, err_size, "its tags are longer than %d bytes", MOST_COMMENTS);
+        }
+        k->bytes = more;
+        memcpy(k->bytes + k->n, piece, size);
+        k->n += size;
+        piece += size;
+        if (size < 255)
+            k->end[k->now++] = k->n;
+    }
+    return true;
+}
+
+static bool read_packets(const struct packets *k, struct tags *out, char *err, size_t err_size)
+{
+    const size_t id = k->end[0], n = k->end[1] - id;
+    const uint8_t *second = k->bytes + id;
+
+    if (k->now < 2)
+        return err_set(err, err_size, "it ends before its tags");
+    if (id >= 7 && memcmp(k->bytes, "\1vorbis", 7) == 0 && n >= 7 && memcmp(second, "\3vorbis", 7) == 0) {
+        out->codec = "Vorbis";
+        return read_comments(second + 7, n - 7, out, err, err_size);
+    }
+    if (id >= 8 && memcmp(k->bytes, "OpusHead", 8) == 0 && n >= 8 && memcmp(second, "OpusTags", 8) == 0) {
+        out->codec = "Opus";
+        return read_comments(second + 8, n - 8, out, err, err_size);
+    }
+    return err_set(err, err_size, "expected Vorbis or Opus in it");
+}
+
+bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size)
+{
+    struct packets k = { 0 };
+    bool good = true, ended = false;
+
+    *out = (struct tags){ "", -1, -1, -1 };
+    if (n < PAGE || memcmp(data, "OggS", 4) != 0)
+        return err_set(err, err_size, "expected an OGG file (OggS)");
+    for (size_t at = 0, size; good && at < n; at += size) {
+        size = page_size(data, n, at, err, err_size);
+        good = size > 0 && add_page(&k, data + at, err, err_size);
+        ended = data[at + 5] & LAST_PAGE;
+    }
+    if (good && !ended)
+        good = err_set(err, err_size, "it ends before its last page");
+    good = good && read_packets(&k, out, err, err_size);
+    free(k.bytes);
+    return good;
+}

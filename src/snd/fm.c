@@ -1,0 +1,208 @@
+/*
+ * fm.c - see fm.h. Sines are made in lanes of 16 bits: the quarter turns beside a crest are a polynomial of the square
+ * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Every loop is one that compilers make
+ * into vectors of any width, with the same bits as one by one.
+ */
+#include "fm.h"
+
+#include <string.h>
+
+/* The same with -O2 and -O3. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
+#endif
+
+static uint16_t high(uint16_t a, uint16_t b)
+{
+    return (uint16_t)((uint32_t)a * b >> 16);
+}
+
+void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
+{
+    for (int n = 0; n < FM_BLOCK; n++) {
+        const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
+        const int16_t far = (int16_t)(2 * ((x ^ sign) - 16384) + 1); /* from the crest, of a quarter turn, Q15 */
+        const uint16_t w = (uint16_t)((uint32_t)((int32_t)far * far) >> 14);
+        const uint16_t bent = high(w, (uint16_t)(15308 - high(w, (uint16_t)(16568 - high(w, 1260)))));
+        const int16_t crest = (int16_t)((uint16_t)(65535 - w - bent) >> 1);
+        out[n] = (int16_t)((crest ^ sign) - sign);
+    }
+}
+
+/* Between two rows and two places of the table. */
+static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t rows[2],
+                           int16_t out[FM_BLOCK])
+{
+    for (int n = 0; n < FM_BLOCK; n++) {
+        const int32_t b = rows[0] + (rows[1] - rows[0]) * n / FM_BLOCK;
+        const int16_t *row = t->feedback[b / FEEDBACK_ROW], *next = row + FEEDBACK_LONG + 1;
+        const uint32_t i = phase[n] >> (32 - FEEDBACK_BITS);
+        const int32_t f = (int32_t)(phase[n] >> (32 - FEEDBACK_BITS - 15) & 0x7fff);
+        const int32_t y = row[i] + ((row[i + 1] - row[i]) * f >> 15), z = next[i] + ((next[i + 1] - next[i]) * f >> 15);
+        out[n] = (int16_t)(y + (z - y) * (b % FEEDBACK_ROW) / FEEDBACK_ROW);
+    }
+}
+
+static void make_phases(const struct fm_op *op, const int32_t bend[FM_BLOCK], uint32_t out[FM_BLOCK])
+{
+    const uint32_t phase = op->phase, step = op->step;
+
+    for (uint32_t n = 0; n < FM_BLOCK; n++)
+        out[n] = phase + n * step + (uint32_t)bend[n];
+}
+
+/* Adds a sine times its gain to what bends an operator. */
+static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32_t bend[FM_BLOCK])
+{
+    const int scale = op->scale;
+
+    for (int n = 0; n < FM_BLOCK; n++)
+        bend[n] = (int32_t)((uint32_t)bend[n] + ((uint32_t)(sine[n] * op->gain[n]) << scale));
+}
+
+static void add_heard(const int16_t sine[FM_BLOCK], const struct fm_op *op, int16_t out[FM_BLOCK])
+{
+    for (int n = 0; n < FM_BLOCK; n++)
+        out[n] = (int16_t)(out[n] + (sine[n] * op->gain[n] >> 15));
+}
+
+void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
+              int16_t out[FM_BLOCK])
+{
+    const unsigned heard = fm_heard(ops, algorithm);
+    int32_t bend[FM_OPS][FM_BLOCK] = { { 0 } };
+    uint32_t phase[FM_BLOCK];
+    int16_t sine[FM_BLOCK];
+
+    memset(out, 0, FM_BLOCK * sizeof *out);
+    for (int k = 0; k < ops; k++) {
+        const unsigned bends = fm_bends(ops, algorithm, k);
+        make_phases(&op[k], bend[k], phase);
+        if (k == 0 && (rows[0] | rows[1]))
+            feedback_sines(t, phase, rows, sine);
+        else
+            fm_sines(phase, sine);
+        for (int to = k + 1; to < ops; to++)
+            if (bends >> to & 1)
+                add_bend(sine, &op[k], bend[to]);
+        if (heard >> k & 1)
+            add_heard(sine, &op[k], out);
+    }
+}
+
+/* ---- strength ---- */
+
+enum { STRENGTHS = 8, OCTAVES = 7 /* from note 24 on */ };
+
+/* The closed form's b that is nearest to the recursion y = sin(p + b (y' + y'') / 2) at 48 kHz, by its harmonics; for b
+ * of 1.5 / 8 to 1.5 and the c of seven octaves. */
+static const int16_t nearest[STRENGTHS][OCTAVES] = {
+    { 778, 778, 758, 758, 758, 758, 737 },        { 1536, 1536, 1536, 1536, 1516, 1475, 1393 },
+    { 2294, 2294, 2294, 2273, 2212, 2109, 1987 }, { 3072, 3052, 3011, 2929, 2785, 2601, 2540 },
+    { 3789, 3748, 3645, 3482, 3236, 3031, 2826 }, { 4424, 4301, 4116, 3891, 3604, 3400, 3359 },
+    { 5018, 4813, 4526, 4198, 3891, 3707, 3645 }, { 5632, 5284, 4895, 4485, 4116, 3953, 3891 },
+};
+static const uint64_t note_24 = 49094033266598; /* its step */
+
+/* Octaves above note 24, in 256ths, between powers of two a straight line. */
+static int32_t octaves(uint64_t step)
+{
+    int32_t octave = 0;
+
+    if (step <= note_24)
+        return 0;
+    while (step >> octave >= 2 * note_24 && octave < OCTAVES - 1)
+        octave++;
+    if (octave == OCTAVES - 1)
+        return 256 * octave;
+    return 256 * octave + (int32_t)(((step >> octave) - note_24) / (note_24 >> 8));
+}
+
+static int32_t in_octave(int k, int32_t at)
+{
+    const int16_t *row = nearest[k > 0 ? k - 1 : 0];
+    const int32_t i = at >> 8, a = row[i], b = i < OCTAVES - 1 ? row[i + 1] : a;
+
+    return k > 0 ? a + (b - a) * (at & 255) / 256 : 0;
+}
+
+int32_t fm_strength(int32_t b, uint64_t step)
+{
+    const int32_t at = octaves(step), part = b * STRENGTHS, i = part / FM_FEEDBACK;
+    const int32_t low = in_octave(i, at), high_ = i < STRENGTHS ? in_octave(i + 1, at) : low;
+    const int32_t radians = low + (high_ - low) * (part % FM_FEEDBACK) / FM_FEEDBACK;
+
+    return radians * (FEEDBACK_ROWS - 1) * (FEEDBACK_ROW / 256) / (FM_FEEDBACK / 256);
+}
+
+/* ---- notes ---- */
+
+/* One that is not let go stays. */
+static int32_t off_of(const struct op *o, int32_t off)
+{
+    return o->env.release ? off : NOTE_HELD;
+}
+
+static void keep_levels(struct fm_note *f, int32_t age, int32_t off)
+{
+    f->at = age;
+    for (int k = 0; k < f->ops; k++)
+        f->level[k] = wave_level(&f->op[k].env, age, off_of(&f->op[k], off));
+}
+
+void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
+{
+    f->ops = inst_ops(inst->kind);
+    f->algorithm = inst->algorithm;
+    f->feedback = inst->feedback;
+    f->at = INT32_MIN;
+    for (int k = 0; k < f->ops; k++)
+        f->op[k] = inst_op(bytes, k);
+}
+
+/* The gains of an operator whose level goes from l0 at `age` to l1 at the block's end, times its own level. */
+static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
+                       struct fm_op *out)
+{
+    const struct env *e = &o->env;
+    int32_t unit = o->level;
+
+    out->scale = 0;
+    if (!is_heard) {
+        while (o->level >= 1024 << out->scale)
+            out->scale++;
+        unit = o->level * 32 >> out->scale;
+    }
+    if (wave_corner(e, age, age + FM_BLOCK, off)) {
+        for (int n = 0; n < FM_BLOCK; n++)
+            out->gain[n] = (int16_t)(wave_level(e, age + n, off) * unit >> 15);
+        return;
+    }
+    const int32_t from = level[0] * unit >> 15, by = (level[1] * unit >> 15) - from;
+    for (int n = 0; n < FM_BLOCK; n++)
+        out->gain[n] = (int16_t)(from + by * n / FM_BLOCK);
+}
+
+void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
+             int16_t out[FM_BLOCK])
+{
+    const unsigned heard = fm_heard(f->ops, f->algorithm);
+    struct fm_op op[FM_OPS];
+    int32_t from[FM_OPS], rows[2] = { 0, 0 };
+
+    if (f->at != age)
+        keep_levels(f, age, off);
+    memcpy(from, f->level, sizeof from);
+    keep_levels(f, age + FM_BLOCK, off);
+    for (int k = 0; k < f->ops; k++) {
+        const struct op *o = &f->op[k];
+        const int32_t level[2] = { from[k], f->level[k] };
+        op[k].phase = (uint32_t)(phase * o->ratio >> 32) + (uint32_t)age * (uint32_t)o->detune;
+        op[k].step = (uint32_t)(step * o->ratio >> 32) + (uint32_t)o->detune;
+        make_gains(o, heard >> k & 1, age, off_of(o, off), level, &op[k]);
+        if (k == 0 && f->feedback)
+            for (int end = 0; end < 2; end++)
+                rows[end] = fm_strength(f->feedback * level[end] >> 15, step * o->ratio >> 8);
+    }
+    fm_block(t, f->ops, f->algorithm, op, rows, out);
+}

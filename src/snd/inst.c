@@ -1,0 +1,208 @@
+/*
+ * inst.c - see inst.h. The algorithms are those of chips of four operators: what each operator bends is a row of bits.
+ */
+#include "inst.h"
+
+#include <string.h>
+
+/* ---- bytes ---- */
+
+struct op inst_op(const uint8_t *bytes, int k)
+{
+    const uint8_t *p = bytes + INST_OPS + INST_OP * (size_t)k;
+
+    return (struct op){ .ratio = bytes_get16(p),
+                        .level = bytes_get16(p + 2),
+                        .detune = (int32_t)bytes_get32(p + 4),
+                        .env = { .sustain = bytes_get16(p + 16),
+                                 .attack = bytes_get32(p + 8),
+                                 .decay = bytes_get32(p + 12),
+                                 .release = bytes_get32(p + 20) } };
+}
+
+static void write_op(uint8_t *p, const struct op *o)
+{
+    bytes_put16(p, o->ratio);
+    bytes_put16(p + 2, o->level);
+    bytes_put32(p + 4, (uint32_t)o->detune);
+    bytes_put32(p + 8, o->env.attack);
+    bytes_put32(p + 12, o->env.decay);
+    bytes_put16(p + 16, o->env.sustain);
+    bytes_put32(p + 20, o->env.release);
+}
+
+static void write_lfo(uint8_t *depth, uint8_t *times, const struct lfo *l)
+{
+    bytes_put16(depth, l->depth);
+    bytes_put32(times, l->step);
+    bytes_put32(times + 4, l->delay);
+}
+
+void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops[FM_OPS], const char *sample)
+{
+    const uint32_t words[] = { i->env.attack, i->env.decay, i->env.fade, i->env.release },
+                   places[] = { (uint32_t)i->root, i->wave, i->volume_curve, i->pitch_curve, i->pan_curve };
+
+    memset(p, 0, INST_BYTES);
+    p[0] = i->kind;
+    p[1] = i->algorithm;
+    bytes_put16(p + 2, i->duty);
+    bytes_put16(p + 4, i->env.sustain);
+    bytes_put16(p + 6, i->feedback);
+    for (int k = 0; k < 4; k++)
+        bytes_put32(p + 8 + 4 * k, words[k]);
+    write_lfo(p + 32, p + 24, &i->vibrato);
+    write_lfo(p + 34, p + 36, &i->tremolo);
+    for (int k = 0; k < 5; k++)
+        bytes_put32(p + 44 + 4 * k, places[k]);
+    bytes_put16(p + 64, i->arpeggio_frames);
+    p[66] = i->arpeggio_n;
+    for (int k = 0; k < i->arpeggio_n; k++)
+        p[68 + k] = (uint8_t)i->arpeggio[k];
+    strncpy((char *)p + 84, sample, INST_NAME - 1);
+    for (int k = 0; k < inst_ops(i->kind); k++)
+        write_op(p + INST_OPS + INST_OP * k, &ops[k]);
+}
+
+/* ---- operators ---- */
+
+static const uint8_t heard[FM_ALGORITHMS] = { 8, 8, 8, 8, 10, 14, 14, 15 };
+static const uint8_t bends[FM_ALGORITHMS][FM_OPS] = {
+    { 2, 4, 8, 0 },  /* 1 2 3 4, each the next */
+    { 4, 4, 8, 0 },  /* 1 and 2 bend 3, which bends 4 */
+    { 8, 4, 8, 0 },  /* 2 bends 3; 1 and 3 bend 4 */
+    { 2, 8, 8, 0 },  /* 1 bends 2; 2 and 3 bend 4 */
+    { 2, 0, 8, 0 },  /* 1 bends 2, 3 bends 4 */
+    { 14, 0, 0, 0 }, /* 1 bends 2, 3 and 4 */
+    { 2, 0, 0, 0 },  /* 1 bends 2; 3, 4 */
+    { 0, 0, 0, 0 },  /* 1, 2, 3, 4 */
+};
+
+unsigned fm_heard(int ops, int algorithm)
+{
+    return ops == 2 ? 2 : heard[algorithm];
+}
+
+unsigned fm_bends(int ops, int algorithm, int k)
+{
+    return ops == 2 ? (k == 0 ? 2 : 0) : bends[algorithm][k];
+}
+
+/* ---- curves and waves ---- */
+
+static int32_t value_of(const uint8_t *curve, uint32_t k)
+{
+    const uint32_t n = curve[0], loop = curve[1];
+
+    if (k >= n)
+        k = loop == CURVE_STAYS ? n - 1 : loop + (k - loop) % (n - loop);
+    return (int16_t)bytes_get16(curve + 4 + 2 * k);
+}
+
+int32_t curve_at(const uint8_t *curve, int32_t age)
+{
+    const uint32_t t = age > 0 ? (uint32_t)age : 0, span = (uint32_t)bytes_get16(curve + 2) * SND_FRAME, k = t / span;
+    const int32_t v = value_of(curve, k), next = value_of(curve, k + 1);
+
+    return v + (int32_t)((int64_t)(next - v) * (t - k * span) / span);
+}
+
+bool curve_corner(const uint8_t *curve, int32_t from, int32_t to)
+{
+    const int32_t span = bytes_get16(curve + 2) * SND_FRAME;
+
+    return to > 0 && (from < 0 || from / span != (to - 1) / span);
+}
+
+/* 128 samples and more in a turn of the highest harmonic: a straight line between two of them is good to -84 dB. */
+int wave_bits(int version)
+{
+    static const uint8_t bits[WAVE_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };
+
+    return bits[version];
+}
+
+size_t wave_at_version(int version)
+{
+    size_t at = 2;
+
+    for (int v = 0; v < version; v++)
+        at += 2 * (((size_t)1 << wave_bits(v)) + 1);
+    return at;
+}
+
+/* ---- checks ---- */
+
+enum { LONGEST = 1 << 24 };
+
+static bool env_ok(const struct env *e)
+{
+    return e->sustain <= 32767 && e->attack <= LONGEST && e->decay <= LONGEST && e->fade <= LONGEST &&
+           e->release <= LONGEST;
+}
+
+static bool curve_ok(const uint8_t *p, uint32_t at, size_t end, int lo, int hi)
+{
+    if (at == 0)
+        return true;
+    if (at < INST_BYTES || end < 6 || at > end - 6 || p[at] < 1 || p[at] > CURVE_MOST ||
+        curve_size(p + at) > end - at || (p[at + 1] >= p[at] && p[at + 1] != CURVE_STAYS))
+        return false;
+    for (int k = 0; k < p[at]; k++) {
+        const int v = (int16_t)bytes_get16(p + at + 4 + 2 * k);
+        if (v < lo || v > hi)
+            return false;
+    }
+    return bytes_get16(p + at + 2) >= 1 && bytes_get16(p + at + 2) <= CURVE_FRAMES;
+}
+
+static bool wave_ok(const uint8_t *p, const struct inst *i, size_t end)
+{
+    if (i->kind != INST_WAVE)
+        return i->wave == 0;
+    return i->wave >= INST_BYTES && end >= 2 && i->wave <= end - 2 && p[i->wave] >= 1 && p[i->wave] <= WAVE_VERSIONS &&
+           p[i->wave + 1] == 0 && wave_size(p[i->wave]) <= end - i->wave;
+}
+
+static bool ops_ok(const uint8_t *p, const struct inst *i)
+{
+    const int n = inst_ops(i->kind);
+    uint32_t loud = 0;
+
+    for (int k = 0; k < n; k++) {
+        const struct op o = inst_op(p, k);
+        const bool is_heard = fm_heard(n, i->algorithm) >> k & 1;
+        loud += is_heard ? o.level : 0;
+        if (!env_ok(&o.env) || o.level > (is_heard ? 32767 : FM_DEEPEST))
+            return false;
+    }
+    return loud <= 32767;
+}
+
+static bool same_bytes(const uint8_t *p, const struct inst *i)
+{
+    struct op ops[FM_OPS];
+    uint8_t again[INST_BYTES];
+
+    for (int k = 0; k < FM_OPS; k++)
+        ops[k] = inst_op(p, k);
+    inst_write(again, i, ops, inst_sample(p));
+    return memcmp(again, p, INST_BYTES) == 0;
+}
+
+bool inst_ok(const uint8_t *p, size_t end, bool own_sample)
+{
+    const struct inst i = inst_of(p);
+
+    if (i.kind >= INST_KINDS || i.algorithm >= FM_ALGORITHMS || i.arpeggio_n > ARPEGGIO_MOST ||
+        memchr(inst_sample(p), 0, INST_NAME) == NULL || !same_bytes(p, &i) || !env_ok(&i.env))
+        return false;
+    if (i.kind == INST_SAMPLE && !inst_sample(p)[0] && !own_sample)
+        return false;
+    if (i.arpeggio_n && (i.arpeggio_frames < 1 || i.arpeggio_frames > CURVE_FRAMES))
+        return false;
+    return i.root >= 0 && i.root <= PITCH_MOST && i.vibrato.depth <= 24 * 256 && i.vibrato.delay <= LONGEST &&
+           i.tremolo.depth <= 32767 && i.tremolo.delay <= LONGEST && i.feedback <= FM_FEEDBACK &&
+           curve_ok(p, i.volume_curve, end, 0, 32767) && curve_ok(p, i.pitch_curve, end, -48 * 256, 48 * 256) &&
+           curve_ok(p, i.pan_curve, end, -128, 128) && wave_ok(p, &i, end) && ops_ok(p, &i);
+}

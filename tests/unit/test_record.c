@@ -1,0 +1,679 @@
+/*
+ * test_record.c - recordings: what of WAV, OGG, FLAC and modules is read, ADPCM and other rates, the tunes they become,
+ * what is refused and in which words, and that no damage is more than a sentence.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include <math.h>
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/host/files.h"
+#include "../../src/cab/host/library.h"
+#include "../../src/cab/sound/encode.h"
+#include "../../src/cab/sound/recording.h"
+#include "../../src/cab/sound/wav.h"
+#include "../../src/snd/tune.h"
+#include "../temp.h"
+
+/* The readers once more, as they are where the libraries' headers were not there. */
+#define WITHOUT_LIBRARIES
+#define sndfile_read sndfile_read_without
+#define module_read  module_read_without
+#include "../../src/cab/sound/module.c"
+#include "../../src/cab/sound/sndfile.c"
+#undef sndfile_read
+#undef module_read
+
+#define SEEDS "tests/fuzz/seeds/fuzz_recording/"
+static const char *const seeds[] = { "stereo.wav", "loop.wav", "loop.ogg", "mono.opus", "loop.flac",
+                                     "mono.flac",  "tiny.mod", "tiny.xm",  "tiny.s3m",  "tiny.it" };
+enum { SEED_FILES = sizeof seeds / sizeof *seeds };
+
+static uint8_t *load(const char *name, size_t *n)
+{
+    char path[256], err[256];
+    uint8_t *data;
+
+    snprintf(path, sizeof path, SEEDS "%s", name);
+    if (!files_read(path, name, 1 << 20, &data, n, err, sizeof err))
+        fail_msg("%s", err);
+    return data;
+}
+
+static struct pcm read_seed(const char *name)
+{
+    struct pcm p;
+    char err[256];
+    size_t n;
+    uint8_t *data = load(name, &n);
+
+    if (!recording_read(name, data, n, &p, err, sizeof err))
+        fail_msg("%s: %s", name, err);
+    free(data);
+    return p;
+}
+
+/* ---- files ---- */
+
+static size_t make_wav(uint8_t *p, int channels, int bits, uint32_t rate, uint32_t frames)
+{
+    const uint32_t bytes = frames * (uint32_t)(channels * bits / 8);
+
+    memset(p, 0, 44 + bytes);
+    memcpy(p, "RIFF....WAVEfmt ", 16);
+    bytes_put32(p + 4, 36 + bytes);
+    bytes_put32(p + 16, 16);
+    bytes_put16(p + 20, 1);
+    bytes_put16(p + 22, (uint16_t)channels);
+    bytes_put32(p + 24, rate);
+    bytes_put16(p + 34, (uint16_t)bits);
+    memcpy(p + 36, "data", 4);
+    bytes_put32(p + 40, bytes);
+    for (uint32_t i = 0; i < bytes; i++)
+        p[44 + i] = (uint8_t)(i * 7);
+    return 44 + bytes;
+}
+
+static void wav_refuses(const uint8_t *p, size_t n, const char *message)
+{
+    struct pcm out;
+    char err[256];
+
+    assert_false(wav_read(p, n, &out, err, sizeof err));
+    assert_string_equal(err, message);
+}
+
+static void test_wav(void **state)
+{
+    static uint8_t p[8192];
+    struct pcm out;
+    char err[256];
+
+    (void)state;
+    for (int bits = 8; bits <= 32; bits += 8)
+        for (int channels = 1; channels <= 2; channels++) {
+            size_t n = make_wav(p, channels, bits, 22050, 600);
+            for (int c = 0; c < channels; c++) /* -2048 left, -1024 right */
+                for (int b = 0; b < 4 && b < bits / 8; b++)
+                    p[44 + c * bits / 8 + b] =
+                        (uint8_t)(bits == 8 ? (c ? 124 : 120) : (c ? -1024 : -2048) * 65536 >> (32 - bits + 8 * b));
+            assert_true(wav_read(p, n, &out, err, sizeof err));
+            assert_true(out.n == 600 && out.rate == 22050 && out.channels == channels && out.loop == -1);
+            assert_int_equal(out.frames[0], -2048);
+            assert_true(channels == 1 || out.frames[1] == -1024);
+            pcm_free(&out);
+        }
+    size_t n = make_wav(p, 1, 32, 44100, 3);
+    const float values[] = { 0.5f, 1.5f, -0.25f };
+    p[20] = 3;
+    memcpy(p + 44, values, sizeof values);
+    assert_true(wav_read(p, n, &out, err, sizeof err));
+    assert_true(out.frames[0] == 16384 && out.frames[1] == 32767 && out.frames[2] == -8192 && out.clipped == 1);
+    pcm_free(&out);
+    n = make_wav(p, 1, 16, 44100, 600);
+    wav_refuses(p, 8, "expected a WAV file (RIFF, WAVE)");
+    wav_refuses(p, n - 1, "it says that it has 1236 bytes behind the first 8, and has 1235");
+    bytes_put32(p + 4, UINT32_MAX);
+    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes runs past the end of the file");
+    wav_refuses(p, 36, "it has no chunk \"data\"");
+    p[20] = 2;
+    wav_refuses(p, n, "expected PCM samples (format 1, or 3: floats), got format 2");
+    n = make_wav(p, 3, 16, 44100, 600);
+    wav_refuses(p, n, "expected one channel or two, got 3");
+    make_wav(p, 1, 12, 44100, 600);
+    bytes_put32(p + 4, UINT32_MAX);
+    wav_refuses(p, n, "expected samples of 8, 16, 24 or 32 bits, got 12");
+    n = make_wav(p, 1, 16, 400000, 600);
+    wav_refuses(p, n, "expected 4000 to 384000 frames a second, got 400000");
+}
+
+/* How far below the one is what differs from the other, in dB. */
+static double below(const int16_t *a, const int16_t *b, size_t n)
+{
+    double loud = 0, wrong = 1e-9;
+
+    for (size_t i = 0; i < n; i++) {
+        loud += a[i] * (double)a[i];
+        wrong += (a[i] - b[i]) * (double)(a[i] - b[i]);
+    }
+    return 10 * log10(loud / wrong);
+}
+
+static void test_library(void **state)
+{
+    struct pcm flac = read_seed("loop.flac"), ogg = read_seed("loop.ogg"), mono = read_seed("mono.flac");
+    struct pcm opus = read_seed("mono.opus"), wav = read_seed("loop.wav"), stereo = read_seed("stereo.wav");
+
+    (void)state;
+    assert_true(flac.n == 2400 && flac.rate == 12000 && flac.channels == 2 && flac.loop == 600 &&
+                flac.loop_end == 2400);
+    assert_true(ogg.n == 2400 && ogg.rate == 12000 && ogg.channels == 2 && ogg.loop == 600 && ogg.loop_end == 2400);
+    assert_true(mono.n == 2400 && mono.channels == 1 && mono.loop == -1);
+    for (int i = 0; i < 2400; i++) {
+        const double left = sin(i * 0.05) * 0.5 + sin(i * 0.31) * 0.2;
+        assert_true(fabs(flac.frames[2 * i] - left * 32767) < 0.51 && mono.frames[i] == flac.frames[2 * i]);
+    }
+    assert_true(below(flac.frames, ogg.frames, 4800) > 15);
+    /* the first 52 frames of 48 kHz are the codec's; it counts loops at 48 kHz */
+    assert_true(opus.channels == 1 && opus.loop * 48000 == 2400 * (int64_t)opus.rate &&
+                (opus.loop_end - opus.loop) * 48000 == 4800 * (int64_t)opus.rate);
+    assert_true(wav.loop == 100 && wav.loop_end == 400 && wav.n == 400);
+    assert_memory_equal(wav.frames, stereo.frames, 400 * 4);
+    assert_memory_equal(wav.frames, flac.frames, 400 * 4);
+    pcm_free(&flac), pcm_free(&ogg), pcm_free(&mono), pcm_free(&opus), pcm_free(&wav), pcm_free(&stereo);
+}
+
+/* A module as the library plays it on and on: n frames. */
+static float *played_on(const char *name, size_t n)
+{
+    void *(*open)(const void *data, size_t size, void *log, void *log_user, void *fail, void *fail_user, int *error,
+                  const char **message, const void *ctls);
+    int (*repeat)(void *module, int32_t times);
+    size_t (*read)(void *module, int32_t rate, size_t frames, float *to);
+    void (*close)(void *module);
+    const struct library_function list[] = { { "openmpt_module_create_from_memory2", &open },
+                                             { "openmpt_module_set_repeat_count", &repeat },
+                                             { "openmpt_module_read_interleaved_float_stereo", &read },
+                                             { "openmpt_module_destroy", &close } };
+    float *out = calloc(2 * n, sizeof *out);
+    size_t size;
+    uint8_t *data = load(name, &size);
+
+    assert_true(library_open("libopenmpt.so.0", list, 4));
+    void *module = open(data, size, NULL, NULL, NULL, NULL, NULL, NULL, NULL);
+    assert_true(out && module && repeat(module, -1) == 1);
+    assert_int_equal(read(module, 48000, n, out), n);
+    close(module);
+    free(data);
+    return out;
+}
+
+/* Each loops exactly: for ten passes and more it is, to the last bit, what the library plays on and on. */
+static void test_modules(void **state)
+{
+    static const struct {
+        const char *name;
+        uint32_t n, once;
+        int loop, tempo;
+    } list[] = { { "tiny.mod", 15360, 7680, 7680, 125 },
+                 { "tiny.xm", 15360, 15360, 7680, 375 },
+                 { "tiny.s3m", 15360, 7680, 7680, 375 },
+                 { "tiny.it", 7680, 7680, 0, 375 } };
+
+    (void)state;
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        struct pcm p = read_seed(list[k].name);
+        assert_true(p.n == list[k].n && p.once == list[k].once && p.loop == list[k].loop);
+        assert_true(fabs(p.tempo - list[k].tempo) < 1e-6);
+        float *all = played_on(list[k].name, 100000);
+        for (int64_t i = 0; i < 100000; i++) {
+            const int64_t at = i < p.n ? i : p.loop + (i - p.loop) % (p.n - p.loop);
+            for (int c = 0; c < 2; c++)
+                assert_int_equal(p.frames[2 * at + c], lrint((double)all[2 * i + c] * 32768));
+        }
+        free(all);
+        assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_NONE }, NULL, 0));
+        assert_true(p.n == list[k].once && p.loop == -1);
+        pcm_free(&p);
+    }
+}
+
+/* Without the headers of the libraries, or without the libraries, the rest is there, and it is said what is not. */
+static void test_without(void **state)
+{
+    void (*function)(void);
+    const struct library_function here = { "sf_open_virtual", &function }, nowhere = { "sf_open_door", &function };
+    struct pcm p;
+    char err[256];
+
+    (void)state;
+    assert_false(sndfile_read_without(NULL, 0, &p, err, sizeof err));
+    assert_string_equal(err, "this curtain was built without libsndfile, which reads OGG and FLAC (Debian: "
+                             "libsndfile1-dev, then build again)");
+    assert_false(module_read_without(NULL, 0, &p, err, sizeof err));
+    assert_string_equal(err, "this curtain was built without libopenmpt, which reads tracker modules (Debian: "
+                             "libopenmpt-dev, then build again)");
+    assert_false(library_open("libsndfile.so.99", &here, 1));
+    assert_false(library_open("libsndfile.so.1", &nowhere, 1));
+    assert_true(library_open("libsndfile.so.1", &here, 1));
+}
+
+/* ---- ADPCM ---- */
+
+enum { BLOCKS = 60 };
+
+/* Blocks of any beginning, step and codes. */
+static void make_blocks(uint8_t *p)
+{
+    struct rng r;
+
+    rng_seed(&r, 31);
+    for (int i = 0; i < BLOCKS * ADPCM_BYTES; i++)
+        p[i] = (uint8_t)rng_next(&r);
+    for (int b = 0; b < BLOCKS; b++) {
+        p[b * ADPCM_BYTES + 2] %= ADPCM_STEPS;
+        p[b * ADPCM_BYTES + 3] = 0;
+    }
+}
+
+/* What ffmpeg makes of them as a WAV file of IMA ADPCM; false: it is not there. */
+static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
+{
+    uint8_t head[60] = "RIFF....WAVEfmt \x14\0\0\0\x11\0\x01\0";
+    char dir[128], command[512], path[160], err[256];
+    size_t n;
+    uint8_t *raw;
+
+    bytes_put32(head + 4, sizeof head - 8 + BLOCKS * ADPCM_BYTES);
+    bytes_put32(head + 24, 48000);
+    bytes_put32(head + 28, 48000 * ADPCM_BYTES / ADPCM_SAMPLES);
+    bytes_put16(head + 32, ADPCM_BYTES);
+    bytes_put16(head + 34, 4);
+    bytes_put16(head + 36, 2);
+    bytes_put16(head + 38, ADPCM_SAMPLES);
+    memcpy(head + 40, "fact\4\0\0\0", 8);
+    bytes_put32(head + 48, BLOCKS * ADPCM_SAMPLES);
+    memcpy(head + 52, "data", 4);
+    bytes_put32(head + 56, BLOCKS * ADPCM_BYTES);
+    assert_true(temp_folder(dir, sizeof dir, "adpcm"));
+    snprintf(path, sizeof path, "%s/x.wav", dir);
+    FILE *f = fopen(path, "wb");
+    assert_true(f && fwrite(head, sizeof head, 1, f) == 1 && fwrite(blocks, BLOCKS * ADPCM_BYTES, 1, f) == 1);
+    fclose(f);
+    snprintf(command, sizeof command, "ffmpeg -loglevel error -i %s -f s16le %s/x.raw </dev/null >/dev/null 2>%s/said",
+             path, dir, dir);
+    const bool there = system("command -v ffmpeg >/dev/null") == 0;
+    if (there) {
+        assert_int_equal(system(command), 0);
+        snprintf(path, sizeof path, "%s/x.raw", dir);
+        assert_true(files_read(path, path, 1 << 20, &raw, &n, err, sizeof err));
+        assert_int_equal(n, BLOCKS * ADPCM_SAMPLES * 2);
+        for (size_t i = 0; i < n / 2; i++)
+            out[i] = (int16_t)bytes_get16(raw + 2 * i);
+        free(raw);
+    }
+    snprintf(command, sizeof command, "rm -r %s", dir);
+    assert_int_equal(system(command), 0);
+    return there;
+}
+
+/* All samples of such blocks are ffmpeg's, and those that ffmpeg 5.1.9 gave once. */
+static void test_decoder(void **state)
+{
+    enum { N = BLOCKS * ADPCM_SAMPLES };
+    static uint8_t bytes[SAMPLE_HEADER + BLOCKS * ADPCM_BYTES];
+    static int16_t ours[N], others[N];
+    struct sample s;
+    uint64_t h = HASH_START;
+
+    (void)state;
+    make_blocks(bytes + SAMPLE_HEADER);
+    bytes_put32(bytes, 48000);
+    bytes_put32(bytes + 4, N);
+    bytes_put32(bytes + 8, SAMPLE_ENDS);
+    assert_true(sample_open(bytes, sizeof bytes, &s));
+    sample_read(&s, 0, N, ours);
+    for (int i = 0; i < N; i++)
+        h = hash_fold(h, (uint16_t)ours[i]);
+    if (decode_elsewhere(bytes + SAMPLE_HEADER, others)) {
+        assert_memory_equal(ours, others, sizeof ours);
+        printf("# equal to ffmpeg in all of %d samples\n", N);
+    } else {
+        printf("# ffmpeg is not there: compared with what it gave once alone\n");
+    }
+    if (h != 0x66e0ea38f190ae26u)
+        fail_msg("the digest of the samples is 0x%016llx", (unsigned long long)h);
+}
+
+/* Nothing is lost of 16 bits; ADPCM loses little of what is no noise, and less than the nearest code each time. */
+static void test_encoder(void **state)
+{
+    enum { N = 5050 };
+    static int16_t in[N], out[N], greedy[N];
+    static uint8_t bytes[SAMPLE_HEADER + 2 * N];
+    struct sample s;
+    struct adpcm a = { 0, 0 };
+
+    (void)state;
+    for (int i = 0; i < N; i++)
+        in[i] = (int16_t)(9000 * sin(i * 0.11) * exp(-(i % 1700) / 600.0) + 3000 * sin(i * 0.47 + sin(i * 0.013)));
+    assert_int_equal(sample_size(N, SAMPLE_EXACT), sizeof bytes);
+    sample_write(bytes, in, N, 44100, 50, SAMPLE_EXACT);
+    assert_true(sample_open(bytes, sizeof bytes, &s) && s.loop == 50 && s.coding == SAMPLE_EXACT);
+    sample_read(&s, 0, N, out);
+    assert_memory_equal(in, out, sizeof in);
+    sample_read(&s, N + 49, 100, out);
+    assert_memory_equal(in + 50 + 49, out, 200);
+    sample_write(bytes, in, N, 44100, SAMPLE_ENDS, SAMPLE_PACKED);
+    assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
+    sample_read(&s, 0, N, out);
+    for (int i = 0; i < N; i++) {
+        int best = 0;
+        a = i % ADPCM_SAMPLES ? a : (struct adpcm){ in[i], a.index };
+        for (int code = 1; code < 16; code++)
+            if (abs(adpcm_next(a, code).value - in[i]) < abs(adpcm_next(a, best).value - in[i]))
+                best = code;
+        a = i % ADPCM_SAMPLES ? adpcm_next(a, best) : a;
+        greedy[i] = (int16_t)a.value;
+    }
+    printf("# signal to noise: %.1f dB, of the nearest codes %.1f\n", below(in, out, N), below(in, greedy, N));
+    assert_true(below(in, out, N) > 29 && below(in, out, N) > below(in, greedy, N) + 5);
+    bytes[12] = SAMPLE_CODINGS;
+    assert_false(sample_open(bytes, sizeof bytes, &s));
+}
+
+/* ---- other rates ---- */
+
+static struct pcm sine(uint32_t rate, uint32_t n, double hertz, int64_t loop)
+{
+    struct pcm p = { .rate = rate, .channels = 1, .loop = loop, .loop_end = -1 };
+
+    for (uint32_t i = 0; i < n; i++) {
+        const float v = (float)(0.5 * sin(2 * 3.14159265358979 * hertz * i / rate));
+        assert_true(pcm_add(&p, &v, 1));
+    }
+    return p;
+}
+
+/* A rate above 48,000 comes down to it: what can be heard stays, what would fold is gone, a loop is whole. */
+static void test_rates(void **state)
+{
+    const struct art_loop own = { 0 };
+    char err[256];
+
+    (void)state;
+    struct pcm p = sine(44100, 4410, 1000, -1);
+    assert_true(recording_prepare(&p, &own, err, sizeof err) && p.rate == 44100 && p.n == 4410);
+    pcm_free(&p);
+    for (int k = 0; k < 2; k++) {
+        int16_t expected[4800];
+        p = sine(k ? 96000 : 88200, k ? 9600 : 8820, 5000, -1);
+        assert_true(recording_prepare(&p, &own, err, sizeof err));
+        assert_true(p.rate == 48000 && p.n == 4800);
+        for (int i = 0; i < 4800; i++)
+            expected[i] = (int16_t)lrint(16384 * sin(2 * 3.14159265358979 * 5000 * i / 48000));
+        assert_true(below(expected + 100, p.frames + 100, 4600) > 80);
+        pcm_free(&p);
+    }
+    p = sine(96000, 9600, 30000, -1);
+    assert_true(recording_prepare(&p, &own, err, sizeof err));
+    for (int i = 100; i < 4700; i++)
+        assert_true(abs(p.frames[i]) <= 2);
+    pcm_free(&p);
+    p = sine(96000, 9600, 300, 960); /* 27 turns in 8640 frames: so it goes on over the loop's end */
+    assert_true(recording_prepare(&p, &own, err, sizeof err));
+    assert_true(p.n == 4800 && p.loop == 480);
+    for (int i = 0; i < 3000; i++) {
+        const int at = 4000 + i, there = at < 4800 ? at : 480 + (at - 480) % 4320;
+        assert_true(abs(p.frames[there] - (int)lrint(16384 * sin(2 * 3.14159265358979 * 300 * at / 48000))) <= 4);
+    }
+    pcm_free(&p);
+}
+
+static void refused(const struct art_loop *loop, const char *message)
+{
+    struct pcm p = sine(10000, 1000, 500, -1);
+    char err[256];
+
+    assert_false(recording_prepare(&p, loop, err, sizeof err));
+    assert_string_equal(err, message);
+    pcm_free(&p);
+}
+
+static void test_loops(void **state)
+{
+    struct art_loop loop = { LOOP_GIVEN, true, 0.02, 0.05 };
+    struct pcm p = sine(10000, 1000, 500, 300);
+    char err[256];
+
+    (void)state;
+    assert_true(recording_prepare(&p, &loop, err, sizeof err) && p.loop == 200 && p.n == 700);
+    pcm_free(&p);
+    p = sine(10000, 1000, 500, 300);
+    assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_WHOLE }, err, sizeof err) && p.loop == 0);
+    pcm_free(&p);
+    p = sine(10000, 1000, 500, 300);
+    assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_NONE }, err, sizeof err) && p.loop == -1);
+    pcm_free(&p);
+    refused(&(struct art_loop){ LOOP_GIVEN, false, 1000, 0 },
+            "its loop, from frame 1000 up to 1000, is not within its 1000");
+    refused(&(struct art_loop){ LOOP_GIVEN, true, 0.01, 0.5 },
+            "its loop, from frame 100 up to 5100, is not within its 1000");
+}
+
+/* ---- the tunes they become ---- */
+
+struct list {
+    char text[2048];
+    int64_t at;
+};
+
+static void write_down(void *context, const struct tune_played *p, int sample)
+{
+    static const char names[] = ".nso/ivptm";
+    struct list *l = context;
+    const size_t n = strlen(l->text);
+
+    snprintf(l->text + n, sizeof l->text - n, "%lld%c%d ", (long long)(l->at + sample), names[p->event], p->value);
+}
+
+/* The events of a track in n samples. */
+static const char *events(const uint8_t *tune, int track, int64_t n)
+{
+    static struct list l;
+    const struct tune t = tune_of(tune);
+    struct tune_at c = tune_begin(&t, track);
+
+    memset(&l, 0, sizeof l);
+    for (; l.at < n && c.at; l.at += 800)
+        tune_run(&t, track, &c, t.tempo, 0, 800, write_down, &l);
+    return l.text;
+}
+
+static void test_sound(void **state)
+{
+    struct art_sound about = { .title = "Drum", .volume = 200, .priority = 3, .limit = 5 };
+    struct pcm p = sine(24000, 2400, 500, -1), stereo = read_seed("loop.flac");
+    struct recording_bytes b;
+    char err[256];
+
+    (void)state;
+    assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_open(b.data, b.n, err, sizeof err));
+    struct tune t = tune_of(b.data);
+    assert_true(t.tracks == 1 && t.sides == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
+    assert_true(tune_recording(&t) && !tune_streams(&t) && !tune_endless(&t));
+    assert_string_equal(tune_title(&t), "Drum");
+    assert_string_equal(events(b.data, 0, 48000), "0i0 0p64 0v127 0n15360 4800.0 ");
+    free(b.data);
+    pcm_free(&p);
+    assert_true(recording_prepare(&stereo, &(struct art_loop){ 0 }, err, sizeof err));
+    for (int sides = 1; sides <= 2; sides++) {
+        about.stereo = sides == 2;
+        assert_true(recording_sound(&stereo, &about, &b, err, sizeof err) && tune_open(b.data, b.n, err, sizeof err));
+        t = tune_of(b.data);
+        assert_true(t.tracks == sides && t.sides == sides && tune_endless(&t));
+        free(b.data);
+    }
+    pcm_free(&stereo);
+}
+
+/* At 120 beats a minute a beat is 24,000 samples. The loop is 12 beats, its first marker in beat 5. */
+static void test_music(void **state)
+{
+    static const struct art_marker markers[] = { { "", 0 }, { "drop", 5 }, { "lead", 0 }, { "off", 12.5 } };
+    struct art_sound about = { .volume = 255,
+                               .limit = 1,
+                               .bar = 4,
+                               .tempo = 12000,
+                               .stereo = true,
+                               .offset = 0.1,
+                               .first_marker = 1,
+                               .n_markers = 3 };
+    struct pcm p = { .rate = 44100, .channels = 2, .loop = 4410 + 88200, .loop_end = -1 };
+    struct recording_bytes tune, wave;
+    char err[256];
+
+    (void)state;
+    static float quiet[2 * 4410];
+    for (int i = 0; i < 81; i++) /* 0.1 s and 16 beats */
+        assert_true(pcm_add(&p, quiet, 4410));
+    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_true(tune_open(tune.data, tune.n, err, sizeof err) && samples_open(wave.data, wave.n, 2));
+    const struct tune t = tune_of(tune.data);
+    assert_true(t.tracks == 2 && t.sides == 2 && tune_streams(&t) && t.tempo == 12000 && t.lead == 4800 && t.rest == 0);
+    assert_string_equal(events(tune.data, 1, 48000 * 8), "0i1 0p128 0v127 0n15360 0v127 288000v127 ");
+    assert_string_equal(events(tune.data, -1, 48000 * 15),
+                        "4800m1 124800t12000 124800m0 304800m2 412800m0 592800m2 700800m0 ");
+    free(tune.data);
+    free(wave.data);
+    about.tempo = 9999; /* no number of ticks: ten passes later the marker is where ten loops are, rounded up once */
+    about.offset = 0;
+    about.first_marker = 1, about.n_markers = 1;
+    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_true(tune_open(tune.data, tune.n, err, sizeof err));
+    const char *all = events(tune.data, -1, 48000 * 200);
+    for (int i = 0; i < 30; i++) {
+        char expected[64];
+        const int64_t loop = (p.n - p.loop) * 480 / 441 * 9999, units = 5 * 480 * (int64_t)TUNE_TICK + i * loop;
+        snprintf(expected, sizeof expected, "%lldm0 ", (long long)((units + 9998) / 9999));
+        if (!strstr(all, expected))
+            fail_msg("%s in %s", expected, all);
+    }
+    free(tune.data);
+    free(wave.data);
+    about.tempo = 12000;
+    about.n_markers = 3;
+    p.n = 44100;
+    p.loop = -1;
+    assert_false(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_string_equal(err, "marker \"drop\", at beat 5, lies behind its end, at beat 2.00");
+    about.n_markers = 0;
+    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_string_equal(events(tune.data, -1, 96000), "0.0 ");
+    assert_string_equal(events(tune.data, 0, 96000), "0i0 0p0 0v127 0n15360 48000.0 ");
+    free(tune.data);
+    free(wave.data);
+    p.loop = p.n - 7; /* shorter than a tick */
+    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_true(tune_open(tune.data, tune.n, err, sizeof err));
+    free(tune.data);
+    free(wave.data);
+    p.tempo = 97.25; /* the file's own, where rom.lua says none */
+    about.tempo = 0;
+    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    assert_int_equal(tune_of(tune.data).tempo, 9725);
+    free(tune.data);
+    free(wave.data);
+    pcm_free(&p);
+}
+
+/* ---- damage ---- */
+
+/* Takes it, and then it becomes a sound, or says in one line why not. */
+static bool takes(const char *name, const uint8_t *data, size_t n)
+{
+    const struct art_sound about = { .volume = 255, .limit = 1, .stereo = true, .exact = true };
+    struct recording_bytes b;
+    struct pcm p;
+    char err[256] = "";
+
+    bool good = recording_read(name, data, n, &p, err, sizeof err);
+    if (good) {
+        good = recording_prepare(&p, &(struct art_loop){ 0 }, err, sizeof err);
+        if (good && p.n < 1 << 16) {
+            assert_true(recording_sound(&p, &about, &b, err, sizeof err));
+            if (!tune_open(b.data, b.n, err, sizeof err))
+                fail_msg("%s: %s", name, err);
+            free(b.data);
+        }
+        pcm_free(&p);
+    }
+    if (!good && (strlen(err) < 9 || strchr(err, '\n')))
+        fail_msg("%s: \"%s\"", name, err);
+    return good;
+}
+
+/* No WAV, OGG or FLAC is taken that was cut off. Modules may be: what is not there is silence. */
+static void test_truncated(void **state)
+{
+    (void)state;
+    for (int i = 0; i < SEED_FILES; i++) {
+        size_t n;
+        uint8_t *data = load(seeds[i], &n);
+        assert_true(takes(seeds[i], data, n));
+        for (size_t cut = 0; cut < n; cut++) {
+            uint8_t *part = malloc(cut + (cut == 0)); /* of exactly this size */
+            memcpy(part, data, cut);
+            if (takes(seeds[i], part, cut) && strncmp(seeds[i], "tiny", 4) != 0)
+                fail_msg("%s: taken with %zu bytes of %zu", seeds[i], cut, n);
+            free(part);
+        }
+        free(data);
+    }
+}
+
+/* Some bytes of a page are changed and its checksum is made good, so that what is behind that sees them. */
+static void repair_page(uint8_t *p, size_t n)
+{
+    for (size_t at = 0; at + 27 <= n && memcmp(p + at, "OggS", 4) == 0;) {
+        size_t size = 27u + p[at + 26];
+        for (size_t i = 0; i < p[at + 26] && at + 27 + i < n; i++)
+            size += p[at + 27 + i];
+        if (size > n - at)
+            return;
+        uint32_t crc = 0;
+        bytes_put32(p + at + 22, 0);
+        for (size_t i = 0; i < size; i++) {
+            crc ^= (uint32_t)p[at + i] << 24;
+            for (int k = 0; k < 8; k++)
+                crc = crc << 1 ^ (crc >> 31 ? 0x04c11db7u : 0);
+        }
+        bytes_put32(p + at + 22, crc);
+        at += size;
+    }
+}
+
+/* Ten thousand recordings with some bits changed. */
+static void test_damage(void **state)
+{
+    int taken[SEED_FILES] = { 0 }, tried[SEED_FILES] = { 0 };
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 17);
+    for (int i = 0; i < 10000; i++) {
+        const int k = i % 16 == 0 ? 6 + i / 16 % 4 : i % 6; /* modules more seldom, for they take long */
+        size_t n;
+        uint8_t *data = load(seeds[k], &n);
+        for (int b = 0; b < 1 + i % 3; b++)
+            data[rng_next(&r) % (i % 2 && n > 256 ? 256 : n)] ^= (uint8_t)(1 << rng_next(&r) % 8);
+        if (strstr(seeds[k], ".o") && i % 4)
+            repair_page(data, n);
+        tried[k]++;
+        taken[k] += takes(seeds[k], data, n);
+        free(data);
+    }
+    for (int k = 0; k < SEED_FILES; k++) {
+        printf("# %s: %d tried, %d taken\n", seeds[k], tried[k], taken[k]);
+        assert_true(tried[k] > 100 && taken[k] > 0 && (taken[k] < tried[k] || k >= 6));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),
+        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder),   cmocka_unit_test(test_encoder),
+        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),     cmocka_unit_test(test_sound),
+        cmocka_unit_test(test_music),   cmocka_unit_test(test_truncated), cmocka_unit_test(test_damage),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
