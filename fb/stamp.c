@@ -165,8 +165,96 @@ __attribute__((always_inline)) static inline size_t over_all(const struct fb *fb
     return over_others(fb, image, own, mix, dests, n);
 }
 
+/* Two rows of eight, of which masks and colours are at hand. */
+static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen colour)
+{
+    uint64_t two[2] = { words_load(d), words_load(d + pitch) };
+    sixteen v;
+
+    memcpy(&v, two, sizeof v);
+    v = (v & keep) | colour;
+    memcpy(two, &v, sizeof v);
+    words_store(d, two[0]);
+    words_store(d + pitch, two[1]);
+}
+
+/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks and
+ * colours stay in registers. */
+static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+{
+    const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
+    const ptrdiff_t pitch = fb->pitch;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    sixteen keep[4], colour[4];
+    size_t i = 0;
+
+    for (int k = 0; k < 4; k++) {
+        sixteen s;
+        memcpy(&s, image->pix + 16 * k, sizeof s);
+        keep[k] = s == 0;
+        colour[k] = (s + (int8_t)(bank >> 1 << 4)) & ~keep[k];
+    }
+    for (; i < n && dests[i] >> 27 == bank; i++) {
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+        put_two(d, pitch, keep[0], colour[0]);
+        put_two(d + 2 * pitch, pitch, keep[1], colour[1]);
+        put_two(d + 4 * pitch, pitch, keep[2], colour[2]);
+        put_two(d + 6 * pitch, pitch, keep[3], colour[3]);
+    }
+    return i;
+}
+
+/* The same of turned copies: their masks are made as they go. */
+static size_t over_bank_turned(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                               const uint32_t *dests, size_t n)
+{
+    const struct stamp_turns t = *turns;
+    const uint32_t bank = dests[0] >> 27;
+    const ptrdiff_t pitch = fb->pitch;
+    const uint8_t *pix = image->pix;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    const sixteen add = (sixteen){ 0 } + (int8_t)(bank >> 1 << 4);
+    size_t i = 0;
+
+    for (; i < n && dests[i] >> 27 == bank; i++) {
+        const uint8_t *from = pix + (size_t)stamp_turn(t.dir[t.which[i]], t.rotations) * t.size;
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; k++, d += 2 * pitch) {
+            sixteen s;
+            memcpy(&s, from + 16 * k, sizeof s);
+            put_two(d, pitch, s == 0, (s + add) & (s != 0));
+        }
+    }
+    return i;
+}
+
+/* The same of any banks: those of a kind mostly have one. Where it changes, so many are painted as they come, for the
+ * next may have another again. turns: NULL, or they are turned copies. */
+static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                         const uint32_t *dests, size_t n)
+{
+    enum { MIXED = 64 };
+    struct stamp_turns rest = turns ? *turns : (struct stamp_turns){ 0 };
+    const struct own own = { NULL, turns ? &rest : NULL };
+    size_t i = 0;
+
+    while (i < n && !(dests[i] & STAMP_OTHER)) {
+        if (turns) {
+            rest.which = turns->which + i;
+            i += over_bank_turned(fb, image, &rest, dests + i, n - i);
+            rest.which = turns->which + i;
+        } else
+            i += over_bank(fb, image, dests + i, n - i);
+        i += over_usual(fb, image, own, BLIT_OPAQUE, dests + i, n - i < MIXED ? n - i : MIXED, false, 8);
+    }
+    return i;
+}
+
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n)
 {
+    if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
+        return over_eight(fb, image, NULL, dests, n);
     return over_all(fb, image, (struct own){ NULL, NULL }, mix, dests, n);
 }
 
@@ -179,6 +267,8 @@ size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, 
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
                     const uint32_t *dests, size_t n)
 {
+    if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
+        return over_eight(fb, image, turns, dests, n);
     return over_all(fb, image, (struct own){ NULL, turns }, mix, dests, n);
 }
 

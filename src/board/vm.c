@@ -261,13 +261,16 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* No step when nothing was allocated since the last one: there is nothing new to collect. */
+/* A step does some 8 KiB of work however little was allocated since the last one, so it waits for as much: a script that
+ * makes a small table a frame would pay for a step in each. */
+enum { COLLECT_AFTER = 8192 };
+
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
 
     lualib_check_metatables(L);
-    if (heap_work(vm->heap) == vm->swept)
+    if (heap_work(vm->heap) - vm->swept < COLLECT_AFTER)
         return 0;
     lua_gc(L, LUA_GCSTEP, 1);
     vm->swept = heap_work(vm->heap);
