@@ -479,7 +479,8 @@ static const int64_t *list_tagged(lua_State *L, const struct board *b, enum hand
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
              const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
-    uint32_t n, tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
+    uint32_t tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
+    uint32_t n;
     const int64_t *list = list_tagged(L, b, kind, s, tags, tag, &n);
 
     vm_charge(L, VISIT * (uint64_t)n);
