@@ -81,7 +81,7 @@ static bool holds(int texts, int frames)
     return fine;
 }
 
-/* With a heap as full as it can be when the first frame is over, but for little, there is still room for what each frame
+/* With a heap as full as it can be when the first frame is over, but for little, there is room for what each frame
  * leaves. */
 static void test_nearly_full(void **state)
 {
