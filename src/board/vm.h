@@ -50,14 +50,16 @@ struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
-    uint64_t work;               /* of this tick */
-    uint64_t limit;              /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
-    uint64_t looked;             /* heap_work at the last look */
-    uint32_t step;               /* instructions before the next look */
-    uint32_t stream;             /* of the random numbers that step is drawn from */
-    struct vm_weight heaviest;   /* of this tick */
-    uint64_t swept;              /* heap_work when the collector last had its turn */
-    size_t text_block, text_max; /* bytes of Lua's block for the last text, and for the longest that is allowed */
+    uint64_t work;                /* of this tick */
+    uint64_t limit;               /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
+    uint64_t looked;              /* heap_work at the last look */
+    uint32_t step;                /* instructions before the next look */
+    uint32_t stream;              /* of the random numbers that step is drawn from */
+    struct vm_weight heaviest;    /* of this tick */
+    uint64_t swept;               /* heap_work when the collector last could have had its turn */
+    size_t heap_size, collect_at; /* bytes: the heap's, and in use when the collector's next round begins */
+    bool collecting;              /* a round is going on */
+    size_t text_block, text_max;  /* bytes of Lua's block for the last text, and for the longest that is allowed */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
@@ -108,7 +110,7 @@ void vm_report(struct board *b, lua_State *from, int status);
 /* Adds the traceback of `from` to the fault. */
 void vm_trace(struct board *b, lua_State *L, lua_State *from);
 
-/* One step of the collector; between frames only. */
+/* The collector's turn; between frames only. */
 int vm_collect(lua_State *L);
 
 /* Writes into the frame's log; what does not fit is cut off. */

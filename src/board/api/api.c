@@ -24,6 +24,15 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
 
 /* ---- the script digest ---- */
 
+enum { FOLDED = 16 /* bytes of a text that count as a VM instruction */ };
+
+void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
+{
+    if (n >= FOLDED)
+        vm_charge(L, n / FOLDED);
+    b->script.digest = hash_bytes(b->script.digest, s, n);
+}
+
 void api_fold(lua_State *L, struct board *b, int at)
 {
     size_t n;
@@ -42,8 +51,7 @@ void api_fold(lua_State *L, struct board *b, int at)
         break;
     case LUA_TSTRING: {
         const char *s = lua_tolstring(L, at, &n);
-        vm_charge(L, n / 16);
-        b->script.digest = hash_bytes(b->script.digest, s, n);
+        api_fold_text(L, b, s, n);
         break;
     }
     case LUA_TBOOLEAN:
@@ -54,8 +62,7 @@ void api_fold(lua_State *L, struct board *b, int at)
     }
 }
 
-/* api_fold of an argument that was looked at: of a number, nothing more is asked of Lua. */
-static void fold_looked(lua_State *L, struct board *b, const struct api_value *v)
+void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v)
 {
     double d;
 
@@ -74,7 +81,7 @@ void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct a
     for (int i = 0; i < n; i++)
         if (v[i].given) {
             script_fold(b, (uint64_t)i);
-            fold_looked(L, b, &v[i]);
+            api_fold_looked(L, b, &v[i]);
         }
 }
 

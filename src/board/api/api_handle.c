@@ -300,8 +300,9 @@ static int set_property(lua_State *L)
     bool alive = board_alive(b, h);
     script_fold(b, 0x2000);
     script_fold(b, (uint64_t)h);
-    api_fold(L, b, 2);
-    api_fold(L, b, 3);
+    api_fold_text(L, b, name, bytes);
+    api_look(L, 3, 3, &v);
+    api_fold_looked(L, b, &v);
     if (handle_kind(h) == H_PLAYER && !prop) {
         int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0)
@@ -313,7 +314,8 @@ static int set_property(lua_State *L)
     if (!prop || prop->write != PROP_WRITE)
         return read_only(L, t, (int)handle_kind(h), name);
     check_on(L, b, t, handle_kind(h), name);
-    api_check(L, t->name, &prop->value, 3, &v);
+    if (v.given || !prop->value.optional)
+        api_check_looked(L, t->name, &prop->value, &v);
     if (alive)
         t->set(L, b, handle_slot(h), p, &v);
     return 0;

@@ -154,6 +154,11 @@ int api_sys_check(lua_State *L);
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
+/* The same of a value that was looked at, and stands at v->at: of a number, nothing more is asked of Lua. And of a
+ * text. */
+void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v);
+void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n);
+
 /* Folds a call: a hash of the entry's name, and the arguments that were given of v, as they were given. */
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n);
 

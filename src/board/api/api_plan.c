@@ -63,8 +63,6 @@ static struct api_plan *plan_for(lua_State *L, struct api_bound *f, const struct
     const struct api_entry *e = f->entry;
     const int at = e->plain + 1;
 
-    if (e->plain == e->count && !(e->flags & API_FIRE))
-        return NULL;
     if (e->flags & API_MORE || lua_gettop(L) != at || lua_type(L, at) != LUA_TTABLE || vm_board(L)->vm.plain)
         return NULL;
     *fire = api_fires(L, e, at);
@@ -106,11 +104,12 @@ static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
     return i;
 }
 
-/* Walks over the table at `at`: its values stay on the stack, behind a nil. False: something in it is no argument. */
+/* Walks over the table at `at`: its keys and values stay on the stack, behind a nil. False: something in it is no
+ * argument. */
 static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, int at, struct api_value *v,
                  uint64_t *given)
 {
-    int last = KEYS, slot = at + 2;
+    int last = KEYS, slot = at + 3;
 
     lua_pushnil(L);
     lua_pushnil(L);
@@ -121,8 +120,9 @@ static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, in
                 return false;
             p->follow[last] = (uint8_t)i;
         }
-        api_look(L, slot++, -1, &v[i]);
-        lua_insert(L, -2);
+        api_look(L, slot, -1, &v[i]);
+        slot += 2;
+        lua_pushvalue(L, -2);
         *given |= 1ull << i;
         last = i;
     }
@@ -139,16 +139,34 @@ static void check(lua_State *L, const struct api_entry *e, const struct api_plan
     api_check_looked(L, e->name, &param, &v[i]);
 }
 
+/* All arguments are plain, and as many are given as there can be. */
+static int check_plain(lua_State *L, const struct api_entry *e, struct api_value *v)
+{
+    for (int i = 0; i < e->count; i++) {
+        api_look(L, i + 1, i + 1, &v[i]);
+        if (v[i].given || !e->params[i].optional)
+            api_check_looked(L, e->name, &e->params[i], &v[i]);
+        else
+            api_fill_default(&e->params[i], &v[i]);
+    }
+    return e->count;
+}
+
 int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire)
 {
     const struct api_entry *e = f->entry;
-    struct api_plan *p = plan_for(L, f, fire);
     uint64_t given = 0;
     const int at = e->plain + 1;
 
+    if (e->plain == e->count && !(e->flags & (API_FIRE | API_MORE | API_VALUES)) && lua_gettop(L) == e->count) {
+        *fire = NULL;
+        memset(v, 0, e->count * sizeof *v);
+        return check_plain(L, e, v);
+    }
+    struct api_plan *p = plan_for(L, f, fire);
     if (!p)
         return api_arguments(L, e, v, fire);
-    luaL_checkstack(L, p->n + 16, NULL);
+    luaL_checkstack(L, 2 * (p->n + p->values) + 16, NULL);
     memcpy(v, p->start, (size_t)(p->n + p->values) * sizeof *v);
     if (!walk(L, e, p, at, v, &given)) {
         lua_settop(L, at);
