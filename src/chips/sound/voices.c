@@ -10,11 +10,11 @@
 #include "../../snd/fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1), COLUMN(voices, age),
-    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch), COLUMN(voices, goal),
-    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),  COLUMN(voices, vol0),
-    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),  REGISTER(voices, gain0),
-    REGISTER(voices, gain1), REGISTER(voices, held),
+    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1),    COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch),    COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),     COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),     REGISTER(voices, gain0),
+    REGISTER(voices, gain1), REGISTER(voices, held), REGISTER(voices, ducked),
 };
 
 const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
