@@ -58,7 +58,7 @@ void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops
     bytes_put16(p + 64, i->arpeggio_frames);
     p[66] = i->arpeggio_n;
     for (int k = 0; k < i->arpeggio_n; k++)
-        p[68 + k] = (uint8_t)i->arpeggio[k];
+        p[68 + k] = i->arpeggio[k];
     strncpy((char *)p + 84, sample, INST_NAME - 1);
     for (int k = 0; k < inst_ops(i->kind); k++)
         write_op(p + INST_OPS + INST_OP * k, &ops[k]);

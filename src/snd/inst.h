@@ -72,9 +72,9 @@ struct inst {
     struct lfo vibrato, tremolo; /* 256ths of a semitone; of 32767 */
     int32_t root;                /* pitch at which a sample is as recorded, 65536ths of a semitone */
     uint32_t wave, volume_curve, pitch_curve, pan_curve;
-    uint16_t arpeggio_frames;       /* from one of its pitches to the next */
-    uint8_t arpeggio_n;             /* 0: it has none */
-    int8_t arpeggio[ARPEGGIO_MOST]; /* semitones */
+    uint16_t arpeggio_frames; /* from one of its pitches to the next */
+    uint8_t arpeggio_n;       /* 0: it has none */
+    const uint8_t *arpeggio;  /* semitones, as int8_t */
 };
 
 /* An operator: ratio to the note's pitch in 256ths, and so much faster, 2^-32 turns a sample. level: of 32767, if it is
@@ -93,25 +93,22 @@ static inline struct lfo inst_lfo(const uint8_t *depth, const uint8_t *times)
 /* From the bytes of a tune. Inline, so that who needs three fields reads three. */
 static inline struct inst inst_of(const uint8_t *p)
 {
-    struct inst i = { .kind = p[0],
-                      .algorithm = p[1],
-                      .duty = bytes_get16(p + 2),
-                      .feedback = bytes_get16(p + 6),
-                      .env = { bytes_get16(p + 4), bytes_get32(p + 8), bytes_get32(p + 12), bytes_get32(p + 16),
-                               bytes_get32(p + 20) },
-                      .vibrato = inst_lfo(p + 32, p + 24),
-                      .tremolo = inst_lfo(p + 34, p + 36),
-                      .root = (int32_t)bytes_get32(p + 44),
-                      .wave = bytes_get32(p + 48),
-                      .volume_curve = bytes_get32(p + 52),
-                      .pitch_curve = bytes_get32(p + 56),
-                      .pan_curve = bytes_get32(p + 60),
-                      .arpeggio_frames = bytes_get16(p + 64),
-                      .arpeggio_n = p[66] };
-
-    for (int k = 0; k < ARPEGGIO_MOST; k++)
-        i.arpeggio[k] = (int8_t)p[68 + k];
-    return i;
+    return (struct inst){ .kind = p[0],
+                          .algorithm = p[1],
+                          .duty = bytes_get16(p + 2),
+                          .feedback = bytes_get16(p + 6),
+                          .env = { bytes_get16(p + 4), bytes_get32(p + 8), bytes_get32(p + 12), bytes_get32(p + 16),
+                                   bytes_get32(p + 20) },
+                          .vibrato = inst_lfo(p + 32, p + 24),
+                          .tremolo = inst_lfo(p + 34, p + 36),
+                          .root = (int32_t)bytes_get32(p + 44),
+                          .wave = bytes_get32(p + 48),
+                          .volume_curve = bytes_get32(p + 52),
+                          .pitch_curve = bytes_get32(p + 56),
+                          .pan_curve = bytes_get32(p + 60),
+                          .arpeggio_frames = bytes_get16(p + 64),
+                          .arpeggio_n = p[66],
+                          .arpeggio = p + 68 };
 }
 
 struct op inst_op(const uint8_t *bytes, int k);

@@ -40,6 +40,15 @@ bool wave_over(const struct env *e, int32_t age, int32_t off);
 /* Does the level have a corner between two ages? */
 bool wave_corner(const struct env *e, int32_t from, int32_t to, int32_t off);
 
+/* Gains of the two sides, Q15. */
+struct wave_sides {
+    int32_t left, right;
+};
+
+/* Adds a block to the mix, Q22: the wave times its levels times gains that go from one pair to the other. */
+void wave_add(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], const struct wave_sides *from,
+              const struct wave_sides *to, int32_t left[SND_BLOCK], int32_t right[SND_BLOCK]);
+
 /* A mixed sample in Q22 to Q15: as it is to half of full scale, above it a curve that reaches full scale at 2. */
 int16_t wave_limit(int32_t mixed);
 

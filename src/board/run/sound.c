@@ -156,6 +156,23 @@ static void change_music(struct board *b, int sample)
     start_music(b, s->next);
 }
 
+/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+static void step_duck(struct board *b)
+{
+    struct voices *v = &b->voices;
+    int32_t most = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (b->cues.tune[i]) {
+            const int32_t duck = tune_of(rom(b) + b->cues.tune[i]).duck * VOICE_GAIN / 255;
+            most = duck > most ? duck : most;
+        }
+    if (most > v->ducked)
+        v->ducked = (uint16_t)(v->ducked + (most - v->ducked + 3) / 4);
+    else
+        v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
+}
+
 /* What is left of the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
@@ -164,7 +181,7 @@ static uint16_t gain(const struct board *b)
 
     if (b->voices.held)
         return 0;
-    return (uint16_t)(left * s->level / SEQ_FULL);
+    return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
 /* Is it on its way out, for another or for none? */
@@ -222,6 +239,7 @@ void sound_end(struct board *b)
 {
     step_music(b);
     cues_step(&b->cues, rom(b), play_cue, b);
+    step_duck(b);
     b->voices.gain1 = gain(b);
 }
 

@@ -518,6 +518,7 @@ static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
                                      .priority = s->priority,
                                      .limit = s->limit,
                                      .title = s->title,
+                                     .duck = s->duck,
                                      .warn = p->warn,
                                      .context = p->context };
     uint8_t *tune;

@@ -112,6 +112,7 @@ int mml_use_inst(struct mml *m, const struct mml_inst *inst)
     int i = 0;
 
     balance(&balanced);
+    balanced.inst.arpeggio = balanced.arpeggio;
     inst_write(bytes, &balanced.inst, balanced.ops, balanced.sample);
     while (i < m->n_insts && memcmp(m->insts[i], bytes, INST_BYTES) != 0)
         i++;
@@ -249,14 +250,13 @@ static void read_arpeggio(struct setting *s)
     struct inst *i = &s->i->inst;
 
     i->arpeggio_n = 0;
-    memset(i->arpeggio, 0, sizeof i->arpeggio);
     i->arpeggio_frames = (uint16_t)(number(s, "frames a note", 1000, 3600000) / 1000);
     if (s->at == s->end || s->m->text[s->at++] != ':')
         mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as arpeggio=2:0,4,7");
     do {
         if (i->arpeggio_n == ARPEGGIO_MOST)
             mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MOST);
-        i->arpeggio[i->arpeggio_n++] = (int8_t)(number(s, "semitones", -48000, 48000) / 1000);
+        s->i->arpeggio[i->arpeggio_n++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
     } while (next(s));
 }
 

@@ -39,6 +39,7 @@ struct mml_line {
 struct mml_inst {
     struct inst inst;
     struct op ops[FM_OPS];
+    uint8_t arpeggio[ARPEGGIO_MOST];
     char sample[INST_NAME];
 };
 

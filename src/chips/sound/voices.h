@@ -37,6 +37,7 @@ struct voices {
     uint16_t *vol0, *vol1; /* of VOICE_LOUD, at the frame's beginning and end */
     uint8_t *pan0, *pan1;  /* 0 left to 128 right */
     uint16_t gain0, gain1; /* of all music */
+    uint16_t ducked;       /* of VOICE_GAIN: how much softer it is for a sound */
     uint8_t held;          /* music stands: it did not play the last frame, and plays it anew */
 };
 
