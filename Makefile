@@ -38,7 +38,10 @@ THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
 HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
+# libopenmpt is opened late and throws; AddressSanitizer looks for what throws at the start alone.
+THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no-as-needed -l:libstdc++.so.6 -Wl$(comma)--pop-state)
+comma   := ,
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(THROWS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)

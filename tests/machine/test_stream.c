@@ -205,6 +205,39 @@ static void test_restored(void **state)
     done();
 }
 
+/* Put aside for another piece and back: it goes on where it was, to the sample, in the frame after the one in which it
+ * comes in; also when the other one ends by itself, and with the loop passed before. */
+static void test_aside(void **state)
+{
+    enum { N = 200 };
+
+    (void)state;
+    for (int at = 90; at < 700; at += 500) {
+        char script[256];
+        power("music.play('reel')", false);
+        rig_run(&rig, at);
+        int16_t *all = listen(N);
+        done();
+        snprintf(script, sizeof script,
+                 "music.play('reel') task.go(function() wait(%d) music.play('short', { back = true }) end)", at);
+        power(script, false);
+        rig_run(&rig, at + 10);
+        while (rig.b->music.tune != 1)
+            rig_run(&rig, 1);
+        for (int f = 1; f < 30; f++) {
+            rig_run(&rig, 1);
+            board_sound(rig.b, &tables, sound);
+            int best = -1;
+            for (int k = 0; k < N && best < 0; k++)
+                if (memcmp(sound, all + (size_t)k * 2 * BOARD_SOUND, sizeof sound) == 0)
+                    best = k;
+            assert_true(f < 4 || best == f);
+        }
+        free(all);
+        done();
+    }
+}
+
 /* After thirteen hours, when the place in the recording would leave its number's range, it goes on as ever. */
 static void test_hours(void **state)
 {
@@ -231,8 +264,8 @@ static void test_hours(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_exact), cmocka_unit_test(test_beats),
-                                        cmocka_unit_test(test_end), cmocka_unit_test(test_restored),
-                                        cmocka_unit_test(test_hours) };
+                                        cmocka_unit_test(test_end),   cmocka_unit_test(test_restored),
+                                        cmocka_unit_test(test_aside), cmocka_unit_test(test_hours) };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);
 }

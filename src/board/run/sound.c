@@ -135,6 +135,19 @@ static void silence_music(struct board *b)
     b->voices.gain0 = b->music.level;
 }
 
+/* A stream that comes back goes on at its place: its notes began when it did. Others go on with their next notes. */
+static void resume_stream(struct board *b, int sample)
+{
+    const struct seq *s = &b->music;
+    const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+    const int64_t samples = (int64_t)s->pos / s->tempo + t.lead;
+
+    for (int i = 0; tune_streams(&t) && i < t.tracks && s->at[1 + i] != 0 && samples > 0; i++) {
+        play_music(b, i, &(struct tune_played){ TUNE_NOTE, RECORDING_NOTE, 0 }, sample);
+        voices_seek(&b->voices, rom(b), i, (uint64_t)samples);
+    }
+}
+
 /* What was asked for begins at that sample of the frame, or comes back. */
 static void change_music(struct board *b, int sample)
 {
@@ -147,6 +160,7 @@ static void change_music(struct board *b, int sample)
     if (kept >= 0) {
         seq_forget(s, kept + 1);
         seq_back(s);
+        resume_stream(b, sample);
         return;
     }
     if (s->next_back)
@@ -191,12 +205,16 @@ static bool goes(const struct seq *s)
 }
 
 /* Its last notes ring on. */
-static void end_piece(struct seq *s)
+static void end_piece(struct board *b)
 {
-    if (s->aside)
-        seq_back(s);
-    else
+    struct seq *s = &b->music;
+
+    if (!s->aside) {
         seq_start(s, 0, NULL);
+        return;
+    }
+    seq_back(s);
+    resume_stream(b, 0);
 }
 
 static void step_level(struct seq *s)
@@ -219,7 +237,7 @@ static void step_music(struct board *b)
     if (s->fade_over && s->fade == 0)
         change_music(b, 0);
     else if (s->tune && !goes(s) && seq_over(s))
-        end_piece(s);
+        end_piece(b);
     if (s->fade)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {

@@ -88,7 +88,7 @@ static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t
 
 /* ---- a tune ---- */
 
-enum { ROOT = 60, RELEASE = 480 /* samples */, ROOM = 16384 /* bytes of any such tune */, SOUND_TEMPO = 6000 };
+enum { RELEASE = 480 /* samples */, ROOM = 16384 /* bytes of any such tune */, SOUND_TEMPO = 6000 };
 
 struct writer {
     uint8_t bytes[ROOM];
@@ -136,7 +136,7 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
                              (uint8_t)s->bar, (uint8_t)sides,     (uint8_t)sides,       (uint8_t)markers };
     const struct inst inst = { .kind = INST_SAMPLE,
                                .env = { .sustain = 32767, .release = RELEASE },
-                               .root = ROOT * PITCH_ONE };
+                               .root = RECORDING_NOTE * (PITCH_ONE / 256) };
     const struct op none[FM_OPS] = { 0 };
 
     memset(w, 0, sizeof *w);
@@ -157,7 +157,7 @@ static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t
     add_event(w, 0, TUNE_INST, i);
     add_event(w, 0, TUNE_PLACE, sides == 1 ? TUNE_PAN : i * 2 * TUNE_PAN);
     add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
-    add_event(w, 0, TUNE_NOTE, ROOT * 256);
+    add_event(w, 0, TUNE_NOTE, RECORDING_NOTE);
     if (endless) {
         begin_loop(w);
         add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);

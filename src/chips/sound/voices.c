@@ -156,6 +156,19 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
+/* A place beyond the end of a loop goes back by whole loops, but not so far that what is read around it leaves them. */
+void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples)
+{
+    const struct sample sample = sample_of(rom + s->wave[voice]);
+    const uint64_t loop = sample.loop == SAMPLE_ENDS ? 0 : sample.n - sample.loop, step = s->step0[voice];
+    uint64_t whole = samples * (step >> 32) + (samples * (uint32_t)step >> 32);
+
+    if (loop && whole > sample.n + SINC_TAPS)
+        whole = sample.n + SINC_TAPS + (whole - sample.n - SINC_TAPS) % loop;
+    s->phase[voice] += whole << 32 | (uint32_t)(samples * (uint32_t)step);
+    s->vol0[voice] = 0;
+}
+
 /* ---- a frame ---- */
 
 /* The pitch with its slide, a frame on. */
