@@ -457,6 +457,9 @@ static void what_sounds(void **state)
     assert_string_equal(v.of, "tide");
     assert_string_equal(v.wave, "fm");
     assert_int_equal(inspect_voice_peak(r.b, 20, tables), 0);
+    inspect_voice(r.b, 1, &v);
+    assert_true(v.busy && strcmp(v.wave, "tri") == 0);
+    assert_true(inspect_voice_peak(r.b, 0, tables) != inspect_voice_peak(r.b, 1, tables));
     rig_free(&r);
     rig_game_free(&game);
     free(tables);

@@ -13,21 +13,17 @@ static const char *const kinds[INST_KINDS] = {
     [INST_NOISE] = "noise", [INST_SAMPLE] = "sample", [INST_FM4] = "fm4", [INST_WAVE] = "wave",
 };
 
-/* The name of the sound or piece that an instrument stands in: of all that begin before it the last. */
+/* The name of the sound or piece that an instrument stands in: the last one that begins before it, for they stand in
+ * their order. */
 static const char *tune_of_inst(const struct board *b, uint32_t inst)
 {
     const struct cart *c = &b->cart;
     const char *name = "";
-    uint32_t best = 0;
 
-    for (int i = 0; i < c->sounds + c->tunes; i++) {
-        const bool music = i >= c->sounds;
-        const uint32_t at = music ? cart_tune(c, i - c->sounds) : cart_sound(c, i);
-        if (at > inst || at <= best)
-            continue;
-        best = at;
-        name = music ? cart_tune_name(c, i - c->sounds) : cart_sound_name(c, i);
-    }
+    for (int i = 0; i < c->sounds && cart_sound(c, i) <= inst; i++)
+        name = cart_sound_name(c, i);
+    for (int i = 0; i < c->tunes && cart_tune(c, i) <= inst; i++)
+        name = cart_tune_name(c, i);
     return name;
 }
 
