@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# builds.sh - the unit tests in other builds than make test's: with clang, and in 32 bits where this machine can; and
+# the sound of a whole run, the same bytes with gcc and clang, at -O0 to -O3, and for this processor alone.
+#
+#     tests/builds.sh
+#
+# No warning is allowed. 32 bits are those of gcc -m32 with i386's libraries; or else of the cross compiler that make
+# cross has, whose program runs every demo instead. A machine with neither says so in one line. Needs what make test
+# needs. The last line is "N passed, N failed". Exit 1: something failed.
+set -u
+cd "$(dirname "$0")/.." || exit 2
+passed=0 failed=0
+cc32=${CC32:-gcc -m32 -msse2 -mfpmath=sse} # CC32: another compiler, to try this script with
+mkdir -p build
+
+unit() { # NAME COMPILER: builds the unit tests in build/NAME and runs them
+    local said=build/$1.said p=0 f=1 programs
+    programs=$(ls tests/unit/test_*.c | sed "s,^tests/,build/$1/,; s,\.c\$,,")
+    # shellcheck disable=SC2086
+    if make --no-print-directory -s -j2 CONFIG="$1" CC="$2" BUILD_CC=gcc CFLAGS=-Werror $programs >"$said" 2>&1; then
+        OUT=build/$1 tests/run.sh unit | tee "$said" | sed "\$d; s,^unit/,$1/,"
+        read -r p f < <(sed -n '$s/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$said")
+    else
+        grep -v '^  ' "$said" | tail -n 20
+        echo "$1: the unit tests do not build"
+    fi
+    passed=$((passed + ${p:-0})) failed=$((failed + ${f:-1}))
+}
+
+# Does a program with the unit tests' libraries link?
+links_32() {
+    # shellcheck disable=SC2046
+    echo 'int main(void) { return 0; }' |
+        $cc32 -x c - -o build/probe32 $(pkg-config --libs lua5.4) -lcmocka -lquadmath -lm -pthread >/dev/null 2>&1 &&
+        build/probe32
+}
+
+cross_32() { # every demo, in the i386 build of make cross
+    if tools/cross/run.sh i386; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+}
+
+game=roms/glasstide
+demo=$game/demos/run.demo
+
+heard() { # NAME COMPILER OPT: builds the program in build/NAME; $digest: of the sound of the demo's whole run
+    local program=build/$1/curtain-bare wav=build/$1.wav
+    digest=none
+    # shellcheck disable=SC2086
+    make --no-print-directory -s -j2 CONFIG="$1" CC="$2" BUILD_CC=gcc OPT="$3" "$program" >"$wav.said" 2>&1 || return
+    frames=${frames:-$("$program" hash $game --demo $demo 2>/dev/null | tail -n 1 | cut -d ' ' -f 1)}
+    "$program" render $game --demo $demo --frames "$frames" --wav "$wav" -o "$wav.frames" >"$wav.said" 2>&1 || return
+    [ -s "$wav" ] && digest=$(sha256sum <"$wav")
+    rm -r "$wav" "$wav.frames"
+}
+
+same_sound() { # NAME COMPILER OPT
+    heard "$@"
+    if [ "$digest" = "$want" ] && [ "$digest" != none ]; then
+        echo "ok   $1: the sound of the run, ${digest%% *}"
+        passed=$((passed + 1))
+    else
+        echo "FAIL $1: the sound of the run is ${digest%% *}, expected ${want%% *}"
+        failed=$((failed + 1))
+    fi
+}
+
+heard release gcc -O2
+want=$digest
+same_sound gcc-O0 gcc -O0
+same_sound gcc-O3 gcc -O3
+same_sound gcc-native gcc "-O2 -march=native"
+same_sound clang clang -O2
+same_sound clang-O3 clang -O3
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
