@@ -31,13 +31,17 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
-# stdio.c passes alarms on from thread to thread. Before glibc 2.34 that is a library of its own; WebAssembly has none.
-THREADS  := $(if $(findstring wasm,$(CC)),,-pthread)
+# stdio.c passes alarms on from thread to thread, library.c opens libraries. Before glibc 2.34 these are libraries of
+# their own; WebAssembly has none.
+THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
 # Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
 HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
+# libopenmpt is opened late and throws; AddressSanitizer looks for what throws at the start alone.
+THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no-as-needed -l:libstdc++.so.6 -Wl$(comma)--pop-state)
+comma   := ,
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(THROWS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)

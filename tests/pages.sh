@@ -73,6 +73,8 @@ block() { # FILE: runs it as its kind says
         ;;
     *.rom)
         cp "$file" "$game/rom.lua"
+        cp "$repo"/examples/tape/music/reel.ogg "$game/music/"
+        cp "$repo"/examples/tape/sfx/bell.flac "$game/sfx/"
         "$bench/build/curtain" pack "$game" -o "$scratch/game.rom"
         ;;
     *.main-error) # without what rom.lua gives room for

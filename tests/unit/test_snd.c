@@ -181,7 +181,7 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
+        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
         assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {

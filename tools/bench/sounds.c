@@ -35,7 +35,7 @@ static void write_recording(uint8_t *out, enum sample_coding coding)
 
     for (int i = 0; i < LONG; i++)
         in[i] = (int16_t)(((uint32_t)i * 40503u >> 4 & 0x3fff) - 0x2000);
-    sample_write(out, in, LONG, 44100, 0, coding);
+    encode_sample(out, in, LONG, 44100, 0, coding);
 }
 
 static void make_rom(void)

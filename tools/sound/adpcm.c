@@ -32,7 +32,7 @@ static double packed(const double *hertz, int n, enum sample_coding coding)
             right[i] += 24000.0 / n * tone(i, hertz[k]);
         in[i] = (int16_t)lrint(right[i]);
     }
-    sample_write(bytes, in, N, SND_RATE, SAMPLE_ENDS, coding);
+    encode_sample(bytes, in, N, SND_RATE, SAMPLE_ENDS, coding);
     const struct sample s = sample_of(bytes);
     sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++)
@@ -53,7 +53,7 @@ static int loop_apart(void)
         report_fail("out of memory");
     for (int i = 0; i < LONG; i++)
         in[i] = (int16_t)lrint(20000 * tone(i, 500));
-    sample_write(bytes, in, LONG, SND_RATE, LOOP, SAMPLE_PACKED);
+    encode_sample(bytes, in, LONG, SND_RATE, LOOP, SAMPLE_PACKED);
     const struct sample s = sample_of(bytes);
     sample_read(&s, 0, READ, out);
     for (int i = LONG; i < READ; i++)

@@ -135,6 +135,19 @@ static void silence_music(struct board *b)
     b->voices.gain0 = b->music.level;
 }
 
+/* A stream that comes back goes on at its place: its notes began when it did. Others go on with their next notes. */
+static void resume_stream(struct board *b, int sample)
+{
+    const struct seq *s = &b->music;
+    const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+    const int64_t samples = (int64_t)s->pos / s->tempo + t.lead;
+
+    for (int i = 0; tune_streams(&t) && i < t.tracks && s->at[1 + i] != 0 && samples > 0; i++) {
+        play_music(b, i, &(struct tune_played){ TUNE_NOTE, RECORDING_NOTE, 0 }, sample);
+        voices_seek(&b->voices, rom(b), i, (uint64_t)samples);
+    }
+}
+
 /* What was asked for begins at that sample of the frame, or comes back. */
 static void change_music(struct board *b, int sample)
 {
@@ -147,6 +160,7 @@ static void change_music(struct board *b, int sample)
     if (kept >= 0) {
         seq_forget(s, kept + 1);
         seq_back(s);
+        resume_stream(b, sample);
         return;
     }
     if (s->next_back)
@@ -191,12 +205,16 @@ static bool goes(const struct seq *s)
 }
 
 /* Its last notes ring on. */
-static void end_piece(struct seq *s)
+static void end_piece(struct board *b)
 {
-    if (s->aside)
-        seq_back(s);
-    else
+    struct seq *s = &b->music;
+
+    if (!s->aside) {
         seq_start(s, 0, NULL);
+        return;
+    }
+    seq_back(s);
+    resume_stream(b, 0);
 }
 
 static void step_level(struct seq *s)
@@ -219,7 +237,7 @@ static void step_music(struct board *b)
     if (s->fade_over && s->fade == 0)
         change_music(b, 0);
     else if (s->tune && !goes(s) && seq_over(s))
-        end_piece(s);
+        end_piece(b);
     if (s->fade)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
@@ -245,9 +263,18 @@ void sound_end(struct board *b)
 
 /* ---- what is asked for ---- */
 
+static uint32_t ringing(const struct board *b)
+{
+    uint32_t rings = 0;
+
+    for (int i = 0; i < CUES; i++)
+        rings |= (uint32_t)voices_busy(&b->voices, VOICES_MUSIC + i) << i;
+    return rings;
+}
+
 void sound_play(struct board *b, const struct cue *cue)
 {
-    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame);
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame, ringing(b));
 
     for (int i = 0; i < CUES; i++)
         if (ended >> i & 1)
@@ -480,6 +507,29 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
+bool board_cue(const struct board *b, int slot, struct board_cue *out)
+{
+    const struct cues *c = &b->cues;
+    int sound = 0;
+
+    if (!board_has_sound(b) || slot >= CUES)
+        return false;
+    *out = (struct board_cue){ 0 };
+    if (c->tune[slot] == 0)
+        return true;
+    while (cart_sound(&b->cart, sound) != c->tune[slot])
+        sound++;
+    out->name = cart_sound_name(&b->cart, sound);
+    out->began = c->born[slot];
+    out->first = c->track[slot] == 0;
+    return true;
+}
+
+const char *board_music(const struct board *b)
+{
+    return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
+}
+
 /* ---- a box ---- */
 
 static size_t aligned(size_t n)
@@ -560,6 +610,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
         return false;
     rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
     const struct tune t = tune_of(l.data);
+    const size_t bytes = l.size + cart_wave_size(&b->cart, music ? i : -1);
     *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
                                 tune_title(&t),
                                 music,
@@ -569,6 +620,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                l.size };
+                                bytes,
+                                l.data };
     return true;
 }

@@ -156,6 +156,19 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
+/* A place beyond the end of a loop goes back by whole loops, but not so far that what is read around it leaves them. */
+void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples)
+{
+    const struct sample sample = sample_of(rom + s->wave[voice]);
+    const uint64_t loop = sample.loop == SAMPLE_ENDS ? 0 : sample.n - sample.loop, step = s->step0[voice];
+    uint64_t whole = samples * (step >> 32) + (samples * (uint32_t)step >> 32);
+
+    if (loop && whole > sample.n + SINC_TAPS)
+        whole = sample.n + SINC_TAPS + (whole - sample.n - SINC_TAPS) % loop;
+    s->phase[voice] += whole << 32 | (uint32_t)(samples * (uint32_t)step);
+    s->vol0[voice] = 0;
+}
+
 /* ---- a frame ---- */
 
 /* The pitch with its slide, a frame on. */
@@ -184,7 +197,15 @@ static bool ended(const struct voices *s, const uint8_t *rom, const struct inst 
     return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there */ };
+enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there; a place in a loop goes back by whole loops */ };
+
+/* How far a place goes back. Recordings are far shorter than OLDEST. */
+static uint64_t loops_back(const struct sample *s, uint64_t phase)
+{
+    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
+
+    return s->loop == SAMPLE_ENDS || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+}
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
@@ -193,6 +214,10 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
     const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
 
     s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    if (inst.kind == INST_SAMPLE && s->wave[i]) {
+        const struct sample sample = sample_of(rom + s->wave[i]);
+        s->phase[i] -= loops_back(&sample, s->phase[i]);
+    }
     s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
