@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# builds.sh - the unit tests in other builds than make test's: with clang, and in 32 bits where this machine can.
+# builds.sh - the unit tests in other builds than make test's: with clang, and in 32 bits where this machine can; and
+# the sound of a whole run, the same bytes with gcc and clang, at -O0 to -O3, and for this processor alone.
 #
 #     tests/builds.sh
 #
@@ -38,6 +39,38 @@ cross_32() { # every demo, in the i386 build of make cross
     if tools/cross/run.sh i386; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 }
 
+game=roms/glasstide
+demo=$game/demos/run.demo
+
+heard() { # NAME COMPILER OPT: builds the program in build/NAME; $digest: of the sound of the demo's whole run
+    local program=build/$1/curtain-bare wav=build/$1.wav
+    digest=none
+    # shellcheck disable=SC2086
+    make --no-print-directory -s -j2 CONFIG="$1" CC="$2" BUILD_CC=gcc OPT="$3" "$program" >"$wav.said" 2>&1 || return
+    frames=${frames:-$("$program" hash $game --demo $demo 2>/dev/null | tail -n 1 | cut -d ' ' -f 1)}
+    "$program" render $game --demo $demo --frames "$frames" --wav "$wav" -o "$wav.frames" >"$wav.said" 2>&1 || return
+    [ -s "$wav" ] && digest=$(sha256sum <"$wav")
+    rm -r "$wav" "$wav.frames"
+}
+
+same_sound() { # NAME COMPILER OPT
+    heard "$@"
+    if [ "$digest" = "$want" ] && [ "$digest" != none ]; then
+        echo "ok   $1: the sound of the run, ${digest%% *}"
+        passed=$((passed + 1))
+    else
+        echo "FAIL $1: the sound of the run is ${digest%% *}, expected ${want%% *}"
+        failed=$((failed + 1))
+    fi
+}
+
+heard release gcc -O2
+want=$digest
+same_sound gcc-O0 gcc -O0
+same_sound gcc-O3 gcc -O3
+same_sound gcc-native gcc "-O2 -march=native"
+same_sound clang clang -O2
+same_sound clang-O3 clang -O3
 unit clang clang
 if links_32; then
     unit m32 "$cc32"

@@ -7,9 +7,6 @@
 #include "fm.h"
 
 #include <string.h>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 /* The same with -O2 and -O3. */
 #if defined(__GNUC__) && !defined(__clang__)
@@ -37,29 +34,36 @@ void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 
 #ifdef __SSE2__
 
-static __m128i all(int v)
+enum { LANES = 8 };
+__extension__ typedef int16_t lanes __attribute__((vector_size(2 * LANES)));
+__extension__ typedef uint16_t ulanes __attribute__((vector_size(2 * LANES)));
+
+static ulanes highs(ulanes a, ulanes b)
 {
-    return _mm_set1_epi16((short)v);
+    return (ulanes)__builtin_ia32_pmulhuw128((lanes)a, (lanes)b);
 }
 
-static __m128i eight_sines(__m128i x)
+static lanes sines(lanes x)
 {
-    const __m128i sign = _mm_srai_epi16(x, 15), far = _mm_sub_epi16(_mm_xor_si128(x, sign), all(16384));
-    const __m128i near = _mm_xor_si128(far, _mm_srai_epi16(far, 15));
-    const __m128i u = _mm_add_epi16(_mm_slli_epi16(near, 2), all(2)), w = _mm_mulhi_epu16(u, u);
-    __m128i bent = _mm_sub_epi16(all(POLY_B), _mm_mulhi_epu16(w, all(POLY_C)));
-    bent = _mm_mulhi_epu16(w, _mm_sub_epi16(all(POLY_A), _mm_mulhi_epu16(w, bent)));
-    const __m128i crest = _mm_srli_epi16(_mm_sub_epi16(_mm_sub_epi16(all(POLY_ONE), w), bent), 1);
-    return _mm_sub_epi16(_mm_xor_si128(crest, sign), sign);
+    const lanes sign = x >> 15, far = (x ^ sign) - 16384, near = far ^ (far >> 15);
+    const ulanes u = (ulanes)(near << 2) + 2, w = highs(u, u), c = (ulanes){ 0 } + POLY_C;
+    const ulanes bent = highs(w, POLY_A - highs(w, POLY_B - highs(w, c)));
+    const lanes crest = (lanes)((POLY_ONE - w - bent) >> 1);
+
+    return (crest ^ sign) - sign;
 }
 
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 {
-    for (int n = 0; n < FM_BLOCK; n += 8) {
-        const __m128i a = _mm_loadu_si128((const __m128i *)(const void *)(phase + n));
-        const __m128i b = _mm_loadu_si128((const __m128i *)(const void *)(phase + n + 4));
-        const __m128i x = _mm_packs_epi32(_mm_srai_epi32(a, 16), _mm_srai_epi32(b, 16));
-        _mm_storeu_si128((__m128i *)(void *)(out + n), eight_sines(x));
+    int16_t x[FM_BLOCK];
+    lanes v;
+
+    for (int n = 0; n < FM_BLOCK; n++)
+        x[n] = (int16_t)(phase[n] >> 16);
+    for (int n = 0; n < FM_BLOCK; n += LANES) {
+        memcpy(&v, x + n, sizeof v);
+        v = sines(v);
+        memcpy(out + n, &v, sizeof v);
     }
 }
 
@@ -255,7 +259,7 @@ void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t
         make_gains(o, heard >> k & 1, age, off_of(o, off), level, &op[k]);
         if (k == 0 && f->feedback)
             for (int end = 0; end < 2; end++)
-                rows[end] = fm_strength(f->feedback * level[end] >> 15, step * o->ratio >> 8);
+                rows[end] = fm_strength(f->feedback * level[end] >> 15, (step >> 8) * o->ratio);
     }
     fm_block(t, f->ops, f->algorithm, op, rows, out);
 }

@@ -59,7 +59,8 @@ void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops
     p[66] = i->arpeggio_n;
     for (int k = 0; k < i->arpeggio_n; k++)
         p[68 + k] = i->arpeggio[k];
-    strncpy((char *)p + 84, sample, INST_NAME - 1);
+    for (int k = 0; k < INST_NAME - 1 && sample[k]; k++)
+        p[84 + k] = (uint8_t)sample[k];
     for (int k = 0; k < inst_ops(i->kind); k++)
         write_op(p + INST_OPS + INST_OP * k, &ops[k]);
 }

@@ -1,6 +1,6 @@
 /*
- * fuzz_sound.c - libFuzzer: any bytes as MML, and as a tune of a ROM. What is read is a tune that the
- * board takes; what is refused says why, of MML with file, line and column. A tune that is taken is played.
+ * fuzz_sound.c - libFuzzer: any bytes as MML, and as a tune of a ROM. What is read is a tune that the board takes; what
+ * is refused says why, of MML with file, line and column. A tune that is taken is played, its instruments are heard.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -9,6 +9,7 @@
 #include "../../src/cab/sound/mml.h"
 #include "../../src/snd/pitch.h"
 #include "../../src/snd/tune.h"
+#include "../voiced.h"
 
 static void need(bool good)
 {
@@ -24,8 +25,12 @@ static void ignore(void *context, const struct tune_played *p, int sample)
 
 static void play(const uint8_t *bytes)
 {
+    static struct snd_tables tables;
     const struct tune t = tune_of(bytes);
 
+    if (tables.harmonics[0] == 0)
+        snd_tables_make(&tables);
+    voiced(&t, &tables);
     for (int k = -1; k < t.tracks; k++) {
         struct tune_at c = tune_begin(&t, k);
         for (int f = 0; f < 20; f++)

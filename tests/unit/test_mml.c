@@ -14,6 +14,7 @@
 #include "../../src/base/rng.h"
 #include "../../src/cab/sound/mml.h"
 #include "../../src/snd/tune.h"
+#include "../voiced.h"
 
 static const struct mml_about about = { .volume = 200, .priority = 3, .limit = 5, .title = "" };
 
@@ -251,12 +252,14 @@ static void test_damage(void **state)
         "B @f K-5 _{+f} L l8 W16,-1 c1 W0 @w Eup S2,16 ~d c1\n";
     static char bad[sizeof text];
     static uint8_t tune[8192];
+    static struct snd_tables tables;
     struct rng r;
     uint8_t *out;
     char err[256];
     size_t size, tune_size;
 
     (void)state;
+    snd_tables_make(&tables);
     rng_seed(&r, 11);
     assert_true(mml_compile(text, strlen(text), "x", &about, &out, &tune_size, err, sizeof err));
     memcpy(tune, out, tune_size);
@@ -278,6 +281,8 @@ static void test_damage(void **state)
         tune[at] ^= (uint8_t)(1 << rng_next(&r) % 8);
         if (tune_open(tune, tune_size, err, sizeof err)) {
             const struct tune t = tune_of(tune);
+            if (i % 8 == 0)
+                voiced(&t, &tables);
             struct list l = { .at = 0 };
             for (int k = -1; k < t.tracks; k++) {
                 struct tune_at c = tune_begin(&t, k);

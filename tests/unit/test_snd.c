@@ -9,6 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <math.h>
+#include <stdio.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/cab/sound/encode.h"
@@ -416,6 +417,91 @@ static struct voices *make_voices(uint8_t **block)
     return &v;
 }
 
+/* ---- shapes ---- */
+
+/* A note of an instrument of MML on voice 0, which began with the first of so many frames; the last one's samples. */
+static struct voices *played(const char *settings, int frames, int16_t out[2 * SND_FRAME], uint8_t **rom,
+                             uint8_t **block)
+{
+    const struct mml_about about = { .volume = 255, .limit = 2, .title = "" };
+    char text[256], err[128];
+    struct voices *v = make_voices(block);
+    size_t size;
+
+    snprintf(text, sizeof text, "@x %s\nA @x c", settings);
+    if (!mml_compile(text, strlen(text), "t", &about, rom, &size, err, sizeof err))
+        fail_msg("%s", err);
+    const struct tune t = tune_of(*rom);
+    const uint32_t inst = (uint32_t)(tune_inst(&t, 0) - *rom);
+    for (int f = 0; f < frames; f++) {
+        voices_step(v, *rom);
+        v->gain1 = VOICE_GAIN;
+        if (f == 0)
+            voices_note(v, *rom, 0, &(struct voice_note){ inst, 0, 60 * PITCH_ONE, 16000, 64 }, 0);
+    }
+    voices_mix(v, *rom, &tables, out);
+    return v;
+}
+
+/* Its step at the frame's beginning (0) or end (1), in semitones above the note. */
+static double semitones(const char *settings, int frames, int end)
+{
+    int16_t out[2 * SND_FRAME];
+    uint8_t *rom, *block;
+    const struct voices *v = played(settings, frames, out, &rom, &block);
+    const double step = (double)(end ? v->step1[0] : v->step0[0]);
+
+    free(rom);
+    free(block);
+    return 12 * log2(step / (double)pitch_step(60 * PITCH_ONE));
+}
+
+/* How loud its side is, of the loudest sample of a note that is nothing but a sine. */
+static double loudness(const char *settings, int frames, int side)
+{
+    int16_t out[2 * SND_FRAME];
+    uint8_t *rom, *block;
+    int most = 0;
+
+    played(settings, frames, out, &rom, &block);
+    for (int i = side; i < 2 * SND_FRAME; i += 2)
+        most = abs(out[i]) > most ? abs(out[i]) : most;
+    free(rom);
+    free(block);
+    return most / (16000 * 0.7071);
+}
+
+#define NEAR(a, b, by) assert_true(fabs((a) - (b)) < (by))
+
+/* Arpeggios jump where a frame begins, curves go straight from value to value, tremolo starts at the full level. */
+static void test_shapes(void **state)
+{
+    static const double arpeggio[] = { 0, 0, 4, 4, 7, 7, 0, 0 };
+
+    (void)state;
+    for (int f = 0; f < 8; f++) {
+        NEAR(semitones("sine arpeggio=2:0,4,7", f + 1, 0), arpeggio[f], 0.001);
+        NEAR(semitones("sine arpeggio=2:0,4,7", f + 1, 1), arpeggio[f], 0.001);
+    }
+    NEAR(semitones("sine pitch=2:0,1200,-600", 2, 1), 12, 0.001);
+    NEAR(semitones("sine pitch=2:0,1200,-600", 3, 1), 3, 0.001);
+    NEAR(semitones("sine pitch=2:0,1200,-600", 9, 1), -6, 0.001);
+    NEAR(semitones("sine pitch=1:0,1200|500,300", 8, 1), 5, 0.001);
+    NEAR(semitones("sine vibrato=100,15,0", 2, 1), 0, 0.02); /* half a turn in two frames */
+    NEAR(semitones("sine vibrato=100,15,0", 1, 1), 0, 0.001);
+    NEAR(semitones("sine vibrato=100,7.5,0", 2, 1), 1, 0.02);
+    NEAR(loudness("sine attack=0 decay=0", 3, 0), 1, 0.01);
+    NEAR(loudness("sine attack=0 decay=0 volume=2:100,50", 4, 0), 0.5, 0.01);
+    NEAR(loudness("sine attack=0 decay=0 volume=2:0,100|20,60", 5, 0), 0.4, 0.01);
+    NEAR(loudness("sine attack=0 decay=0 pan=1:-64", 3, 0), 1.414, 0.02);
+    NEAR(loudness("sine attack=0 decay=0 pan=1:-64", 3, 1), 0, 0.001);
+    NEAR(loudness("sine attack=0 decay=0 tremolo=100,20,0", 1, 0), 1, 0.05);
+    NEAR(loudness("sine attack=0 decay=0 tremolo=50,0.1,1000", 9, 0), 1, 0.01);
+    NEAR(loudness("fm4 attack=0 decay=0 op2=1,0 op3=1,0 op4=1,0", 3, 0), 1, 0.01);
+    NEAR(loudness("fm4 attack=0 decay=0 op1=1,50,0,16.667 op2=1,0 op3=1,0 op4=1,0", 3, 0), 0.125, 0.02);
+    NEAR(loudness("wave harmonics=0,100 attack=0 decay=0", 3, 0), 27600 / 32767.0, 0.01);
+}
+
 /* A note that glides from a frame to the next has no jump at their border, larger than within. */
 static void test_borders(void **state)
 {
@@ -457,11 +543,11 @@ static void test_borders(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pitch),   cmocka_unit_test(test_halved), cmocka_unit_test(test_sinc),
-        cmocka_unit_test(test_filter),  cmocka_unit_test(test_alias),  cmocka_unit_test(test_limit),
-        cmocka_unit_test(test_level),   cmocka_unit_test(test_adpcm),  cmocka_unit_test(test_time),
-        cmocka_unit_test(test_sines),   cmocka_unit_test(test_plain),  cmocka_unit_test(test_operators),
-        cmocka_unit_test(test_borders),
+        cmocka_unit_test(test_pitch),  cmocka_unit_test(test_halved),  cmocka_unit_test(test_sinc),
+        cmocka_unit_test(test_filter), cmocka_unit_test(test_alias),   cmocka_unit_test(test_limit),
+        cmocka_unit_test(test_level),  cmocka_unit_test(test_adpcm),   cmocka_unit_test(test_time),
+        cmocka_unit_test(test_sines),  cmocka_unit_test(test_plain),   cmocka_unit_test(test_operators),
+        cmocka_unit_test(test_shapes), cmocka_unit_test(test_borders),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # run.sh - make cross: builds the headless program for other machines and with other releases of Lua, and runs every
-# demo of the repository in each build: the same hash of every part at every frame, the same pixels, as on x86-64.
+# demo of the repository in each build: the same hash of every part at every frame, the same pixels and sound, as on
+# x86-64.
 #
 #     tools/cross/run.sh [BUILD...]      without arguments: all of them, and the page docs/determinism.md
 #
@@ -121,13 +122,16 @@ play() { # GAME (a packed one) DEMO
         grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
     same_files "$2: verdict" "$cross/$reference/verdicts/$key" "$dir/verdicts/$key" || return 1
     frames=$(tail -n 1 "$dir/tracks/$key" | cut -d ' ' -f 1)
-    runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every" -o "$dir/pictures/$key" || return 1
+    runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every" -o "$dir/pictures/$key" \
+        --wav "$dir/sounds/$key.wav" || return 1
+    sha256sum <"$dir/sounds/$key.wav" >"$dir/sounds/$key" && rm "$dir/sounds/$key.wav"
+    same_files "$2: sound" "$cross/$reference/sounds/$key" "$dir/sounds/$key" || return 1
     same_files "$2: pictures" "$cross/$reference/pictures/$key" "$dir/pictures/$key"
 }
 
 play_all() {
     local demo rom keys=$cross/$reference/keys.demo
-    mkdir -p "$dir"/{roms,tracks,pictures,verdicts}
+    mkdir -p "$dir"/{roms,tracks,pictures,sounds,verdicts}
     runs curtain-null version >"$dir/version" && runs prove/digest --each >"$dir/digest" || return 1
     same_files "the functions of base" "$cross/$reference/digest" "$dir/digest" || return 1
     for rom in $(ls -d roms/*/demos | sed 's,/demos$,,') tests/cross/keys; do
