@@ -713,15 +713,22 @@ static void test_damage(void **state)
     }
 }
 
+/* A build in 32 bits may be on a machine whose libraries are all of 64. */
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),
-        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder),   cmocka_unit_test(test_encoder),
-        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),     cmocka_unit_test(test_sound),
-        cmocka_unit_test(test_flaws),   cmocka_unit_test(test_music),     cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_damage),  cmocka_unit_test(test_cut_pages),
+        cmocka_unit_test(test_wav),   cmocka_unit_test(test_decoder), cmocka_unit_test(test_encoder),
+        cmocka_unit_test(test_rates), cmocka_unit_test(test_loops),   cmocka_unit_test(test_flaws),
+        cmocka_unit_test(test_music),
     };
+    const struct CMUnitTest with_libraries[] = {
+        cmocka_unit_test(test_library), cmocka_unit_test(test_modules),   cmocka_unit_test(test_without),
+        cmocka_unit_test(test_sound),   cmocka_unit_test(test_truncated), cmocka_unit_test(test_cut_pages),
+        cmocka_unit_test(test_damage),
+    };
+    const bool there = sizeof(void *) > 4 || library_open("libsndfile.so.1", NULL, 0);
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (!there)
+        printf("# libsndfile is not there in 32 bits: WAV and ADPCM alone\n");
+    return cmocka_run_group_tests(tests, NULL, NULL) + (there ? cmocka_run_group_tests(with_libraries, NULL, NULL) : 0);
 }
