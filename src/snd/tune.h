@@ -34,6 +34,7 @@
 enum {
     TUNE_FORMAT = 2,
     TUNE_HEADER = 32,
+    TUNE_DUCK_AT = 21, /* where in the header it is */
     TUNE_TITLE = 64,
     TUNE_TRACKS = 16,
     TUNE_INSTS = 64,

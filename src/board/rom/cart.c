@@ -347,8 +347,9 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     return true;
 }
 
-const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item", "bomb",
-                                           "warning", "menu", "extend", "spell", "time" };
+const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item",    "bomb",
+                                           "warning", "menu", "extend", "spell", "bonus",   "time",
+                                           "select",  "back", "wrong",  "pause", "continue" };
 
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {

@@ -65,8 +65,15 @@ enum cart_cue {
     CUE_WARNING,
     CUE_MENU,
     CUE_EXTEND,
+    /* Those from here on the library asks for by their names, and "warning" and "menu". */
     CUE_SPELL,
+    CUE_BONUS,
     CUE_TIME,
+    CUE_SELECT,
+    CUE_BACK,
+    CUE_WRONG,
+    CUE_PAUSE,
+    CUE_CONTINUE,
     CART_CUES
 };
 extern const char *const cart_cues[CART_CUES]; /* "shot" */

@@ -170,6 +170,23 @@ static void change_music(struct board *b, int sample)
     start_music(b, s->next);
 }
 
+/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+static void step_duck(struct board *b)
+{
+    struct voices *v = &b->voices;
+    int32_t most = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (b->cues.tune[i]) {
+            const int32_t duck = tune_of(rom(b) + b->cues.tune[i]).duck * VOICE_GAIN / 255;
+            most = duck > most ? duck : most;
+        }
+    if (most > v->ducked)
+        v->ducked = (uint16_t)(v->ducked + (most - v->ducked + 3) / 4);
+    else
+        v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
+}
+
 /* What is left of the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
@@ -178,7 +195,7 @@ static uint16_t gain(const struct board *b)
 
     if (b->voices.held)
         return 0;
-    return (uint16_t)(left * s->level / SEQ_FULL);
+    return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
 /* Is it on its way out, for another or for none? */
@@ -240,14 +257,24 @@ void sound_end(struct board *b)
 {
     step_music(b);
     cues_step(&b->cues, rom(b), play_cue, b);
+    step_duck(b);
     b->voices.gain1 = gain(b);
 }
 
 /* ---- what is asked for ---- */
 
+static uint32_t ringing(const struct board *b)
+{
+    uint32_t rings = 0;
+
+    for (int i = 0; i < CUES; i++)
+        rings |= (uint32_t)voices_busy(&b->voices, VOICES_MUSIC + i) << i;
+    return rings;
+}
+
 void sound_play(struct board *b, const struct cue *cue)
 {
-    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame);
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame, ringing(b));
 
     for (int i = 0; i < CUES; i++)
         if (ended >> i & 1)
@@ -480,6 +507,29 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
+bool board_cue(const struct board *b, int slot, struct board_cue *out)
+{
+    const struct cues *c = &b->cues;
+    int sound = 0;
+
+    if (!board_has_sound(b) || slot >= CUES)
+        return false;
+    *out = (struct board_cue){ 0 };
+    if (c->tune[slot] == 0)
+        return true;
+    while (cart_sound(&b->cart, sound) != c->tune[slot])
+        sound++;
+    out->name = cart_sound_name(&b->cart, sound);
+    out->began = c->born[slot];
+    out->first = c->track[slot] == 0;
+    return true;
+}
+
+const char *board_music(const struct board *b)
+{
+    return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
+}
+
 /* ---- a box ---- */
 
 static size_t aligned(size_t n)
@@ -570,6 +620,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                bytes };
+                                bytes,
+                                l.data };
     return true;
 }

@@ -143,6 +143,7 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
     memcpy(w->bytes, head, sizeof head);
     bytes_put32(w->bytes + 8, tempo);
     w->bytes[20] = (uint8_t)sides;
+    w->bytes[TUNE_DUCK_AT] = (uint8_t)s->duck;
     snprintf((char *)w->bytes + TUNE_HEADER, TUNE_TITLE, "%s", s->title);
     w->n = TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)sides + 1);
     for (int i = 0; i < sides; i++, w->n += INST_BYTES)
