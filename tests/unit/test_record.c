@@ -554,7 +554,7 @@ static void test_music(void **state)
     assert_true(tune_open(tune.data, tune.n, err, sizeof err) && samples_open(wave.data, wave.n, 2));
     const struct tune t = tune_of(tune.data);
     assert_true(t.tracks == 2 && t.sides == 2 && tune_streams(&t) && t.tempo == 12000 && t.lead == 4800 && t.rest == 0);
-    assert_string_equal(events(tune.data, 1, 48000 * 8), "0i1 0p128 0v127 0n15360 0v127 288000v127 ");
+    assert_string_equal(events(tune.data, 1, 48000 * 9), "0i1 0p128 0v127 0n15360 100800v127 100800v127 388800v127 ");
     assert_string_equal(events(tune.data, -1, 48000 * 15),
                         "4800m1 124800t12000 124800m0 304800m2 412800m0 592800m2 700800m0 ");
     free(tune.data);
