@@ -260,7 +260,7 @@ msan: given
 valgrind: given
 	@OUT=$(OUT) tests/machine/uninitialised.sh lua
 given: deps-play-test-nightly
-	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain-null $(OUT)/given/fuzz_manifest $(OUT)/given/fuzz_board \
+	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain-null $(patsubst %,$(OUT)/given/fuzz_%,manifest board recording) \
 		$(patsubst %,$(OUT)/unit/test_%,cli demo manifest pack script)
 msan-short:
 	@$(MAKE) --no-print-directory -j2 $(MSAN) $(MSAN_GIVEN) $(MSAN_UNIT)

@@ -6,10 +6,10 @@ sandbox
 
 seeds=$repo/tests/fuzz/seeds/fuzz_recording
 check "the example packs" "$curtain" pack "$repo/examples/tape" -o tape.rom
-same "the list, with the bytes of a stream's samples" "sound hit: 14 KB, recording, tracks 1, limit 2
-sound kill: 10 KB, recording, tracks 1, limit 3
-music reel: 390 KB, recording, tracks 2, markers 2, endless, The Reel" \
-    "$("$curtain" sound tape.rom | sed 's/\([0-9]*\)[0-9]\{3\} bytes/\1 KB/')"
+same "the list, with the bytes of a stream's samples" "sound hit: 0.32 s, 14 KB, recording, tracks 1, limit 2
+sound kill: 0.82 s, 10 KB, recording, tracks 1, limit 3
+music reel: 16.00 s, loop 12.00 s, 390 KB, recording, tracks 2, markers 2, The Reel" \
+    "$("$curtain" sound tape.rom | sed 's/peak .* LUFS, //; s/\([0-9]*\)[0-9]\{3\} bytes/\1 KB/')"
 
 mkdir -p g/music
 cp "$seeds"/* g/music

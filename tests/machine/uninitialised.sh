@@ -93,7 +93,7 @@ grind_given() {
 }
 through_lua() {
     local target name command
-    for target in fuzz_manifest fuzz_board; do
+    for target in fuzz_manifest fuzz_board fuzz_recording; do
         clean "$target under valgrind: $(seeds "$target" | wc -l) files" grind_given "$target"
     done
     for name in cli demo manifest pack script; do

@@ -554,7 +554,7 @@ static void test_music(void **state)
     assert_true(tune_open(tune.data, tune.n, err, sizeof err) && samples_open(wave.data, wave.n, 2));
     const struct tune t = tune_of(tune.data);
     assert_true(t.tracks == 2 && t.sides == 2 && tune_streams(&t) && t.tempo == 12000 && t.lead == 4800 && t.rest == 0);
-    assert_string_equal(events(tune.data, 1, 48000 * 8), "0i1 0p128 0v127 0n15360 0v127 288000v127 ");
+    assert_string_equal(events(tune.data, 1, 48000 * 9), "0i1 0p128 0v127 0n15360 100800v127 100800v127 388800v127 ");
     assert_string_equal(events(tune.data, -1, 48000 * 15),
                         "4800m1 124800t12000 124800m0 304800m2 412800m0 592800m2 700800m0 ");
     free(tune.data);
@@ -713,15 +713,22 @@ static void test_damage(void **state)
     }
 }
 
+/* A build in 32 bits may be on a machine whose libraries are all of 64. */
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wav),     cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),
-        cmocka_unit_test(test_without), cmocka_unit_test(test_decoder),   cmocka_unit_test(test_encoder),
-        cmocka_unit_test(test_rates),   cmocka_unit_test(test_loops),     cmocka_unit_test(test_sound),
-        cmocka_unit_test(test_flaws),   cmocka_unit_test(test_music),     cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_damage),  cmocka_unit_test(test_cut_pages),
+        cmocka_unit_test(test_wav),   cmocka_unit_test(test_decoder), cmocka_unit_test(test_encoder),
+        cmocka_unit_test(test_rates), cmocka_unit_test(test_loops),   cmocka_unit_test(test_flaws),
+        cmocka_unit_test(test_music),
     };
+    const struct CMUnitTest with_libraries[] = {
+        cmocka_unit_test(test_library), cmocka_unit_test(test_modules),   cmocka_unit_test(test_without),
+        cmocka_unit_test(test_sound),   cmocka_unit_test(test_truncated), cmocka_unit_test(test_cut_pages),
+        cmocka_unit_test(test_damage),
+    };
+    const bool there = sizeof(void *) > 4 || library_open("libsndfile.so.1", NULL, 0);
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (!there)
+        printf("# libsndfile is not there in 32 bits: WAV and ADPCM alone\n");
+    return cmocka_run_group_tests(tests, NULL, NULL) + (there ? cmocka_run_group_tests(with_libraries, NULL, NULL) : 0);
 }

@@ -20,7 +20,8 @@ every=60                                       # frames from picture to picture
 
 # ---- what a build is made of ----
 
-# Sets suite, cc, flags, link, and run, which runs the build's programs here.
+# Sets suite, cc, flags, link, and run, which runs the build's programs here. Other machines' libraries that read
+# recordings are not here, and a static program opens none.
 set_up() {
     suite=bookworm flags="" link="" run=""
     case $1 in *-trixie) suite=trixie ;; esac
@@ -75,7 +76,7 @@ build() {
         # shellcheck disable=SC2086
         echo 'int main(void) { return 0; }' | $cc $flags -x c - -o "$dir/probe" && "$dir/probe" && run=""
     fi
-    set -- CC="$cc" BUILD_CC=gcc RUN="$run" CFLAGS="-Werror $flags"
+    set -- CC="$cc" BUILD_CC=gcc RUN="$run" CFLAGS="-Werror -DWITHOUT_LIBRARIES $flags"
     if [ "$name" != $reference ]; then
         build_lua || return 1
         case $cc in *wasm32*) include="-I$PWD/tools/cross/wasi" ;; *) include="" ;; esac

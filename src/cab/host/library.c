@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#if defined __has_include
+#if defined __has_include && !defined WITHOUT_LIBRARIES
 #if __has_include(<dlfcn.h>) && !defined __wasm__
 #define HAS_LIBRARIES
 #include <dlfcn.h>

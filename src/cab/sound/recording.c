@@ -150,8 +150,8 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
         inst_write(w->bytes + w->n, &inst, none, "");
 }
 
-/* A track that plays sample i; it is `ticks` long, or its loop is. */
-static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t ticks)
+/* A track that plays sample i: `ticks` long, or, if it is endless, with a loop of so many after those before it. */
+static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t before, uint32_t ticks)
 {
     begin_track(w);
     add_event(w, 0, TUNE_INST, i);
@@ -159,6 +159,7 @@ static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t
     add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
     add_event(w, 0, TUNE_NOTE, RECORDING_NOTE);
     if (endless) {
+        add_event(w, before, TUNE_VOLUME, TUNE_LOUD);
         begin_loop(w);
         add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
     }
@@ -196,7 +197,7 @@ bool recording_sound(const struct pcm *p, const struct art_sound *s, struct reco
     begin_track(&w);
     add_event(&w, 0, TUNE_END, 0);
     for (int i = 0; i < sides; i++)
-        add_track(&w, i, sides, p->loop >= 0, ticks);
+        add_track(&w, i, sides, p->loop >= 0, 0, ticks);
     end_tune(&w);
     if (!write_samples(p, s, w.n, tune))
         return err_set(err, err_size, "out of memory");
@@ -290,7 +291,8 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     const bool endless = p->loop >= 0;
     const uint64_t all = units_of(p, p->n, tempo), loop = units_of(p, loop_frames(p), tempo);
     const int64_t end = (int64_t)(all - (uint64_t)lead * tempo);
-    const struct span span = { end - (int64_t)units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo), end };
+    const uint64_t once = units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo);
+    const struct span span = { end - (int64_t)once, end };
     const uint32_t loop_ticks = (uint32_t)(loop / TUNE_TICK);
     struct place places[TUNE_MARKS];
     struct writer w;
@@ -307,7 +309,8 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     bytes_put32(w.bytes + 28, lead);
     add_conductor(&w, s, tempo, places, &span, endless, loop_ticks);
     for (int i = 0; i < sides_of(p, s); i++)
-        add_track(&w, i, sides_of(p, s), endless, endless ? loop_ticks : ticks_up(all));
+        add_track(&w, i, sides_of(p, s), endless, (uint32_t)((all - once) / TUNE_TICK),
+                  endless ? loop_ticks : ticks_up(all));
     end_tune(&w);
     tune->n = w.n;
     tune->data = malloc(w.n);
