@@ -75,6 +75,7 @@ enum option {
     OPTION_TRACE,
     OPTION_SHEET,
     OPTION_WAV,
+    OPTION_NOTES,
     OPTION_PLAY,
     OPTION_OUT,
     OPTION_NEAREST,
@@ -121,6 +122,7 @@ static const struct {
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
+    [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
     [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
                      "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
@@ -453,6 +455,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->parts);
     case OPTION_NEAREST:
         return set_switch(&a->nearest);
+    case OPTION_NOTES:
+        return set_switch(&a->notes);
     case OPTION_BISECT:
         return set_switch(&a->bisect);
     case OPTION_RESTAMP:

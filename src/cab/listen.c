@@ -13,6 +13,7 @@
 #include "hear.h"
 #include "host/report.h"
 #include "host/tape.h"
+#include "notes.h"
 #include "pack/pack.h"
 #include "sound/loudness.h"
 #include "sound/tune_time.h"
@@ -105,6 +106,26 @@ static enum result unknown(const struct board *b, const char *name)
     return report_line(RESULT_REFUSED, "sound: the game has no \"%s\"", name);
 }
 
+/* The notes of the sound or, if there is none of that name, of the music. The ROM's tunes were checked with it. */
+static enum result print_notes(const struct board *b, const struct rom *rom, const char *name)
+{
+    static const char *const folders[] = { "sound/", "tune/" };
+    char path[64];
+
+    for (int i = 0; i < 2; i++) {
+        const int n = snprintf(path, sizeof path, "%s%s", folders[i], name);
+        const int at = n < (int)sizeof path ? rom_find(rom, path) : -1;
+        struct lump l;
+        if (at < 0)
+            continue;
+        rom_lump(rom, at, &l);
+        const struct tune t = tune_of(l.data);
+        notes_print(name, &t);
+        return RESULT_DONE;
+    }
+    return unknown(b, name);
+}
+
 static enum result measure(struct board *b, const struct args *a)
 {
     const char *out = a->out ? a->out : a->wav;
@@ -161,6 +182,8 @@ enum result listen_run(const struct args *a)
         result = report_line(RESULT_REFUSED, "%s", err);
     else if (a->n_words < 2)
         result = list(b, &image.rom);
+    else if (a->notes)
+        result = print_notes(b, &image.rom, a->words[1]);
     else
         result = one(b, a);
     rom_image_free(&image);

@@ -66,7 +66,7 @@ static void little_and_nothing(void **state)
 
 static struct tune_time time_of(const char *mml)
 {
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     uint8_t *made;
     size_t size;
     char err[256];
