@@ -144,14 +144,20 @@ static void quiet_alsa(void)
 }
 #endif
 
+static bool start_sound(void)
+{
+    if (SDL_WasInit(SDL_INIT_AUDIO))
+        return true;
+    quiet_alsa();
+    return SDL_InitSubSystem(SDL_INIT_AUDIO) == 0;
+}
+
 static void open_speaker(bool complain)
 {
     const SDL_AudioSpec want = { .freq = port.want.rate, .format = AUDIO_S16SYS, .channels = 2, .samples = PERIOD };
     SDL_AudioSpec have;
 
-    if (!SDL_WasInit(SDL_INIT_AUDIO))
-        quiet_alsa();
-    if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0)
+    if (start_sound())
         port.speaker = SDL_OpenAudioDevice(0, 0, &want, &have, 0);
     if (port.speaker) {
         port.taken = 2 * have.samples;

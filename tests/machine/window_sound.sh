@@ -133,6 +133,21 @@ if start Probe "$OUT/curtain" play g --scale 1 --verbose; then
     same "and no other" 2 "$(wc -l <err)"
 fi
 
+# ---- a speaker that goes, and comes ----
+${CC:-cc} -std=c11 -O1 $(sdl2-config --cflags) -o port_sound "$repo/tests/machine/port_sound.c" \
+    "$repo/platform/sdl2.c" "$repo/platform/stdio.c" $(sdl2-config --libs) || exit 2
+check "a speaker that goes, and comes" env SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy ./port_sound
+
+# ---- one sound, heard ----
+export SDL_AUDIODRIVER=disk AUDIODEV=
+rm -f played.raw
+check "a sound is over by itself" timeout 100 "$OUT/curtain" sound g hit --play
+check "and was played" played 60000
+if start "curtain: tide" "$OUT/curtain" sound g tide --play; then
+    check "a piece goes on" soon played 200000
+    stop
+fi
+
 # ---- none of it is seen in a demo ----
 export SDL_AUDIODRIVER=disk AUDIODEV=
 again() { # OUT OPTION...: plays run.demo, recorded anew

@@ -181,12 +181,13 @@ static void prime(struct speaker *s, int sixtieths)
     drift_jump(&s->drift);
 }
 
-/* How fast the game goes by the clock. */
+/* How fast the game goes by the clock. A single stop is no slowness: what was missed then is a gap. */
 static void find_pace(struct speaker *s, const struct speaker_time *t)
 {
     const double passed = (double)t->sixtieths * SIXTIETH, pace = passed / (passed + (double)t->lost);
 
-    s->slowed = t->lost ? SLOWED : int_max(s->slowed - 1, 0);
+    s->slowed = t->lost && s->stumbled ? SLOWED : int_max(s->slowed - 1, 0);
+    s->stumbled = t->lost ? SLOWED : int_max(s->stumbled - 1, 0);
     s->pace = pace < s->pace ? pace : s->pace + (pace - s->pace) * PACE_MENDS;
     s->pace = s->slowed ? fmax(s->pace, PACE_LEAST) : 1;
 }
@@ -256,6 +257,18 @@ static void found(struct speaker *s)
     drift_jump(&s->drift);
 }
 
+/* What would wait for too long is not played: after a card that stood still, and after a stop of the game, whose last
+ * frames come all at once. */
+static void refuse_what_is_late(struct speaker *s, const struct speaker_time *t)
+{
+    if (s->exact || s->slowed)
+        return;
+    if (s->waiting > SPEAKER_MOST)
+        s->refuse = (s->waiting - SPEAKER_AHEAD) / SPEAKER_BLOCK;
+    else if (s->waiting == 0 && t->lost)
+        s->refuse = int_max(t->sixtieths * SPEAKER_BLOCK - SPEAKER_AHEAD, 0) / SPEAKER_BLOCK;
+}
+
 void speaker_frame(struct speaker *s, const struct speaker_time *t)
 {
     if (!s->memory && s->state == SPEAKER_OFF) /* nothing was ever heard */
@@ -273,8 +286,7 @@ void speaker_frame(struct speaker *s, const struct speaker_time *t)
         prime(s, t->sixtieths);
     s->state = SPEAKER_GOOD;
     send(s, t);
-    if (s->waiting > SPEAKER_MOST && !s->exact && !s->slowed)
-        s->refuse = (s->waiting - SPEAKER_AHEAD) / SPEAKER_BLOCK;
+    refuse_what_is_late(s, t);
 }
 
 bool speaker_leads(const struct speaker *s)

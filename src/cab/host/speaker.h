@@ -23,7 +23,7 @@ enum {
     SPEAKER_BLOCK = SPEAKER_RATE / 60, /* stereo frames a tick makes */
     SPEAKER_AHEAD = 1920, /* that wait when a frame is on time, before its own come, the card's own included: 40 ms */
     SPEAKER_LATENCY = SPEAKER_AHEAD + RESAMPLE_AFTER,
-    SPEAKER_MOST = 2 * SPEAKER_AHEAD + SPEAKER_BLOCK, /* with more, what comes is not played */
+    SPEAKER_MOST = SPEAKER_AHEAD + 2 * SPEAKER_BLOCK, /* with more, what comes is not played */
     SPEAKER_JOIN = 384                                /* 8 ms */
 };
 
@@ -64,6 +64,7 @@ struct speaker {
     int refuse;                                             /* blocks that are not taken: too much waits */
     int waiting;                                            /* frames that waited at the last look */
     double pace;                                            /* of the game, by the clock: 1, or it cannot follow */
+    int stumbled;                                           /* frames in which another stop would not be the only one */
     int slowed;                                             /* frames until it is believed that it can again */
     int peak[2];                                            /* of the board's last block, as it made it */
     struct speaker_seen seen;

@@ -160,6 +160,9 @@ void cab_menu(const struct keys_read *k);
 bool cab_picture_open(struct picture *p, const struct board *b);
 void cab_picture_close(struct picture *p);
 
+/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
+int cab_sound_rate(void);
+
 /* Opens the window, or changes it, as cab.want and the game's manifest say. False: there is none. */
 bool cab_open_window(void);
 

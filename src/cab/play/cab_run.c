@@ -330,7 +330,8 @@ static void finish_reload(void)
         cab.quit = true;
         return;
     }
-    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0)
+    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0 ||
+        cab.want.rate != cab_sound_rate())
         cab.quit = !cab_open_window() || cab.quit;
     cab_say("curtain: %s: reloaded", cab_game());
     if (cab.session.gone[0])

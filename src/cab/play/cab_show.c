@@ -35,12 +35,16 @@ void cab_picture_close(struct picture *p)
     *p = (struct picture){ 0 };
 }
 
+int cab_sound_rate(void)
+{
+    return board_has_sound(cab_live()) && (!cab.speaker.muted || cab.want.rate) ? SPEAKER_RATE : 0;
+}
+
 bool cab_open_window(void)
 {
     const struct manifest *m = &cab_cart()->m;
-    const bool heard = board_has_sound(cab_live()) && (!cab.speaker.muted || cab.want.rate);
 
-    cab.want.rate = heard ? SPEAKER_RATE : 0;
+    cab.want.rate = cab_sound_rate();
     cab.want.w = m->screen_w;
     cab.want.h = m->screen_h;
     snprintf(cab.title, sizeof cab.title, "%s", m->title); /* the manifest may go */
