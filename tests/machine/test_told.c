@@ -166,7 +166,7 @@ static void test_later(void **state)
     SAYS("board.dip('coin')", "main.lua:2: board.dip: dip \"coin\" is not in rom.lua (it has none)");
     SAYS("board.live('bulets')",
          "main.lua:2: board.live: chip \"bulets\" is not one of this board (did you mean \"bullets\"?)");
-    SAYS("palette.load('moon')", "main.lua:2: palette.load: palette \"moon\" is not in rom.lua (it has main, other)");
+    SAYS("palette.load('dusk')", "main.lua:2: palette.load: palette \"dusk\" is not in rom.lua (it has main, other)");
     SAYS("say('Hello')", "main.lua:2: say: expected who and what, as say(nil, \"Hello\"): nil for nobody");
     SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of texts, as choose { \"YES\", \"NO\" }");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
