@@ -145,6 +145,7 @@ static void test_later(void **state)
     SAYS("board.ask = print board.ask('mine')", "mine\n");
     SAYS("bullet.fier {}",
          "main.lua:2: attempt to call a nil value (field 'fier') (did you mean bullet.fire or shot.fire?)");
+    SAYS("bullet.dfe()", "main.lua:2: attempt to call a nil value (field 'dfe')"); /* too many are called def */
     SAYS("talk.sya()", "main.lua:2: attempt to call a nil value (field 'sya') (did you mean say?)");
     SAYS("text.printed()", "main.lua:2: attempt to call a nil value (field 'printed')");
     SAYS("hud.center(3, 'a')",
