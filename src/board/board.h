@@ -173,6 +173,17 @@ size_t board_sound_tables(void);
 void board_sound_open(void *tables);
 void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
 
+/* What the slot-th voice of sounds plays after a tick; false: there are no more. */
+struct board_cue {
+    const char *name; /* NULL: nothing */
+    uint32_t began;   /* the frame in which it did */
+    bool first;       /* of its tracks */
+};
+bool board_cue(const struct board *b, int slot, struct board_cue *out);
+
+/* The piece of music that plays; "": none. */
+const char *board_music(const struct board *b);
+
 /* A board that only plays one sound or piece of music of a ROM, without its scripts, in board_box_size() bytes aligned
  * to 64: for listening. board_box_play plays sound NAME, or the music of that name; false: there is none. A frame is
  * one board_box_tick; false: all is over and silent. */
@@ -187,6 +198,7 @@ struct board_tune {
     bool music, recording, endless;
     int tracks, priority, limit, marks;
     size_t bytes;
+    const uint8_t *data; /* tune.h */
 };
 bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 

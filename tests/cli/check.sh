@@ -801,4 +801,58 @@ refuses 'an option of another command' '--frames does not go with check (it goes
 same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
 "$curtain" check d >/dev/full 2>err
 same 'standard output is full' "3 curtain: standard output cannot be written" "$? $(cat err)"
+
+# ---- sounds ----
+
+sounds() { # SOUNDS, standard input: main.lua; a game with these
+    { echo 'local used, tune = { "dot", "dart" }, music.name()' && cat; } | game l
+    sed -i "s|sounds = .*|sounds = { $1 },|" l/rom.lua
+}
+sounds 'hit = { mml = "t200 @noise o6 c8" }, boom = { mml = "t200 @noise o6 c8" }' <<'LUA'
+music.play("tide")
+on.start(function()
+  sound.play("bom")
+  sound.stop("zzz")
+  music.play("tied")
+end)
+LUA
+finds 'names that rom.lua has not, and one that no script has' l <<'EOF'
+main.lua:4: sound.play: "bom" is not in rom.lua's sounds (did you mean "boom"?)
+main.lua:5: sound.stop: "zzz" is not in rom.lua's sounds
+main.lua:6: music.play: "tied" is not in rom.lua's music (did you mean "tide"?)
+rom.lua:9: sound "boom": no script names it
+4 problems
+EOF
+rm -rf l
+loud='{ mml = "t60 @pulse V127 o4 [c1]9", limit = 8 }'
+sounds "hit = $loud, graze = $loud, kill = $loud, item = $loud, bomb = $loud, menu = $loud, shot = $loud, time = $loud" <<'LUA'
+music.play("tide")
+task.go(function()
+  for _, name in ipairs { "hit", "graze", "kill", "item", "bomb", "menu", "shot", "time" } do sound.play(name, { pan = -1 }) end
+end)
+LUA
+finds 'a mix that is too loud' l <<'EOF'
+600 frames of nobody playing: the mix is above full scale in 590 of 600 frames, the first 0; volumes in rom.lua make it softer
+1 problem
+EOF
+rm -rf l
+long='mml = "t60 @sine V30 o4 c1"'
+sounds "hit = { $long, limit = 8 }, boom = { $long, limit = 1, priority = 5 }, bell = { $long, limit = 8, priority = 5 }" <<'LUA'
+music.play("tide", { again = true })
+task.go(function()
+  while true do
+    sound.play("hit")
+    sound.play("boom")
+    wait(5)
+    for _ = 1, 7 do sound.play("bell") wait(1) end
+    sound.stop("bell")
+    wait(8)
+  end
+end)
+LUA
+finds 'sounds that others take the voice of' l <<'EOF'
+600 frames of nobody playing: sound "hit" loses its end 30 of 30 times, first in frame 11: others need its voice; limit, priority in rom.lua
+1 problem
+EOF
+rm -rf l
 finish

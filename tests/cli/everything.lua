@@ -244,7 +244,7 @@ task.go(function()
   music.play("tide", { fade = 20 })
   while music.wait("drop") < 40 do
     sound.play("hit", { volume = 0.5, pan = -0.5, pitch = 3 })
-    board.note(music.bar() + music.beat() + music.frames(2) + #music.marker() + #music.name())
+    board.note(music.bar() + music.beat() + music.frames(2) + #(music.marker() or "") + #(music.name() or ""))
     if music.wait(3) % 2 == 0 then sound.stop("hit") end
   end
   sound.stop()

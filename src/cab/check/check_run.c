@@ -63,8 +63,9 @@ struct run {
     size_t most;             /* bytes of Lua RAM, of all runs so far */
     char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
-    struct contrast contrast; /* of this run */
-    bool measured;            /* the kinds' shapes were compared with their pictures */
+    struct contrast contrast;  /* of this run */
+    struct check_heard *heard; /* of what is listened to; NULL: nothing */
+    bool measured;             /* the kinds' shapes were compared with their pictures */
 };
 
 /* ---- hit shapes and pictures ---- */
@@ -190,6 +191,8 @@ static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
     const struct board_out *out = guard_tick(&r->guard, pads);
 
     note_full(r, out);
+    if (r->heard != NULL)
+        check_heard_frame(r->heard, r->guard.board);
     return out;
 }
 
@@ -223,6 +226,23 @@ static void finish(struct run *r)
     guard_close(&r->guard);
 }
 
+/* Sections are not listened to: it takes longer than to play them. */
+static void listen_to(struct run *r)
+{
+    if (!board_has_sound(r->guard.board))
+        return;
+    r->heard = check_heard_open();
+    r->c->found.failed = r->c->found.failed || r->heard == NULL;
+}
+
+static void judge_heard(struct run *r)
+{
+    if (r->heard != NULL)
+        check_heard_judge(r->c, r->heard, r->what);
+    check_heard_close(r->heard);
+    r->heard = NULL;
+}
+
 static struct board_start plain_start(const struct run *r)
 {
     struct board_start start = { .difficulty = -1 };
@@ -240,8 +260,10 @@ static void run_idle(struct run *r)
     r->what = "600 frames of nobody playing";
     if (!power(r, &start))
         return;
+    listen_to(r);
     for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
         tick(r, nothing);
+    judge_heard(r);
     finish(r);
 }
 
@@ -455,7 +477,9 @@ static void run_loaded(struct run *r)
         guard_close(&r->guard);
         return;
     }
+    listen_to(r);
     uint32_t wrong = play(r);
+    judge_heard(r);
     judge_contrast(r);
     contrast_close(&r->contrast);
     free(r->hash_cache);
@@ -520,6 +544,13 @@ static void run_all(struct run *r)
     judge_memory(r);
 }
 
+static void found_in_music(void *context, const char *sentence)
+{
+    struct check *c = context;
+
+    check_rom_sentence(c, sentence);
+}
+
 /* Colours are looked at elsewhere; here the nearest will do. */
 void check_run(struct check *c)
 {
@@ -531,7 +562,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder(c->dir, true, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder_told(c->dir, true, found_in_music, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;
